@@ -9,6 +9,7 @@ from pathlib import Path
 
 from benchmarks.validation_page import page, throw_picture
 from benchmarks.validation_results import DISTANCES, everything
+from benchmarks.validation_rolling import picture
 from hoopgen import PAPER
 from hoopgen.outputs import write
 from hoopgen.plots import save
@@ -31,6 +32,7 @@ def main() -> None:
         results = everything(50_000, 20_000, DISTANCES)
     save(throw_picture(results), arguments.out / "validation-throws.svg")
     save(plot_aim_points(results.banks.places, PAPER), arguments.out / "validation-bank.svg")
+    save(picture(results.bounces), arguments.out / "validation-bounces.svg")
     write(arguments.out / "validation.md", page(results))
 
 

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 import hoopgen
-from benchmarks import validation_court, validation_rolling
+from benchmarks import validation_court, validation_friction, validation_rolling
+from benchmarks.rolling import Bounce
 from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.hoop.variables import ARGUMENTS, resolve_variables
@@ -352,7 +353,8 @@ class Results:
     shots: int
     bank_shots: int
     court: Sequence[str]
-    """Lines of the sections on the whole hoop, and on rolling."""
+    """Lines of the sections on the whole hoop, on friction, and on rolling."""
+    bounces: dict[float, list[Bounce]]
 
 
 def everything(shots: int, bank_shots: int, distances: Sequence[float]) -> Results:
@@ -369,8 +371,11 @@ def everything(shots: int, bank_shots: int, distances: Sequence[float]) -> Resul
     release = rounded(line.best)
     print("the whole hoop")
     court = validation_court.section(shots)
+    print("friction and restitutions")
+    friction = validation_friction.section(bank_shots)
     print("rolling")
-    rolling = validation_rolling.section(4 * shots)
+    bounces = validation_rolling.sequences()
+    rolling = validation_rolling.section(bounces, 4 * shots)
     return Results(
         checks,
         entries,
@@ -382,5 +387,6 @@ def everything(shots: int, bank_shots: int, distances: Sequence[float]) -> Resul
         success(release, "elevation", [sd * DEGREE for sd in ANGLE_SDS], shots),
         shots,
         bank_shots,
-        [*court, *rolling],
+        [*court, *friction, *rolling],
+        bounces,
     )

@@ -1,10 +1,13 @@
 """Bounces that accumulate, rolling, and what becomes of shots that the hoop gives up."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import NullLocator
 
 import hoopgen
 from benchmarks.report import table
@@ -12,11 +15,15 @@ from benchmarks.rolling import NAMES, NBA, Bounce, Found, bounces, settled
 from benchmarks.workloads import FOOT, SEED, States, free_throw
 from hoopgen import COURT, HOOP, Outcome
 from hoopgen.phrases import percent
+from hoopgen.plots.style import COLOURS, PAGE, style
 
 THROWS = {0.3: 1 << 10, 0.5: 1 << 11, 0.7: 1 << 13}
 """Free throws whose bounces are looked at, by restitution."""
 SPEEDS = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1)
 """Between which bounces are taken together, m/s."""
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+DRAWN = 100
+"""Bounces of a restitution in the picture, at most."""
 SHOTS = 200_000
 """Free throws that are flown in both scenes; a hundredth as many settled ones are rolled again."""
 
@@ -63,9 +70,13 @@ def given_up(states: States) -> GivenUp:
     )
 
 
-def section(shots: int = SHOTS) -> list[str]:
+def sequences() -> dict[float, list[Bounce]]:
+    """Return the bounces of sequences that settle, by restitution."""
+    return {e: list(bounces(free_throw(n), e)) for e, n in THROWS.items()}
+
+
+def section(found: dict[float, list[Bounce]], shots: int = SHOTS) -> list[str]:
     """The section of the page."""
-    found = {e: list(bounces(free_throw(n), e)) for e, n in THROWS.items()}
     return [
         "## Bounces that accumulate, and rolling",
         "",
@@ -75,7 +86,7 @@ def section(shots: int = SHOTS) -> list[str]:
     ]
 
 
-def _accumulating(found: dict[float, Sequence[Bounce]]) -> list[str]:
+def _accumulating(found: dict[float, list[Bounce]]) -> list[str]:
     rows = [
         [f"{low:g} to {high:g} m/s", *(_ratios(own, low, high) for own in found.values())]
         for low, high in reversed([*pairwise(SPEEDS)])
@@ -90,7 +101,45 @@ def _accumulating(found: dict[float, Sequence[Bounce]]) -> list[str]:
         "by V² tends to a constant of each sequence.",
         "",
         *table(["V", *(f"e = {e:g}" for e in found)], rows),
+        "The same distances against V, up to a hundred of each restitution, and the law's line "
+        "for the median of F/N² over these bounces, about which they scatter:",
+        "",
+        "![How far rolling is from bouncing, against the speed of the bounce: a line of slope 2 on "
+        "logarithmic axes](validation-bounces.svg)",
+        "",
     ]
+
+
+def _power(value: float) -> str:
+    """Say a power of ten; the house's pictures have no other formulas."""
+    return f"10{f'{round(math.log10(value))}'.translate(_RAISED)}"
+
+
+def picture(found: dict[float, list[Bounce]]) -> Figure:
+    """Draw how far a ball that rolls from a bounce is from where the bounces end, against V."""
+    with style():
+        figure = Figure(figsize=(PAGE, 2.7), layout="constrained")
+        for axes, (restitution, own) in zip(
+            figure.subplots(1, len(found), sharex=True, sharey=True), found.items(), strict=True
+        ):
+            speed = np.array([one.speed for one in own])
+            off = np.array([one.by_square for one in own]) * speed**2
+            # What the law gives for each bounce differs by its F/N²: the median of them.
+            law = np.median([one.by_square / one.by_limit for one in own])
+            ends = np.array([SPEEDS[0], SPEEDS[-1]])
+            some = slice(None, None, -(-len(own) // DRAWN))
+            axes.loglog(speed[some], off[some], ".", color=COLOURS["path"], markersize=2)
+            axes.loglog(ends, law * ends**2, color=COLOURS["ring"], linewidth=0.8)
+            axes.set_title(f"e = {restitution:g}")
+            for axis in (axes.xaxis, axes.yaxis):
+                axis.set_major_formatter(lambda value, _: _power(value))
+                axis.set_minor_locator(NullLocator())
+            axes.set_xlabel("V (m/s)")
+            axes.grid(color="#DDDDDD", linewidth=0.5)
+            axes.set_axisbelow(True)
+            axes.spines[["top", "right"]].set_visible(False)
+        figure.axes[0].set_ylabel("off by (m)")
+    return figure
 
 
 def _ratios(found: Sequence[Bounce], low: float, high: float) -> str:

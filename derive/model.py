@@ -12,7 +12,7 @@ from .contact.frame import contact_frame
 from .contact.law import Law
 from .contact.rolling import impact_through_frame
 from .errors import tangent
-from .follow import decisions, settling
+from .follow import decisions, gripping, settling
 from .follow import kinds as of_kinds
 from .follow.fields import Result, fields, results
 from .follow.kinds import Contact
@@ -291,7 +291,8 @@ def _law_kernels(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[s
             "the law's own slack",
         )
     if scene.rolls:
-        kernels["settling"] = settling.settling(law, scene.flight.acceleration, ball_radius)
+        kernels["settling"] = settling.settling(law, ball_radius)
+        kernels["strained"] = gripping.strained(law)
     return kernels | {
         "impact": kernel(
             law.name,
@@ -404,7 +405,9 @@ def _usual_box(surface: Surface, usual: Mapping[sp.Symbol, sp.Expr]) -> groups.B
 def _in_contact(scene: Scene) -> dict[str, Kernel]:
     codes = settling.Codes(len(scene.surfaces) + len(scene.gates), len(scene.bodies))
     lodged, capped = (scene.outcomes[name] for name in ("lodged", "capped"))
-    return settling.kernels(scene.flight, scene.ball_radius, scene.faces, codes, lodged, capped)
+    watch = {kernel.name: kernel for kernel in gripping.kernels(scene.flight.acceleration)}
+    own = settling.kernels(scene.flight, scene.ball_radius, scene.faces, codes, lodged, capped)
+    return own | watch
 
 
 def _shared(scene: Scene) -> set[sp.Symbol]:
@@ -505,6 +508,7 @@ def build(scene: Scene) -> Model:
     )
     study = tuple(study_kernels(scene, order))
     common |= {name: made for name, made in choices.items() if name in loop.called}
-    model = Model(scene, common, laws, surfaces, gates, study, loop, results(names, tallied))
+    told = results(names, scene.rolls, tallied)
+    model = Model(scene, common, laws, surfaces, gates, study, loop, told)
     check_kernels(scene.name, (kernel.name for kernel in model.kernels))
     return model

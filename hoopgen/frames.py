@@ -29,7 +29,13 @@ __all__ = [
 
 _ERRORS = {"position_error": "m", "velocity_error": "m/s", "spin_error": "rad/s"}
 
-UNITS: Mapping[str, str] = {"time": "s", "time_error": "s", **STATE_UNITS, **_ERRORS}
+UNITS: Mapping[str, str] = {
+    "time": "s",
+    "time_error": "s",
+    "grip_lost": "s",
+    **STATE_UNITS,
+    **_ERRORS,
+}
 """Of the columns that have one."""
 
 
@@ -90,9 +96,12 @@ def _parts(shots: Shots) -> dict[str, tuple[str, ...]]:
         "first": ("first",),
         "time": ("time",),
         "state": STATE,
+        "rolls": ("rolls",),
+        "slip_left": ("slip_left",),
         "uncertain": ("uncertain",),
         "time_error": ("time_error",),
         "state_error": tuple(_ERRORS),
+        "grip_lost": ("grip_lost",),
     }
 
 

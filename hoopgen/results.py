@@ -212,11 +212,20 @@ class Shots:
         float64 (n,), s: at the end plane; capped or short, at the last contact.
     state
         float64 (n, 9), then.
+    rolls
+        int32 (n,), in a scene where a ball may roll: how many times it began to.
+    slip_left
+        bool (n,), there: its bounces ended with slip left that friction could not stop. Such a
+        shot is CAPPED, at its last contact.
     uncertain
         bool (n,), some decision of the shot lies within its rounding-error bound.
     time_error, state_error
         float64 (n,) and (n, 3), when asked for by name: bounds on the errors of `time` and of each
         component of the position, velocity and spin in `state`, for shots that are not uncertain.
+    grip_lost
+        float64 (n,), s, when asked for by name, where a ball may roll: when the friction that
+        rolling takes first exceeded the body's friction times the normal force; infinite if never.
+        The ball is taken to roll on all the same.
     events
         With ``record=True``: the event log, rows in order of shot, then time; their ``kind`` is an
         `Event`. Between a ROLL row and the next one of its shot the ball stays in contact.
@@ -233,9 +242,12 @@ class Shots:
     first: NDArray[np.int8]
     time: NDArray[np.float64]
     state: NDArray[np.float64]
+    rolls: NDArray[np.int32]
+    slip_left: NDArray[np.bool_]
     uncertain: NDArray[np.bool_]
     time_error: NDArray[np.float64]
     state_error: NDArray[np.float64]
+    grip_lost: NDArray[np.float64]
     events: NDArray[Any]
 
     def __init__(
@@ -263,6 +275,8 @@ class Shots:
             return np.asarray(self.outcome == self.scene.outcomes["MADE"])
         if name == "events":
             raise AttributeError("events: simulate with record=True to keep the event log")
+        if name in ("rolls", "slip_left", "grip_lost") and not self.scene.rolls:
+            raise AttributeError(f"{name}: in the scene {self.scene.name} no ball rolls")
         if name in Shots.__annotations__:
             raise AttributeError(f"{name}: not among the fields asked for: {', '.join(fields)}")
         raise AttributeError(f"Shots has no attribute {name!r}")

@@ -90,13 +90,15 @@ class _Batch:
         """
         layout, shots = self.scene.layout, len(self.states)
         log = layout.allocate_events(shots, most)
-        ended = Raw() if out.outcome is not None else layout.allocate(shots, ["outcome"])
+        ended = layout.allocate(shots, {"outcome", "contacts"} - out.arrays.keys())
         whole = out.joined(ended).joined(log)
         self.run(whole, most)
         assert whole.outcome is not None
+        assert whole.contacts is not None
         again = np.zeros(shots, np.bool_)
         if most < self.max_contacts and not self.stopped():
-            again = whole.outcome == self.scene.outcomes["CAPPED"]
+            # One with fewer contacts ended for another reason, and would again.
+            again = (whole.outcome == self.scene.outcomes["CAPPED"]) & (whole.contacts >= most)
         used = np.arange(layout.log_rows(most)) < log.arrays["event_counts"][:, None]
         logs = [log.arrays["events"][used & ~again[:, None]]]
         more = min(MORE * most, self.max_contacts)
@@ -151,8 +153,9 @@ def simulate(
         other's way.
     fields
         "all", or the names of the results that are wanted; by name also "time_error" and
-        "state_error", the bounds on the errors of time and state. Without "uncertain" and those
-        two no errors are bounded, which saves a fifth or more; the path is the same.
+        "state_error", the bounds on the errors of time and state, and where a ball may roll
+        "grip_lost". Without "uncertain" and those no errors are bounded, which saves a fifth or
+        more; the path is the same.
     record
         Whether to keep the event log, which `Shots.trajectory` needs.
     leaving

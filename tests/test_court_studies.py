@@ -156,8 +156,10 @@ def test_questions_of_the_article_s_hoop_say_so_in_a_line() -> None:
 
 def test_an_estimate_counts_every_outcome() -> None:
     many = 4000
-    found = hoopgen.estimate(MODEL, NBA_COURT, scene=COURT, shots=many)
-    drawn = MODEL.draw(0, many, 0, NBA_COURT)
+    rest = {f"{body}_restitution": 0.2 for body in COURT.surfaces}
+    soft = PAPER_COURT | rest
+    found = hoopgen.estimate(MODEL, soft, scene=COURT, shots=many)
+    drawn = MODEL.draw(0, many, 0, soft)
     shots = hoopgen.simulate(drawn.states, drawn.parameters, scene=COURT)
     for outcome in COURT.outcomes:
         count = int((shots.outcome == outcome).sum())
@@ -165,7 +167,7 @@ def test_an_estimate_counts_every_outcome() -> None:
         assert f"{count:,} {outcome.name.lower()}" in str(found)
     assert found.lodged > 0
     assert found.as_dict()["lodged"] == found.lodged
-    assert "scene    court, NBA" in str(found)
+    assert "scene    court, PAPER" in str(found)
 
 
 def test_the_hoop_s_estimate_says_nothing_of_balls_at_rest() -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 
 from ..errors.tangent import ERRORS
 from ..ground.symbols import STATE
@@ -29,8 +30,8 @@ class Field:
     start
         Its value at the release; None where the caller gives it.
     bounds
-        Whether it only bounds errors: then the path does not depend on it, and a loop from which
-        no bounds are wanted goes without it, as if it stayed at its start.
+        Whether it only bounds errors, or is only told: then the path does not depend on it, and a
+        loop from which no bounds are wanted goes without it, as if it stayed at its start.
     """
 
     name: str
@@ -52,7 +53,7 @@ class Result:
     blank
         Whether it is not a number where the shot is invalid.
     bounds
-        Whether it needs the fields that bound errors.
+        Whether it needs the fields that bound errors, or are only told.
     asked
         Whether it is had by name only.
     tallied
@@ -83,6 +84,13 @@ CLAIMS = ("position_claim", "velocity_claim", "spin_claim", "time_claim")
 """Bounds on the errors of a shot that has ended."""
 
 
+_WATCHED = (
+    ("taut", inf, "by how much friction is too little, F² - mu² N², a step ago; inf: not known"),
+    ("taut_rate", 0.0, "its rate then"),
+    ("taut_clock", 0.0, "when that was"),
+)
+
+
 def fields(
     bodies: Sequence[str],
     rolls: bool = False,
@@ -99,6 +107,10 @@ def fields(
         Field("held", NONE, "surface that it stays in contact with, -1: none"),
         Field("mode", 0.0, "0: in flight; 1, 2, 3: contact begins, goes on, ends"),
         Field("assured", 0.0, "1: its bounces on the surface it touched last end there", True),
+        Field("rolls", 0.0, "how many times it began to roll"),
+        Field("slip_left", 0.0, "1: its bounces ended with slip left, which friction cannot stop"),
+        Field("grip_lost", inf, "when friction first was too little for it to roll", True),
+        *(Field(name, start, summary, True) for name, start, summary in _WATCHED),
     )
     state = (Field(s.name, None, "of the state") for s in STATE)
     errors = (Field(s.name, 0.0, f"carried error of {s.name[1:]}", True) for s in ERRORS)
@@ -124,7 +136,29 @@ def fields(
     )
 
 
-def results(bodies: Sequence[str], tallied: bool = False) -> tuple[Result, ...]:
+_ROLLING = (
+    Result("rolls", "int32", ("rolls",), "how many times it began to roll"),
+    Result(
+        "slip_left",
+        "bool",
+        ("slip_left",),
+        "its bounces ended with slip left, and so it is capped",
+    ),
+    Result(
+        "grip_lost",
+        "float64",
+        ("grip_lost",),
+        "s, when friction first was too little for the ball to roll as it did; infinite: never",
+        blank=True,
+        bounds=True,
+        asked=True,
+    ),
+)
+
+
+def results(
+    bodies: Sequence[str], rolls: bool = False, tallied: bool = False
+) -> tuple[Result, ...]:
     """Return the results of shots among bodies, in the order of the targets' structs."""
     counts = tuple(f"count_{k}" for k in range(len(bodies)))
     state = tuple(symbol.name for symbol in STATE)
@@ -146,6 +180,7 @@ def results(bodies: Sequence[str], tallied: bool = False) -> tuple[Result, ...]:
             blank=True,
         ),
         Result("state", "float64", state, "then", blank=True, row=True),
+        *(_ROLLING if rolls else ()),
         Result(
             "time_error",
             "float64",

@@ -65,11 +65,19 @@ turning = sp.Matrix(sp.symbols("turning_x turning_y turning_z", real=True))
 rolled = sp.Matrix(sp.symbols("rolled_x rolled_y rolled_z", real=True))
 """The velocity that a contact which grips would leave."""
 slip, bounce = sp.symbols("slip bounce", real=True)
-settles, lodges, unsure, ends, rests, edge, goes_on = map(
-    Truth, ("settles", "lodges", "unsure", "ends", "rests", "edge", "rolling")
+press, weight, drag, swerve, facing = sp.symbols("press weight drag swerve facing", real=True)
+thrust = sp.Matrix(sp.symbols("thrust_x thrust_y thrust_z", real=True))
+"""Forces on a ball that rolls on, per unit mass: the normal force, the free fall along the normal,
+the size of friction; its acceleration; the second derivative of a distance then, and its rate along
+the normal of what the ball is on, the cosine of the angle between two normals."""
+wedge = sp.Symbol("wedge", real=True)
+"""How far the ball gets, at most, from what it is pressed onto besides."""
+settles, lodges, unsure, ends, rests, edge, goes_on, slides, parts = map(
+    Truth,
+    ("settles", "lodges", "unsure", "ends", "rests", "edge", "rolling", "slides", "parts"),
 )
-body, reached, outcome, uncertain, assured, time_limit, began = sp.symbols(
-    "body reached outcome uncertain assured time_limit began", real=True
+body, reached, outcome, uncertain, assured, time_limit, began, rolls = sp.symbols(
+    "body reached outcome uncertain assured time_limit began rolls", real=True
 )
 
 FAR = sp.Rational(1, 2**22)
@@ -96,9 +104,92 @@ class Codes:
         return self.bodies + 1 + 2 * own + int(leaves)
 
 
-def settling(law: Law, acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) -> Kernel:
-    """Return whether a ball that has bounced stays on the surface from now on."""
+def settling(law: Law, ball_radius: sp.Expr) -> Kernel:
+    """Return whether a ball that has bounced stays on the surface from now on.
+
+    Or whether its bounces end with slip left: all that friction can still take is less, or it is
+    too little for the ball to roll.
+    """
     e = law.restitution_at(sp.Integer(0))
+    left = hold(1 - e)
+    loss = hold(left * (1 + e))
+    speed = hold(sum(map(size, rolled)) + ball_radius * hold(sum(map(size, spin))))
+    hop = hold(bounce / press)
+    astray = hold(
+        4 * drag * hop**2 / loss + hop * bounce / 2 + 4 * rolling.SHARE * hop * slip / left
+    )
+    allowed = hold(tolerance(ball_radius))
+    quick = hold(speed + sp.sqrt(hold(size(weight) * ball_radius)))
+    turns = hold(hold(sp.Add(*map(size, turning))) + 4 * UNIT_ROUNDOFF)
+    swing = hold(8 * hold(size(weight) + speed * turns) * turns)
+    steady = Less(hold(3 * hop * swing), hold(press * left**2))
+    little = sp.Rational(1, 2**46) * quick
+    slid = AtMost(slip, hold(hold(8 * drag * hop) + little))
+    presses = every(Less(0, press), Less(0, left), steady, slid)
+    least = hold(near_by(ball_radius))
+    rest = hold(16 * hop * speed / left)
+    alone = Less(hold(rest + least), nearest)
+    wedged = AtMost(wedge, least)
+    # With slip left the ball is pressed on by another force than rolling would have.
+    firm = hold(smallest(press, -lift))
+    skip = hold(bounce / firm)
+    bounces_on = every(
+        Less(0, firm),
+        Less(0, left),
+        Less(hold(3 * skip * swing), hold(firm * left**2)),
+        Less(hold(hold(16 * skip * speed / left) + least), nearest),
+    )
+    slides: sp.Basic = Nowhere()
+    torn: sp.Basic = Nowhere()
+    if law.coefficient != sp.oo:
+        share = hold(law.coefficient * (1 + e))
+        most, asked = hold(share * press), 2 * drag
+        presses = every(presses, AtMost(asked, most))
+        # Without a bounce an infinite friction takes nothing, either.
+        takes = hold(IfLess(0, bounce, hold(share * bounce), 0) + hold(2 * drag * skip))
+        # A contact that grips leaves some roundings of the speed before it; the next takes those.
+        stopped = hold(hold(2 * takes / (rolling.SHARE * left)) + sp.Rational(1, 2**36) * quick)
+        moved = hold(4 * drag * skip**2 / loss + skip * bounce / 2)
+        over = every(bounces_on, AtMost(moved, allowed))
+        slides = every(over, Either(Less(stopped, slip), Less(most, asked)))
+        off = hold(16 * velocity_error)
+        torn = every(
+            over,
+            Either(
+                Less(size(slip - stopped), off),
+                Less(size(asked - most), hold(hold(turns + share * turns) * off)),
+            ),
+        )
+    stays = every(presses, AtMost(astray, allowed))
+    # Next to something that does not hold it the ball rolls where it is, as soon as it hardly
+    # moves until the bounces end; what it would touch first meanwhile is in doubt.
+    still = AtMost(rest, least)
+    near_zero = AtMost(size(press), hold(4 * turns * velocity_error))
+    close = hold(size(astray - allowed) * bounce)
+    vague = every(AtMost(close, hold(2 * allowed * velocity_error)), Less(0, bounce))
+    return made(
+        f"{law.name}_settling",
+        {
+            "settles": every(stays, Not(wedged), Either(alone, still)),
+            "lodges": every(stays, wedged),
+            "slides": slides,
+            "parts": every(AtMost(bounce, little), AtMost(0, lift)),
+            "assured": Choose(Either(every(presses, alone), bounces_on), 1, 0),
+            "unsure": some(near_zero, vague, torn, every(stays, still, Not(alone))),
+        },
+        "Where a ball stays on a surface, slides on it or leaves it: its bounces end before "
+        "anything else can happen, and from when on that is certain.",
+        "a geometric series of bounces",
+    )
+
+
+def near_by(ball_radius: sp.Expr) -> sp.Expr:
+    """Return how far from a ball the other surface may be between which two it is wedged, m."""
+    return 2**10 * tolerance(ball_radius)
+
+
+def _pressed_on(acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) -> Kernel:
+    """Return the forces on a ball that rolls on from the surface it has touched."""
     turn_rate = ball_radius * hold(spin.dot(normal))
     down = sp.Matrix(list(acceleration))
     pressing = hold(down.dot(normal))
@@ -108,39 +199,17 @@ def settling(law: Law, acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) ->
     friction = [
         hold(rolling.SHARE * (turn_rate * m - a)) for a, m in zip(along, twisted, strict=True)
     ]
-    f = hold(sp.sqrt(hold(sum(c**2 for c in friction))))
-    left = hold(1 - e)
-    loss = hold(left * (1 + e))
-    speed = hold(sum(map(size, rolled)) + ball_radius * hold(sum(map(size, spin))))
-    hop = hold(bounce / n)
-    astray = hold(4 * f * hop**2 / loss + hop * bounce / 2 + 4 * rolling.SHARE * hop * slip / left)
-    allowed = hold(tolerance(ball_radius))
-    quick = hold(speed + sp.sqrt(hold(size(pressing) * ball_radius)))
-    turns = hold(hold(sp.Add(*map(size, turning))) + 4 * UNIT_ROUNDOFF)
-    swing = hold(8 * hold(size(pressing) + speed * turns) * turns)
-    steady = Less(hold(3 * hop * swing), hold(n * left**2))
-    slid = AtMost(slip, hold(hold(8 * f * hop) + sp.Rational(1, 2**46) * quick))
-    grips = AtMost(2 * f, hold(law.coefficient * n * (1 + e))) if law.coefficient != sp.oo else None
-    conditions = [Less(0, n), Less(0, left), steady, slid]
-    presses = every(*conditions, *([grips] if grips is not None else []))
-    stays = every(presses, AtMost(astray, allowed))
-    least = hold(2**10 * allowed)
-    tube = hold(16 * hop * speed / left + least)
-    alone = Less(tube, nearest)
-    near_zero = AtMost(size(n), hold(4 * turns * velocity_error))
-    close = hold(size(astray - allowed) * bounce)
-    vague = every(AtMost(close, hold(2 * allowed * velocity_error)), Less(0, bounce))
+    pushed = [hold(a + n * c + f) for a, c, f in zip(down, normal, friction, strict=True)]
     return made(
-        f"{law.name}_settling",
+        "pressed_on",
         {
-            "settles": every(stays, alone),
-            "lodges": every(stays, AtMost(nearest, least)),
-            "assured": Choose(every(presses, alone), 1, 0),
-            "unsure": some(near_zero, vague),
+            "press": n,
+            "weight": pressing,
+            "drag": hold(sp.sqrt(hold(sum(c**2 for c in friction)))),
+            **dict(zip(map(str, thrust), pushed, strict=True)),
         },
-        "Where a ball stays on a surface: its bounces end before anything else can happen, and "
-        "from when on that is certain.",
-        "a geometric series of bounces",
+        "Normal force, its part of the free fall, friction and acceleration of a ball that rolls.",
+        "N = -a·n - v·n', F = beta (-a_t + s n × n')",
     )
 
 
@@ -191,6 +260,7 @@ def kernels(
             "the last terms of the series",
         ),
         _turned(ball_radius),
+        _pressed_on(acceleration, ball_radius),
         *_starting(ball_radius),
         *_stepping(strength, ball_radius, codes),
         *_parting(strength),
@@ -237,7 +307,13 @@ def _starting(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
             "The velocity of a ball whose contact point stops; its slip, and how fast it leaves.",
             "the momenta that a contact keeps",
         ),
-        made("alone", {"nearest": sp.oo}, "Nothing next to the ball.", "Table 1"),
+        made(
+            "alone",
+            {"nearest": sp.oo, "wedge": sp.oo},
+            "Nothing next to the ball.",
+            "Table 1",
+        ),
+        made("neared_body", _beside_contact(), "A body next to a ball that rolls on.", "Table 1"),
         made(
             "neared",
             {"nearest": smallest(nearest, size(gap))},
@@ -246,6 +322,25 @@ def _starting(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
         ),
         made("begun_errors", errors, "What a jump to the end of the bounces adds.", "its bound"),
     )
+
+
+def _beside_contact() -> dict[str, sp.Basic]:
+    """Return what a body means that is next to a ball which rolls on: it may hold the ball, too.
+
+    Onto what it is pressed the ball falls back: the top of its hop is how far it gets. What it
+    rolls away from does not hold it, nor what it touches with the same normal, as where the ring's
+    top goes over into the bridge's: it rolls from one to the other. Where it is neither, as in the
+    corner between bridge and board, it is as if hardly pressed.
+    """
+    pull = hold(largest(size(swerve), sp.Rational(1, 2**20) * press))
+    top = hold(size(gap) + nearing**2 / (2 * pull))
+    held_too = every(
+        Less(swerve, sp.Rational(1, 2**40) * press), Less(facing, 1 - sp.Rational(1, 2**20))
+    )
+    return {
+        "nearest": smallest(nearest, size(gap)),
+        "wedge": smallest(wedge, Choose(held_too, top, sp.oo)),
+    }
 
 
 def hold_each(vector: sp.Matrix) -> list[sp.Expr]:
@@ -527,6 +622,7 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int, capped: int) -> tup
                 "last": Choose(hops, NONE, last),
                 "mode": following,
                 "held": Choose(stays, held, NONE),
+                "rolls": Choose(begins, rolls + 1, rolls),
             },
             "What comes of a ball in contact.",
             "Table 1",
@@ -534,12 +630,17 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int, capped: int) -> tup
         made(
             "settled",
             {
-                "mode": Choose(settles, BEGINS, 0),
-                "held": Choose(settles, index, NONE),
-                "outcome": Choose(every(lodges, Less(outcome, 0)), lodged, outcome),
+                "mode": Choose(settles, BEGINS, Choose(parts, LEAVES, 0)),
+                "held": Choose(Either(settles, parts), index, NONE),
+                "outcome": Choose(
+                    every(Either(lodges, slides), Less(outcome, 0)),
+                    Choose(lodges, lodged, capped),
+                    outcome,
+                ),
+                "slip_left": Choose(slides, 1, 0),
                 "uncertain": Choose(Either(lodges, unsure), 1, uncertain),
             },
-            "Whether the ball stays on a surface, or is wedged between two.",
+            "Whether the ball stays on a surface, slides, leaves, or is wedged between two.",
             "Table 1",
         ),
     )
@@ -562,13 +663,27 @@ def of_surface(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
             "Table 2",
         )
     }
+    turns = dict(zip(POSITION, rolled, strict=True))
+    pushed = dict(zip(rolled, thrust, strict=True))
+    facing_on = dict(zip(POSITION, normal, strict=True))
+    rate = directional(_held(surface.distance), turns)
+    found["closing"] = made(
+        f"{name}_closing",
+        {
+            "gap": hold(surface.distance),
+            "nearing": rate,
+            "swerve": directional(rate, turns | pushed),
+            "facing": directional(_held(surface.distance), facing_on),
+        },
+        "The distance, its rate and its second derivative, of a ball that rolls on something else.",
+        "derivatives of Table 2's distance",
+    )
     tube = surface.tube
     if tube is None:
         return found
     derivatives = [_held(surface.distance)]
     for _ in range(4):
         derivatives.append(directional(derivatives[-1], flown))
-    turns = dict(zip(POSITION, rolled, strict=True))
     named = zip(turning, surface.normal, strict=True)
     sizes = dict(zip(map(str, rolling.bent), tube.bent, strict=True))
     found |= {

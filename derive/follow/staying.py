@@ -40,6 +40,7 @@ def in_contact(
             {f"v{axis}": f"rolled_{axis}" for axis in "xyz"},
         ),
         Do(common["begun_errors"]),
+        Do(common["untaut"]),
         Do(common["beginning_contact"]),
     )
     yield Guard("begins", begun, rare=True)
@@ -83,6 +84,7 @@ def _step(
     yield Do(common["roll_start"])
     yield from _series(common)
     yield Do(common["roll_pace"])
+    yield from _watched(common, holders)
     yield Do(common["leaving_force"])
     for surface in contacts:
         yield Do(common["beside"], {"index": surface.index})
@@ -108,6 +110,17 @@ def _step(
     yield from _moved_beside(common, holders)
     yield Do(common["compared"])
     yield Do(common["rolled_on"])
+
+
+def _watched(common: Parts, holders: Sequence[Contact]) -> Iterator[Node]:
+    """Look whether friction is enough, and when it first was not."""
+    yield Do(common["pulled"])
+    for surface in holders:
+        yield Do(common["holding"], {"index": surface.index})
+        yield Guard("here", (given_as(Do(surface.law["strained"]), surface.law_sizes),))
+    yield Do(common["losing"])
+    yield Guard("loses", (Do(common["lost_grip"]),), rare=True)
+    yield Do(common["tightened"])
 
 
 def _series(common: Parts) -> Iterator[Node]:
@@ -167,7 +180,9 @@ def settled(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]
             continue
         own = (
             _part(surface, "turning"),
+            Do(common["pressed_on"]),
             *_apart(common, contacts, gates, surface.index),
+            given_as(Do(surface.parts["parting"], wanted=frozenset({"lift"})), surface.sizes),
             given_as(Do(surface.law["settling"]), surface.law_sizes),
             Do(common["settled"], {"index": surface.index}),
         )
@@ -179,7 +194,10 @@ def _apart(
     common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact], index: int
 ) -> Iterator[Node]:
     yield Do(common["alone"])
-    for surface in (*contacts, *gates):
+    for surface in contacts:
         if surface.index != index:
-            yield _gap(surface)
-            yield Do(common["neared"])
+            yield _part(surface, "closing")
+            yield Do(common["neared_body"])
+    for gate in gates:
+        yield _gap(gate)
+        yield Do(common["neared"])

@@ -1,6 +1,6 @@
 /* court: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene court, derivation 643d48f59fe07a6b,
+   Generated from templates/c/scene.h.j2, scene court, derivation 47d312e35352038d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile court.c, next to which this and the other files
@@ -101,6 +101,9 @@ typedef struct {
     int8_t *first; /* first body touched, -1: none */
     double *time; /* s, at the end; capped or short: at the last contact */
     double *state; /* [shot][9], then */
+    int32_t *rolls; /* how many times it began to roll */
+    uint8_t *slip_left; /* its bounces ended with slip left, and so it is capped */
+    double *grip_lost; /* s, when friction first was too little for the ball to roll as it did; infinite: never */
     double *time_error; /* bound on the error of time */
     double *state_error; /* [shot][3], bounds on the errors of each component of position, velocity and spin */
     uint8_t *uncertain; /* a decision lies within its rounding-error bound */

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 643d48f59fe07a6b,
+   Generated from templates/c/engine.h.j2, scene court, derivation 47d312e35352038d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -40,6 +40,15 @@ LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot)
     if (out->state)
         for (size_t byte = 0; byte < 9 * sizeof *out->state * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->state + 9 * sizeof *out->state * shot + byte, 1, 3);
+    if (out->rolls)
+        for (size_t byte = 0; byte < sizeof *out->rolls * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->rolls + sizeof *out->rolls * shot + byte, 1, 3);
+    if (out->slip_left)
+        for (size_t byte = 0; byte < sizeof *out->slip_left * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->slip_left + sizeof *out->slip_left * shot + byte, 1, 3);
+    if (out->grip_lost)
+        for (size_t byte = 0; byte < sizeof *out->grip_lost * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->grip_lost + sizeof *out->grip_lost * shot + byte, 1, 3);
     if (out->time_error)
         for (size_t byte = 0; byte < sizeof *out->time_error * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->time_error + sizeof *out->time_error * shot + byte, 1, 3);
@@ -87,6 +96,8 @@ typedef struct {
     LANES(court_column) count_2; /* contacts with bridge */
     LANES(court_column) held; /* surface that it stays in contact with, -1: none */
     LANES(court_column) mode; /* 0: in flight; 1, 2, 3: contact begins, goes on, ends */
+    LANES(court_column) rolls; /* how many times it began to roll */
+    LANES(court_column) slip_left; /* 1: its bounces ended with slip left, which friction cannot stop */
     LANES(court_column) through; /* 1: it has fallen through the ring, -1: it came up through it */
     LANES(court_column) outcome; /* how it ended, -1: in flight */
     LANES(court_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth, p_ring_restitution, p_backboard_restitution, p_bridge_restitution, p_ring_friction, p_backboard_friction, p_bridge_friction, p_tangential_restitution, p_restitution_speed;
@@ -111,6 +122,8 @@ typedef struct {
     LANES(court_column) waiting_count_2;
     LANES(court_column) waiting_held;
     LANES(court_column) waiting_mode;
+    LANES(court_column) waiting_rolls;
+    LANES(court_column) waiting_slip_left;
     LANES(court_column) waiting_through;
     LANES(court_column) waiting_outcome;
     LANES(court_column) waiting_p_ball_radius, waiting_p_ring_radius, waiting_p_wire_radius, waiting_p_board_distance, waiting_p_board_half_width, waiting_p_board_bottom, waiting_p_board_top, waiting_p_board_thickness, waiting_p_bridge_half_width, waiting_p_bridge_depth, waiting_p_gravity, waiting_p_end_depth, waiting_p_ring_restitution, waiting_p_backboard_restitution, waiting_p_bridge_restitution, waiting_p_ring_friction, waiting_p_backboard_friction, waiting_p_bridge_friction, waiting_p_tangential_restitution, waiting_p_restitution_speed;
@@ -333,6 +346,8 @@ LANES_INLINE void LANES(court_plain_begin)(LANES(court_plain_lists) *lists, size
         lanes_store(lists->count_2 + row + k, K(0.0));
         lanes_store(lists->held + row + k, K(-1.0));
         lanes_store(lists->mode + row + k, K(0.0));
+        lanes_store(lists->rolls + row + k, K(0.0));
+        lanes_store(lists->slip_left + row + k, K(0.0));
         lanes_store(lists->through + row + k, K(0.0));
         lanes_store(lists->outcome + row + k, K(-1.0));
         lanes_store(lists->last + row + k, K(-1.0));
@@ -381,6 +396,14 @@ LANES_INLINE void LANES(court_plain_finish_all)(const LANES(court_plain_lists) *
             out->state[9 * (start + k) + 7] = (double)lists->wy[k];
             out->state[9 * (start + k) + 8] = (double)lists->wz[k];
         }
+    if (out->rolls)
+        for (size_t k = 0; k < shots; k++) {
+            out->rolls[start + k] = (int32_t)(int32_t)lists->rolls[k];
+        }
+    if (out->slip_left)
+        for (size_t k = 0; k < shots; k++) {
+            out->slip_left[start + k] = (uint8_t)(int32_t)lists->slip_left[k];
+        }
 }
 
 /* Write the results of the shot in a row. */
@@ -417,6 +440,12 @@ LANES_INLINE void LANES(court_plain_finish)(const LANES(court_plain_lists) *list
         out->state[9 * shot + 7] = invalid ? NAN : lists->wy[row];
         out->state[9 * shot + 8] = invalid ? NAN : lists->wz[row];
     }
+    if (out->rolls) {
+        out->rolls[shot] = (int32_t)lists->rolls[row];
+    }
+    if (out->slip_left) {
+        out->slip_left[shot] = (uint8_t)lists->slip_left[row];
+    }
 }
 
 /* Have the shots of some lanes wait: their rows are free. */
@@ -443,6 +472,8 @@ LANES_INLINE void LANES(court_plain_wait)(LANES(court_plain_lists) *lists, size_
     lanes_pack(lists->waiting_count_2 + lists->waiting, who, lanes_load(lists->count_2 + row));
     lanes_pack(lists->waiting_held + lists->waiting, who, lanes_load(lists->held + row));
     lanes_pack(lists->waiting_mode + lists->waiting, who, lanes_load(lists->mode + row));
+    lanes_pack(lists->waiting_rolls + lists->waiting, who, lanes_load(lists->rolls + row));
+    lanes_pack(lists->waiting_slip_left + lists->waiting, who, lanes_load(lists->slip_left + row));
     lanes_pack(lists->waiting_through + lists->waiting, who, lanes_load(lists->through + row));
     lanes_pack(lists->waiting_outcome + lists->waiting, who, lanes_load(lists->outcome + row));
     if (job->varying) {
@@ -494,6 +525,8 @@ LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, s
     memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof(double));
     memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof(double));
     memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof(double));
+    memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof(double));
+    memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof(double));
     memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof(double));
     memcpy(lists->outcome + row, lists->waiting_outcome + from, shots * sizeof(double));
     if (job->varying) {
@@ -558,6 +591,8 @@ LANES_INLINE size_t LANES(court_plain_leave)(LANES(court_plain_lists) *lists, si
             lanes_pack(lists->count_2 + kept, going, lanes_load(lists->count_2 + i));
             lanes_pack(lists->held + kept, going, lanes_load(lists->held + i));
             lanes_pack(lists->mode + kept, going, lanes_load(lists->mode + i));
+            lanes_pack(lists->rolls + kept, going, lanes_load(lists->rolls + i));
+            lanes_pack(lists->slip_left + kept, going, lanes_load(lists->slip_left + i));
             lanes_pack(lists->through + kept, going, lanes_load(lists->through + i));
             lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
             if (job->varying) {
@@ -3231,6 +3266,8 @@ static void LANES(court_plain)(const court_job *job)
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             M rests = lanes_less(K(0.0), lanes_load(lists->rests + i));
             M rolling = lanes_less(K(0.0), lanes_load(lists->rolling + i));
+            V rolls = lanes_load(lists->rolls + i);
+            V slip_left = lanes_load(lists->slip_left + i);
             V through = lanes_load(lists->through + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
@@ -3281,13 +3318,14 @@ static void LANES(court_plain)(const court_job *job)
             const M _m288 = lanes_both(rows, kept);
             if (lanes_any(_m288)) {
                 const LANES(court_kept_on_out) _o289 =
-                    LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, which);
+                    LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
                 body = lanes_select(_m288, _o289.body, body);
                 reached = lanes_select(_m288, _o289.reached, reached);
                 ends = lanes_choose(_m288, _o289.ends, ends);
                 last = lanes_select(_m288, _o289.last, last);
                 mode = lanes_select(_m288, _o289.mode, mode);
                 held = lanes_select(_m288, _o289.held, held);
+                rolls = lanes_select(_m288, _o289.rolls, rolls);
             }
             const LANES(court_here_out) _o290 =
                 LANES(court_here)(K(3.0), which);
@@ -3431,121 +3469,190 @@ static void LANES(court_plain)(const court_job *job)
                             V turning_x = _o324.turning_x;
                             V turning_y = _o324.turning_y;
                             V turning_z = _o324.turning_z;
-                            const LANES(court_alone_out) _o325 =
+                            const LANES(court_pressed_on_out) _o325 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o325.press;
+                            V weight = _o325.weight;
+                            V drag = _o325.drag;
+                            V thrust_x = _o325.thrust_x;
+                            V thrust_y = _o325.thrust_y;
+                            V thrust_z = _o325.thrust_z;
+                            const LANES(court_alone_out) _o326 =
                                 LANES(court_alone)();
-                            V nearest = _o325.nearest;
-                            const LANES(court_backboard_beside_out) _o326 =
-                                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                            V gap = _o326.gap;
-                            const LANES(court_neared_out) _o327 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o327.nearest;
-                            const LANES(court_bridge_beside_out) _o328 =
-                                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            gap = _o328.gap;
-                            const LANES(court_neared_out) _o329 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o329.nearest;
-                            const LANES(court_end_beside_out) _o330 =
+                            V nearest = _o326.nearest;
+                            V wedge = _o326.wedge;
+                            const LANES(court_backboard_closing_out) _o327 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            V gap = _o327.gap;
+                            V nearing = _o327.nearing;
+                            V swerve = _o327.swerve;
+                            V facing = _o327.facing;
+                            const LANES(court_neared_body_out) _o328 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o328.nearest;
+                            wedge = _o328.wedge;
+                            const LANES(court_bridge_closing_out) _o329 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o329.gap;
+                            nearing = _o329.nearing;
+                            swerve = _o329.swerve;
+                            facing = _o329.facing;
+                            const LANES(court_neared_body_out) _o330 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o330.nearest;
+                            wedge = _o330.wedge;
+                            const LANES(court_end_beside_out) _o331 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o330.gap;
-                            const LANES(court_neared_out) _o331 =
+                            gap = _o331.gap;
+                            const LANES(court_neared_out) _o332 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o331.nearest;
-                            const LANES(court_ring_impact_settling_out) _o332 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wx, wy, wz);
-                            M settles = _o332.settles;
-                            M lodges = _o332.lodges;
-                            M unsure = _o332.unsure;
-                            const LANES(court_settled_out) _o333 =
-                                LANES(court_settled)(K(0.0), lodges, outcome, settles, K(0.0), unsure);
-                            mode = lanes_select(_m323, _o333.mode, mode);
-                            held = lanes_select(_m323, _o333.held, held);
-                            outcome = lanes_select(_m323, _o333.outcome, outcome);
+                            nearest = _o332.nearest;
+                            const LANES(court_ring_parting_out) _o333 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+                            V lift = _o333.lift;
+                            const LANES(court_ring_impact_settling_out) _o334 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o334.settles;
+                            M lodges = _o334.lodges;
+                            M slides = _o334.slides;
+                            M parts = _o334.parts;
+                            M unsure = _o334.unsure;
+                            const LANES(court_settled_out) _o335 =
+                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m323, _o335.mode, mode);
+                            held = lanes_select(_m323, _o335.held, held);
+                            outcome = lanes_select(_m323, _o335.outcome, outcome);
+                            slip_left = lanes_select(_m323, _o335.slip_left, slip_left);
                         }
-                        const LANES(court_here_out) _o334 =
+                        const LANES(court_here_out) _o336 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o334.here;
-                        const M _m335 = lanes_both(_m320, here);
-                        if (lanes_any(_m335)) {
-                            const LANES(court_backboard_turning_out) _o336 =
+                        here = _o336.here;
+                        const M _m337 = lanes_both(_m320, here);
+                        if (lanes_any(_m337)) {
+                            const LANES(court_backboard_turning_out) _o338 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o336.turning_x;
-                            V turning_y = _o336.turning_y;
-                            V turning_z = _o336.turning_z;
-                            const LANES(court_alone_out) _o337 =
+                            V turning_x = _o338.turning_x;
+                            V turning_y = _o338.turning_y;
+                            V turning_z = _o338.turning_z;
+                            const LANES(court_pressed_on_out) _o339 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o339.press;
+                            V weight = _o339.weight;
+                            V drag = _o339.drag;
+                            V thrust_x = _o339.thrust_x;
+                            V thrust_y = _o339.thrust_y;
+                            V thrust_z = _o339.thrust_z;
+                            const LANES(court_alone_out) _o340 =
                                 LANES(court_alone)();
-                            V nearest = _o337.nearest;
-                            const LANES(court_ring_beside_out) _o338 =
-                                LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V gap = _o338.gap;
-                            const LANES(court_neared_out) _o339 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o339.nearest;
-                            const LANES(court_bridge_beside_out) _o340 =
-                                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            gap = _o340.gap;
-                            const LANES(court_neared_out) _o341 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o341.nearest;
-                            const LANES(court_end_beside_out) _o342 =
+                            V nearest = _o340.nearest;
+                            V wedge = _o340.wedge;
+                            const LANES(court_ring_closing_out) _o341 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o341.gap;
+                            V nearing = _o341.nearing;
+                            V swerve = _o341.swerve;
+                            V facing = _o341.facing;
+                            const LANES(court_neared_body_out) _o342 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o342.nearest;
+                            wedge = _o342.wedge;
+                            const LANES(court_bridge_closing_out) _o343 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o343.gap;
+                            nearing = _o343.nearing;
+                            swerve = _o343.swerve;
+                            facing = _o343.facing;
+                            const LANES(court_neared_body_out) _o344 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o344.nearest;
+                            wedge = _o344.wedge;
+                            const LANES(court_end_beside_out) _o345 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o342.gap;
-                            const LANES(court_neared_out) _o343 =
+                            gap = _o345.gap;
+                            const LANES(court_neared_out) _o346 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o343.nearest;
-                            const LANES(court_ring_impact_settling_out) _o344 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wx, wy, wz);
-                            M settles = _o344.settles;
-                            M lodges = _o344.lodges;
-                            M unsure = _o344.unsure;
-                            const LANES(court_settled_out) _o345 =
-                                LANES(court_settled)(K(1.0), lodges, outcome, settles, K(0.0), unsure);
-                            mode = lanes_select(_m335, _o345.mode, mode);
-                            held = lanes_select(_m335, _o345.held, held);
-                            outcome = lanes_select(_m335, _o345.outcome, outcome);
+                            nearest = _o346.nearest;
+                            const LANES(court_backboard_parting_out) _o347 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o347.lift;
+                            const LANES(court_ring_impact_settling_out) _o348 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o348.settles;
+                            M lodges = _o348.lodges;
+                            M slides = _o348.slides;
+                            M parts = _o348.parts;
+                            M unsure = _o348.unsure;
+                            const LANES(court_settled_out) _o349 =
+                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m337, _o349.mode, mode);
+                            held = lanes_select(_m337, _o349.held, held);
+                            outcome = lanes_select(_m337, _o349.outcome, outcome);
+                            slip_left = lanes_select(_m337, _o349.slip_left, slip_left);
                         }
-                        const LANES(court_here_out) _o346 =
+                        const LANES(court_here_out) _o350 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o346.here;
-                        const M _m347 = lanes_both(_m320, here);
-                        if (lanes_any(_m347)) {
-                            const LANES(court_bridge_turning_out) _o348 =
+                        here = _o350.here;
+                        const M _m351 = lanes_both(_m320, here);
+                        if (lanes_any(_m351)) {
+                            const LANES(court_bridge_turning_out) _o352 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o348.turning_x;
-                            V turning_y = _o348.turning_y;
-                            V turning_z = _o348.turning_z;
-                            const LANES(court_alone_out) _o349 =
+                            V turning_x = _o352.turning_x;
+                            V turning_y = _o352.turning_y;
+                            V turning_z = _o352.turning_z;
+                            const LANES(court_pressed_on_out) _o353 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o353.press;
+                            V weight = _o353.weight;
+                            V drag = _o353.drag;
+                            V thrust_x = _o353.thrust_x;
+                            V thrust_y = _o353.thrust_y;
+                            V thrust_z = _o353.thrust_z;
+                            const LANES(court_alone_out) _o354 =
                                 LANES(court_alone)();
-                            V nearest = _o349.nearest;
-                            const LANES(court_ring_beside_out) _o350 =
-                                LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V gap = _o350.gap;
-                            const LANES(court_neared_out) _o351 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o351.nearest;
-                            const LANES(court_backboard_beside_out) _o352 =
-                                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                            gap = _o352.gap;
-                            const LANES(court_neared_out) _o353 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o353.nearest;
-                            const LANES(court_end_beside_out) _o354 =
+                            V nearest = _o354.nearest;
+                            V wedge = _o354.wedge;
+                            const LANES(court_ring_closing_out) _o355 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o355.gap;
+                            V nearing = _o355.nearing;
+                            V swerve = _o355.swerve;
+                            V facing = _o355.facing;
+                            const LANES(court_neared_body_out) _o356 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o356.nearest;
+                            wedge = _o356.wedge;
+                            const LANES(court_backboard_closing_out) _o357 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            gap = _o357.gap;
+                            nearing = _o357.nearing;
+                            swerve = _o357.swerve;
+                            facing = _o357.facing;
+                            const LANES(court_neared_body_out) _o358 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o358.nearest;
+                            wedge = _o358.wedge;
+                            const LANES(court_end_beside_out) _o359 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o354.gap;
-                            const LANES(court_neared_out) _o355 =
+                            gap = _o359.gap;
+                            const LANES(court_neared_out) _o360 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o355.nearest;
-                            const LANES(court_ring_impact_settling_out) _o356 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wx, wy, wz);
-                            M settles = _o356.settles;
-                            M lodges = _o356.lodges;
-                            M unsure = _o356.unsure;
-                            const LANES(court_settled_out) _o357 =
-                                LANES(court_settled)(K(2.0), lodges, outcome, settles, K(0.0), unsure);
-                            mode = lanes_select(_m347, _o357.mode, mode);
-                            held = lanes_select(_m347, _o357.held, held);
-                            outcome = lanes_select(_m347, _o357.outcome, outcome);
+                            nearest = _o360.nearest;
+                            const LANES(court_bridge_parting_out) _o361 =
+                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                            V lift = _o361.lift;
+                            const LANES(court_ring_impact_settling_out) _o362 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o362.settles;
+                            M lodges = _o362.lodges;
+                            M slides = _o362.slides;
+                            M parts = _o362.parts;
+                            M unsure = _o362.unsure;
+                            const LANES(court_settled_out) _o363 =
+                                LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m351, _o363.mode, mode);
+                            held = lanes_select(_m351, _o363.held, held);
+                            outcome = lanes_select(_m351, _o363.outcome, outcome);
+                            slip_left = lanes_select(_m351, _o363.slip_left, slip_left);
                         }
                     }
                 }
@@ -3560,6 +3667,8 @@ static void LANES(court_plain)(const court_job *job)
             lanes_store(lists->last + i, last);
             lanes_store(lists->mode + i, mode);
             lanes_store(lists->outcome + i, outcome);
+            lanes_store(lists->rolls + i, rolls);
+            lanes_store(lists->slip_left + i, slip_left);
             lanes_store(lists->through + i, through);
             lanes_store(lists->vx + i, vx);
             lanes_store(lists->vy + i, vy);
@@ -3647,6 +3756,12 @@ typedef struct {
     LANES(court_column) held; /* surface that it stays in contact with, -1: none */
     LANES(court_column) mode; /* 0: in flight; 1, 2, 3: contact begins, goes on, ends */
     LANES(court_column) assured; /* 1: its bounces on the surface it touched last end there */
+    LANES(court_column) rolls; /* how many times it began to roll */
+    LANES(court_column) slip_left; /* 1: its bounces ended with slip left, which friction cannot stop */
+    LANES(court_column) grip_lost; /* when friction first was too little for it to roll */
+    LANES(court_column) taut; /* by how much friction is too little, F² - mu² N², a step ago; inf: not known */
+    LANES(court_column) taut_rate; /* its rate then */
+    LANES(court_column) taut_clock; /* when that was */
     LANES(court_column) through; /* 1: it has fallen through the ring, -1: it came up through it */
     LANES(court_column) uncertain; /* 1: a decision lies within its rounding-error bound */
     LANES(court_column) position_claim; /* bound on the error at the end */
@@ -3687,6 +3802,12 @@ typedef struct {
     LANES(court_column) waiting_held;
     LANES(court_column) waiting_mode;
     LANES(court_column) waiting_assured;
+    LANES(court_column) waiting_rolls;
+    LANES(court_column) waiting_slip_left;
+    LANES(court_column) waiting_grip_lost;
+    LANES(court_column) waiting_taut;
+    LANES(court_column) waiting_taut_rate;
+    LANES(court_column) waiting_taut_clock;
     LANES(court_column) waiting_through;
     LANES(court_column) waiting_uncertain;
     LANES(court_column) waiting_position_claim;
@@ -3805,8 +3926,10 @@ typedef struct {
     LANES(court_column) kept_dx;
     LANES(court_column) kept_dy;
     LANES(court_column) kept_dz;
+    LANES(court_column) kept_grip_lost;
     LANES(court_column) kept_held;
     LANES(court_column) kept_mode;
+    LANES(court_column) kept_p_backboard_friction;
     LANES(court_column) kept_p_ball_radius;
     LANES(court_column) kept_p_board_bottom;
     LANES(court_column) kept_p_board_distance;
@@ -3814,13 +3937,18 @@ typedef struct {
     LANES(court_column) kept_p_board_thickness;
     LANES(court_column) kept_p_board_top;
     LANES(court_column) kept_p_bridge_depth;
+    LANES(court_column) kept_p_bridge_friction;
     LANES(court_column) kept_p_bridge_half_width;
     LANES(court_column) kept_p_end_depth;
     LANES(court_column) kept_p_gravity;
+    LANES(court_column) kept_p_ring_friction;
     LANES(court_column) kept_p_ring_radius;
     LANES(court_column) kept_p_wire_radius;
     LANES(court_column) kept_position_error;
     LANES(court_column) kept_rests;
+    LANES(court_column) kept_taut;
+    LANES(court_column) kept_taut_clock;
+    LANES(court_column) kept_taut_rate;
     LANES(court_column) kept_through;
     LANES(court_column) kept_velocity_error;
     LANES(court_column) kept_vx;
@@ -3859,11 +3987,13 @@ typedef struct {
     LANES(court_column) kept_rolling_dx;
     LANES(court_column) kept_rolling_dy;
     LANES(court_column) kept_rolling_dz;
+    LANES(court_column) kept_rolling_grip_lost;
     LANES(court_column) kept_rolling_held;
     LANES(court_column) kept_rolling_late;
     LANES(court_column) kept_rolling_nx;
     LANES(court_column) kept_rolling_ny;
     LANES(court_column) kept_rolling_nz;
+    LANES(court_column) kept_rolling_p_backboard_friction;
     LANES(court_column) kept_rolling_p_ball_radius;
     LANES(court_column) kept_rolling_p_board_bottom;
     LANES(court_column) kept_rolling_p_board_distance;
@@ -3871,14 +4001,19 @@ typedef struct {
     LANES(court_column) kept_rolling_p_board_thickness;
     LANES(court_column) kept_rolling_p_board_top;
     LANES(court_column) kept_rolling_p_bridge_depth;
+    LANES(court_column) kept_rolling_p_bridge_friction;
     LANES(court_column) kept_rolling_p_bridge_half_width;
     LANES(court_column) kept_rolling_p_end_depth;
     LANES(court_column) kept_rolling_p_gravity;
+    LANES(court_column) kept_rolling_p_ring_friction;
     LANES(court_column) kept_rolling_p_ring_radius;
     LANES(court_column) kept_rolling_p_wire_radius;
     LANES(court_column) kept_rolling_per_reach;
     LANES(court_column) kept_rolling_ring;
     LANES(court_column) kept_rolling_rolling;
+    LANES(court_column) kept_rolling_taut;
+    LANES(court_column) kept_rolling_taut_clock;
+    LANES(court_column) kept_rolling_taut_rate;
     LANES(court_column) kept_rolling_through;
     LANES(court_column) kept_rolling_vx;
     LANES(court_column) kept_rolling_vy;
@@ -3967,6 +4102,12 @@ LANES_INLINE void LANES(court_bounded_begin)(LANES(court_bounded_lists) *lists, 
         lanes_store(lists->held + row + k, K(-1.0));
         lanes_store(lists->mode + row + k, K(0.0));
         lanes_store(lists->assured + row + k, K(0.0));
+        lanes_store(lists->rolls + row + k, K(0.0));
+        lanes_store(lists->slip_left + row + k, K(0.0));
+        lanes_store(lists->grip_lost + row + k, K(INFINITY));
+        lanes_store(lists->taut + row + k, K(INFINITY));
+        lanes_store(lists->taut_rate + row + k, K(0.0));
+        lanes_store(lists->taut_clock + row + k, K(0.0));
         lanes_store(lists->through + row + k, K(0.0));
         lanes_store(lists->uncertain + row + k, K(0.0));
         lanes_store(lists->position_claim + row + k, K(0.0));
@@ -4020,6 +4161,18 @@ LANES_INLINE void LANES(court_bounded_finish_all)(const LANES(court_bounded_list
             out->state[9 * (start + k) + 7] = (double)lists->wy[k];
             out->state[9 * (start + k) + 8] = (double)lists->wz[k];
         }
+    if (out->rolls)
+        for (size_t k = 0; k < shots; k++) {
+            out->rolls[start + k] = (int32_t)(int32_t)lists->rolls[k];
+        }
+    if (out->slip_left)
+        for (size_t k = 0; k < shots; k++) {
+            out->slip_left[start + k] = (uint8_t)(int32_t)lists->slip_left[k];
+        }
+    if (out->grip_lost)
+        for (size_t k = 0; k < shots; k++) {
+            out->grip_lost[start + k] = (double)lists->grip_lost[k];
+        }
     if (out->time_error)
         for (size_t k = 0; k < shots; k++) {
             out->time_error[start + k] = (double)lists->time_claim[k];
@@ -4070,6 +4223,15 @@ LANES_INLINE void LANES(court_bounded_finish)(const LANES(court_bounded_lists) *
         out->state[9 * shot + 7] = invalid ? NAN : lists->wy[row];
         out->state[9 * shot + 8] = invalid ? NAN : lists->wz[row];
     }
+    if (out->rolls) {
+        out->rolls[shot] = (int32_t)lists->rolls[row];
+    }
+    if (out->slip_left) {
+        out->slip_left[shot] = (uint8_t)lists->slip_left[row];
+    }
+    if (out->grip_lost) {
+        out->grip_lost[shot] = invalid ? NAN : lists->grip_lost[row];
+    }
     if (out->time_error) {
         out->time_error[shot] = invalid ? NAN : lists->time_claim[row];
     }
@@ -4118,6 +4280,12 @@ LANES_INLINE void LANES(court_bounded_wait)(LANES(court_bounded_lists) *lists, s
     lanes_pack(lists->waiting_held + lists->waiting, who, lanes_load(lists->held + row));
     lanes_pack(lists->waiting_mode + lists->waiting, who, lanes_load(lists->mode + row));
     lanes_pack(lists->waiting_assured + lists->waiting, who, lanes_load(lists->assured + row));
+    lanes_pack(lists->waiting_rolls + lists->waiting, who, lanes_load(lists->rolls + row));
+    lanes_pack(lists->waiting_slip_left + lists->waiting, who, lanes_load(lists->slip_left + row));
+    lanes_pack(lists->waiting_grip_lost + lists->waiting, who, lanes_load(lists->grip_lost + row));
+    lanes_pack(lists->waiting_taut + lists->waiting, who, lanes_load(lists->taut + row));
+    lanes_pack(lists->waiting_taut_rate + lists->waiting, who, lanes_load(lists->taut_rate + row));
+    lanes_pack(lists->waiting_taut_clock + lists->waiting, who, lanes_load(lists->taut_clock + row));
     lanes_pack(lists->waiting_through + lists->waiting, who, lanes_load(lists->through + row));
     lanes_pack(lists->waiting_uncertain + lists->waiting, who, lanes_load(lists->uncertain + row));
     lanes_pack(lists->waiting_position_claim + lists->waiting, who, lanes_load(lists->position_claim + row));
@@ -4185,6 +4353,12 @@ LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *list
     memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof(double));
     memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof(double));
     memcpy(lists->assured + row, lists->waiting_assured + from, shots * sizeof(double));
+    memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof(double));
+    memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof(double));
+    memcpy(lists->grip_lost + row, lists->waiting_grip_lost + from, shots * sizeof(double));
+    memcpy(lists->taut + row, lists->waiting_taut + from, shots * sizeof(double));
+    memcpy(lists->taut_rate + row, lists->waiting_taut_rate + from, shots * sizeof(double));
+    memcpy(lists->taut_clock + row, lists->waiting_taut_clock + from, shots * sizeof(double));
     memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof(double));
     memcpy(lists->uncertain + row, lists->waiting_uncertain + from, shots * sizeof(double));
     memcpy(lists->position_claim + row, lists->waiting_position_claim + from, shots * sizeof(double));
@@ -4265,6 +4439,12 @@ LANES_INLINE size_t LANES(court_bounded_leave)(LANES(court_bounded_lists) *lists
             lanes_pack(lists->held + kept, going, lanes_load(lists->held + i));
             lanes_pack(lists->mode + kept, going, lanes_load(lists->mode + i));
             lanes_pack(lists->assured + kept, going, lanes_load(lists->assured + i));
+            lanes_pack(lists->rolls + kept, going, lanes_load(lists->rolls + i));
+            lanes_pack(lists->slip_left + kept, going, lanes_load(lists->slip_left + i));
+            lanes_pack(lists->grip_lost + kept, going, lanes_load(lists->grip_lost + i));
+            lanes_pack(lists->taut + kept, going, lanes_load(lists->taut + i));
+            lanes_pack(lists->taut_rate + kept, going, lanes_load(lists->taut_rate + i));
+            lanes_pack(lists->taut_clock + kept, going, lanes_load(lists->taut_clock + i));
             lanes_pack(lists->through + kept, going, lanes_load(lists->through + i));
             lanes_pack(lists->uncertain + kept, going, lanes_load(lists->uncertain + i));
             lanes_pack(lists->position_claim + kept, going, lanes_load(lists->position_claim + i));
@@ -5876,11 +6056,13 @@ static void LANES(court_bounded)(const court_job *job)
             V dx = lanes_load(lists->dx + i);
             V dy = lanes_load(lists->dy + i);
             V dz = lanes_load(lists->dz + i);
+            V grip_lost = lanes_load(lists->grip_lost + i);
             V held = lanes_load(lists->held + i);
             M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V late = lanes_load(lists->late + i);
             M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
             V mode = lanes_load(lists->mode + i);
+            const V p_backboard_friction = lanes_load(lists->p_backboard_friction + (i & varying));
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
             const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
@@ -5888,13 +6070,18 @@ static void LANES(court_bounded)(const court_job *job)
             const V p_board_thickness = lanes_load(lists->p_board_thickness + (i & varying));
             const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
             const V p_bridge_depth = lanes_load(lists->p_bridge_depth + (i & varying));
+            const V p_bridge_friction = lanes_load(lists->p_bridge_friction + (i & varying));
             const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
             const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
             const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
+            const V p_ring_friction = lanes_load(lists->p_ring_friction + (i & varying));
             const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             V position_error = lanes_load(lists->position_error + i);
             M rests = lanes_less(K(0.0), lanes_load(lists->rests + i));
+            V taut = lanes_load(lists->taut + i);
+            V taut_clock = lanes_load(lists->taut_clock + i);
+            V taut_rate = lanes_load(lists->taut_rate + i);
             V through = lanes_load(lists->through + i);
             V time_error = lanes_load(lists->time_error + i);
             V velocity_error = lanes_load(lists->velocity_error + i);
@@ -5944,8 +6131,11 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_pack(lists->kept_dx + kept_shots, packed, dx);
                 lanes_pack(lists->kept_dy + kept_shots, packed, dy);
                 lanes_pack(lists->kept_dz + kept_shots, packed, dz);
+                lanes_pack(lists->kept_grip_lost + kept_shots, packed, grip_lost);
                 lanes_pack(lists->kept_held + kept_shots, packed, held);
                 lanes_pack(lists->kept_mode + kept_shots, packed, mode);
+                if (varying)
+                    lanes_pack(lists->kept_p_backboard_friction + kept_shots, packed, p_backboard_friction);
                 if (varying)
                     lanes_pack(lists->kept_p_ball_radius + kept_shots, packed, p_ball_radius);
                 if (varying)
@@ -5961,17 +6151,24 @@ static void LANES(court_bounded)(const court_job *job)
                 if (varying)
                     lanes_pack(lists->kept_p_bridge_depth + kept_shots, packed, p_bridge_depth);
                 if (varying)
+                    lanes_pack(lists->kept_p_bridge_friction + kept_shots, packed, p_bridge_friction);
+                if (varying)
                     lanes_pack(lists->kept_p_bridge_half_width + kept_shots, packed, p_bridge_half_width);
                 if (varying)
                     lanes_pack(lists->kept_p_end_depth + kept_shots, packed, p_end_depth);
                 if (varying)
                     lanes_pack(lists->kept_p_gravity + kept_shots, packed, p_gravity);
                 if (varying)
+                    lanes_pack(lists->kept_p_ring_friction + kept_shots, packed, p_ring_friction);
+                if (varying)
                     lanes_pack(lists->kept_p_ring_radius + kept_shots, packed, p_ring_radius);
                 if (varying)
                     lanes_pack(lists->kept_p_wire_radius + kept_shots, packed, p_wire_radius);
                 lanes_pack(lists->kept_position_error + kept_shots, packed, position_error);
                 lanes_pack(lists->kept_rests + kept_shots, packed, lanes_select(rests, K(1.0), K(0.0)));
+                lanes_pack(lists->kept_taut + kept_shots, packed, taut);
+                lanes_pack(lists->kept_taut_clock + kept_shots, packed, taut_clock);
+                lanes_pack(lists->kept_taut_rate + kept_shots, packed, taut_rate);
                 lanes_pack(lists->kept_through + kept_shots, packed, through);
                 lanes_pack(lists->kept_velocity_error + kept_shots, packed, velocity_error);
                 lanes_pack(lists->kept_vx + kept_shots, packed, vx);
@@ -6002,8 +6199,10 @@ static void LANES(court_bounded)(const court_job *job)
             V dx = lanes_load(lists->kept_dx + i);
             V dy = lanes_load(lists->kept_dy + i);
             V dz = lanes_load(lists->kept_dz + i);
+            V grip_lost = lanes_load(lists->kept_grip_lost + i);
             V held = lanes_load(lists->kept_held + i);
             V mode = lanes_load(lists->kept_mode + i);
+            const V p_backboard_friction = lanes_load(varying ? lists->kept_p_backboard_friction + i : lists->p_backboard_friction);
             const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
             const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
             const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
@@ -6011,12 +6210,17 @@ static void LANES(court_bounded)(const court_job *job)
             const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
             const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
             const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
+            const V p_bridge_friction = lanes_load(varying ? lists->kept_p_bridge_friction + i : lists->p_bridge_friction);
             const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
             const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
             const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
+            const V p_ring_friction = lanes_load(varying ? lists->kept_p_ring_friction + i : lists->p_ring_friction);
             const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->kept_position_error + i);
+            V taut = lanes_load(lists->kept_taut + i);
+            V taut_clock = lanes_load(lists->kept_taut_clock + i);
+            V taut_rate = lanes_load(lists->kept_taut_rate + i);
             V through = lanes_load(lists->kept_through + i);
             V velocity_error = lanes_load(lists->kept_velocity_error + i);
             V vx = lanes_load(lists->kept_vx + i);
@@ -6141,9 +6345,12 @@ static void LANES(court_bounded)(const court_job *job)
                 dwx = lanes_select(_m129, _o151.dwx, dwx);
                 dwy = lanes_select(_m129, _o151.dwy, dwy);
                 dwz = lanes_select(_m129, _o151.dwz, dwz);
-                const LANES(court_beginning_contact_out) _o152 =
+                const LANES(court_untaut_out) _o152 =
+                    LANES(court_untaut)();
+                taut = lanes_select(_m129, _o152.taut, taut);
+                const LANES(court_beginning_contact_out) _o153 =
                     LANES(court_beginning_contact)();
-                which = lanes_select(_m129, _o152.which, which);
+                which = lanes_select(_m129, _o153.which, which);
             }
             lanes_store(lists->kept_began + i, began);
             lanes_store(lists->kept_doubt + i, doubt);
@@ -6163,6 +6370,7 @@ static void LANES(court_bounded)(const court_job *job)
             lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
             lanes_store(lists->kept_snap + i, snap);
             lanes_store(lists->kept_surge + i, surge);
+            lanes_store(lists->kept_taut + i, taut);
             lanes_store(lists->kept_vx + i, vx);
             lanes_store(lists->kept_vy + i, vy);
             lanes_store(lists->kept_vz + i, vz);
@@ -6191,11 +6399,14 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_pack(lists->kept_rolling_dx + kept_rolling_shots, packed, dx);
                 lanes_pack(lists->kept_rolling_dy + kept_rolling_shots, packed, dy);
                 lanes_pack(lists->kept_rolling_dz + kept_rolling_shots, packed, dz);
+                lanes_pack(lists->kept_rolling_grip_lost + kept_rolling_shots, packed, grip_lost);
                 lanes_pack(lists->kept_rolling_held + kept_rolling_shots, packed, held);
                 lanes_pack(lists->kept_rolling_late + kept_rolling_shots, packed, late);
                 lanes_pack(lists->kept_rolling_nx + kept_rolling_shots, packed, nx);
                 lanes_pack(lists->kept_rolling_ny + kept_rolling_shots, packed, ny);
                 lanes_pack(lists->kept_rolling_nz + kept_rolling_shots, packed, nz);
+                if (varying)
+                    lanes_pack(lists->kept_rolling_p_backboard_friction + kept_rolling_shots, packed, p_backboard_friction);
                 if (varying)
                     lanes_pack(lists->kept_rolling_p_ball_radius + kept_rolling_shots, packed, p_ball_radius);
                 if (varying)
@@ -6211,17 +6422,24 @@ static void LANES(court_bounded)(const court_job *job)
                 if (varying)
                     lanes_pack(lists->kept_rolling_p_bridge_depth + kept_rolling_shots, packed, p_bridge_depth);
                 if (varying)
+                    lanes_pack(lists->kept_rolling_p_bridge_friction + kept_rolling_shots, packed, p_bridge_friction);
+                if (varying)
                     lanes_pack(lists->kept_rolling_p_bridge_half_width + kept_rolling_shots, packed, p_bridge_half_width);
                 if (varying)
                     lanes_pack(lists->kept_rolling_p_end_depth + kept_rolling_shots, packed, p_end_depth);
                 if (varying)
                     lanes_pack(lists->kept_rolling_p_gravity + kept_rolling_shots, packed, p_gravity);
                 if (varying)
+                    lanes_pack(lists->kept_rolling_p_ring_friction + kept_rolling_shots, packed, p_ring_friction);
+                if (varying)
                     lanes_pack(lists->kept_rolling_p_ring_radius + kept_rolling_shots, packed, p_ring_radius);
                 if (varying)
                     lanes_pack(lists->kept_rolling_p_wire_radius + kept_rolling_shots, packed, p_wire_radius);
                 lanes_pack(lists->kept_rolling_per_reach + kept_rolling_shots, packed, per_reach);
                 lanes_pack(lists->kept_rolling_ring + kept_rolling_shots, packed, ring);
+                lanes_pack(lists->kept_rolling_taut + kept_rolling_shots, packed, taut);
+                lanes_pack(lists->kept_rolling_taut_clock + kept_rolling_shots, packed, taut_clock);
+                lanes_pack(lists->kept_rolling_taut_rate + kept_rolling_shots, packed, taut_rate);
                 lanes_pack(lists->kept_rolling_through + kept_rolling_shots, packed, through);
                 lanes_pack(lists->kept_rolling_vx + kept_rolling_shots, packed, vx);
                 lanes_pack(lists->kept_rolling_vy + kept_rolling_shots, packed, vy);
@@ -6240,6 +6458,7 @@ static void LANES(court_bounded)(const court_job *job)
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
             V row = K(0.0), turns = K(0.0);
+            V p_backboard_friction = lanes_load(lists->p_backboard_friction);
             V p_ball_radius = lanes_load(lists->p_ball_radius);
             V p_board_bottom = lanes_load(lists->p_board_bottom);
             V p_board_distance = lanes_load(lists->p_board_distance);
@@ -6247,9 +6466,11 @@ static void LANES(court_bounded)(const court_job *job)
             V p_board_thickness = lanes_load(lists->p_board_thickness);
             V p_board_top = lanes_load(lists->p_board_top);
             V p_bridge_depth = lanes_load(lists->p_bridge_depth);
+            V p_bridge_friction = lanes_load(lists->p_bridge_friction);
             V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
             V p_end_depth = lanes_load(lists->p_end_depth);
             V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_friction = lanes_load(lists->p_ring_friction);
             V p_ring_radius = lanes_load(lists->p_ring_radius);
             V p_wire_radius = lanes_load(lists->p_wire_radius);
             V bent_x = K(0.0);
@@ -6267,6 +6488,7 @@ static void LANES(court_bounded)(const court_job *job)
             V dx = K(0.0);
             V dy = K(0.0);
             V dz = K(0.0);
+            V grip_lost = K(0.0);
             V held = K(0.0);
             V late = K(0.0);
             V nx = K(0.0);
@@ -6274,6 +6496,9 @@ static void LANES(court_bounded)(const court_job *job)
             V nz = K(0.0);
             V per_reach = K(0.0);
             V ring = K(0.0);
+            V taut = K(0.0);
+            V taut_clock = K(0.0);
+            V taut_rate = K(0.0);
             V through = K(0.0);
             V vx = K(0.0);
             V vy = K(0.0);
@@ -6305,6 +6530,7 @@ static void LANES(court_bounded)(const court_job *job)
                     dx = lanes_expand(lists->kept_rolling_dx + taken, idle, dx);
                     dy = lanes_expand(lists->kept_rolling_dy + taken, idle, dy);
                     dz = lanes_expand(lists->kept_rolling_dz + taken, idle, dz);
+                    grip_lost = lanes_expand(lists->kept_rolling_grip_lost + taken, idle, grip_lost);
                     held = lanes_expand(lists->kept_rolling_held + taken, idle, held);
                     late = lanes_expand(lists->kept_rolling_late + taken, idle, late);
                     nx = lanes_expand(lists->kept_rolling_nx + taken, idle, nx);
@@ -6312,6 +6538,9 @@ static void LANES(court_bounded)(const court_job *job)
                     nz = lanes_expand(lists->kept_rolling_nz + taken, idle, nz);
                     per_reach = lanes_expand(lists->kept_rolling_per_reach + taken, idle, per_reach);
                     ring = lanes_expand(lists->kept_rolling_ring + taken, idle, ring);
+                    taut = lanes_expand(lists->kept_rolling_taut + taken, idle, taut);
+                    taut_clock = lanes_expand(lists->kept_rolling_taut_clock + taken, idle, taut_clock);
+                    taut_rate = lanes_expand(lists->kept_rolling_taut_rate + taken, idle, taut_rate);
                     through = lanes_expand(lists->kept_rolling_through + taken, idle, through);
                     vx = lanes_expand(lists->kept_rolling_vx + taken, idle, vx);
                     vy = lanes_expand(lists->kept_rolling_vy + taken, idle, vy);
@@ -6324,6 +6553,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->kept_rolling_y + taken, idle, y);
                     z = lanes_expand(lists->kept_rolling_z + taken, idle, z);
                     if (varying) {
+                        p_backboard_friction = lanes_expand(lists->kept_rolling_p_backboard_friction + taken, idle, p_backboard_friction);
                         p_ball_radius = lanes_expand(lists->kept_rolling_p_ball_radius + taken, idle, p_ball_radius);
                         p_board_bottom = lanes_expand(lists->kept_rolling_p_board_bottom + taken, idle, p_board_bottom);
                         p_board_distance = lanes_expand(lists->kept_rolling_p_board_distance + taken, idle, p_board_distance);
@@ -6331,9 +6561,11 @@ static void LANES(court_bounded)(const court_job *job)
                         p_board_thickness = lanes_expand(lists->kept_rolling_p_board_thickness + taken, idle, p_board_thickness);
                         p_board_top = lanes_expand(lists->kept_rolling_p_board_top + taken, idle, p_board_top);
                         p_bridge_depth = lanes_expand(lists->kept_rolling_p_bridge_depth + taken, idle, p_bridge_depth);
+                        p_bridge_friction = lanes_expand(lists->kept_rolling_p_bridge_friction + taken, idle, p_bridge_friction);
                         p_bridge_half_width = lanes_expand(lists->kept_rolling_p_bridge_half_width + taken, idle, p_bridge_half_width);
                         p_end_depth = lanes_expand(lists->kept_rolling_p_end_depth + taken, idle, p_end_depth);
                         p_gravity = lanes_expand(lists->kept_rolling_p_gravity + taken, idle, p_gravity);
+                        p_ring_friction = lanes_expand(lists->kept_rolling_p_ring_friction + taken, idle, p_ring_friction);
                         p_ring_radius = lanes_expand(lists->kept_rolling_p_ring_radius + taken, idle, p_ring_radius);
                         p_wire_radius = lanes_expand(lists->kept_rolling_p_wire_radius + taken, idle, p_wire_radius);
                     }
@@ -6345,806 +6577,856 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M rolling = active;
-                const LANES(court_error_bounds_out) _o153 =
+                const LANES(court_error_bounds_out) _o154 =
                     LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                V position_error = _o153.position_error;
-                V velocity_error = _o153.velocity_error;
-                const LANES(court_holding_out) _o154 =
+                V position_error = _o154.position_error;
+                V velocity_error = _o154.velocity_error;
+                const LANES(court_holding_out) _o155 =
                     LANES(court_holding)(held, K(0.0));
-                M here = _o154.here;
-                const M _m155 = lanes_both(active, here);
-                if (lanes_any(_m155)) {
-                    const LANES(court_ring_normal_out) _o156 =
+                M here = _o155.here;
+                const M _m156 = lanes_both(active, here);
+                if (lanes_any(_m156)) {
+                    const LANES(court_ring_normal_out) _o157 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m155, _o156.nx, nx);
-                    ny = lanes_select(_m155, _o156.ny, ny);
-                    nz = lanes_select(_m155, _o156.nz, nz);
-                    const LANES(court_ring_tube_out) _o157 =
+                    nx = lanes_select(_m156, _o157.nx, nx);
+                    ny = lanes_select(_m156, _o157.ny, ny);
+                    nz = lanes_select(_m156, _o157.nz, nz);
+                    const LANES(court_ring_tube_out) _o158 =
                         LANES(court_ring_tube)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    bent_x = lanes_select(_m155, _o157.bent_x, bent_x);
-                    bent_y = lanes_select(_m155, _o157.bent_y, bent_y);
-                    bent_z = lanes_select(_m155, _o157.bent_z, bent_z);
-                    per_reach = lanes_select(_m155, _o157.per_reach, per_reach);
-                    ring = lanes_select(_m155, _o157.ring, ring);
+                    bent_x = lanes_select(_m156, _o158.bent_x, bent_x);
+                    bent_y = lanes_select(_m156, _o158.bent_y, bent_y);
+                    bent_z = lanes_select(_m156, _o158.bent_z, bent_z);
+                    per_reach = lanes_select(_m156, _o158.per_reach, per_reach);
+                    ring = lanes_select(_m156, _o158.ring, ring);
                 }
-                const LANES(court_holding_out) _o158 =
+                const LANES(court_holding_out) _o159 =
                     LANES(court_holding)(held, K(1.0));
-                here = _o158.here;
-                const M _m159 = lanes_both(active, here);
-                if (lanes_any(_m159)) {
-                    const LANES(court_backboard_normal_out) _o160 =
+                here = _o159.here;
+                const M _m160 = lanes_both(active, here);
+                if (lanes_any(_m160)) {
+                    const LANES(court_backboard_normal_out) _o161 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m159, _o160.nx, nx);
-                    ny = lanes_select(_m159, _o160.ny, ny);
-                    nz = lanes_select(_m159, _o160.nz, nz);
-                    const LANES(court_backboard_tube_out) _o161 =
+                    nx = lanes_select(_m160, _o161.nx, nx);
+                    ny = lanes_select(_m160, _o161.ny, ny);
+                    nz = lanes_select(_m160, _o161.nz, nz);
+                    const LANES(court_backboard_tube_out) _o162 =
                         LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    bent_x = lanes_select(_m159, _o161.bent_x, bent_x);
-                    bent_y = lanes_select(_m159, _o161.bent_y, bent_y);
-                    bent_z = lanes_select(_m159, _o161.bent_z, bent_z);
-                    per_reach = lanes_select(_m159, _o161.per_reach, per_reach);
-                    ring = lanes_select(_m159, _o161.ring, ring);
+                    bent_x = lanes_select(_m160, _o162.bent_x, bent_x);
+                    bent_y = lanes_select(_m160, _o162.bent_y, bent_y);
+                    bent_z = lanes_select(_m160, _o162.bent_z, bent_z);
+                    per_reach = lanes_select(_m160, _o162.per_reach, per_reach);
+                    ring = lanes_select(_m160, _o162.ring, ring);
                 }
-                const LANES(court_holding_out) _o162 =
+                const LANES(court_holding_out) _o163 =
                     LANES(court_holding)(held, K(2.0));
-                here = _o162.here;
-                const M _m163 = lanes_both(active, here);
-                if (lanes_any(_m163)) {
-                    const LANES(court_bridge_normal_out) _o164 =
+                here = _o163.here;
+                const M _m164 = lanes_both(active, here);
+                if (lanes_any(_m164)) {
+                    const LANES(court_bridge_normal_out) _o165 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m163, _o164.nx, nx);
-                    ny = lanes_select(_m163, _o164.ny, ny);
-                    nz = lanes_select(_m163, _o164.nz, nz);
-                    const LANES(court_bridge_tube_out) _o165 =
+                    nx = lanes_select(_m164, _o165.nx, nx);
+                    ny = lanes_select(_m164, _o165.ny, ny);
+                    nz = lanes_select(_m164, _o165.nz, nz);
+                    const LANES(court_bridge_tube_out) _o166 =
                         LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    bent_x = lanes_select(_m163, _o165.bent_x, bent_x);
-                    bent_y = lanes_select(_m163, _o165.bent_y, bent_y);
-                    bent_z = lanes_select(_m163, _o165.bent_z, bent_z);
-                    per_reach = lanes_select(_m163, _o165.per_reach, per_reach);
-                    ring = lanes_select(_m163, _o165.ring, ring);
+                    bent_x = lanes_select(_m164, _o166.bent_x, bent_x);
+                    bent_y = lanes_select(_m164, _o166.bent_y, bent_y);
+                    bent_z = lanes_select(_m164, _o166.bent_z, bent_z);
+                    per_reach = lanes_select(_m164, _o166.per_reach, per_reach);
+                    ring = lanes_select(_m164, _o166.ring, ring);
                 }
-                const LANES(court_roll_start_out) _o166 =
+                const LANES(court_roll_start_out) _o167 =
                     LANES(court_roll_start)(p_ball_radius, nx, ny, nz, ring, vx, vy, vz, wx, wy, wz, x, y);
-                V vx_0 = _o166.vx_0;
-                V vy_0 = _o166.vy_0;
-                V vz_0 = _o166.vz_0;
-                V nx_0 = _o166.nx_0;
-                V ny_0 = _o166.ny_0;
-                V nz_0 = _o166.nz_0;
-                V turn_rate_0 = _o166.turn_rate_0;
-                V cos_0 = _o166.cos_0;
-                V sin_0 = _o166.sin_0;
-                V near_0 = _o166.near_0;
-                const LANES(court_roll_0_out) _o167 =
+                V vx_0 = _o167.vx_0;
+                V vy_0 = _o167.vy_0;
+                V vz_0 = _o167.vz_0;
+                V nx_0 = _o167.nx_0;
+                V ny_0 = _o167.ny_0;
+                V nz_0 = _o167.nz_0;
+                V turn_rate_0 = _o167.turn_rate_0;
+                V cos_0 = _o167.cos_0;
+                V sin_0 = _o167.sin_0;
+                V near_0 = _o167.near_0;
+                const LANES(court_roll_0_out) _o168 =
                     LANES(court_roll_0)(bent_x, bent_y, bent_z, cos_0, p_gravity, near_0, nx_0, ny_0, nz_0, per_reach, ring, sin_0, turn_rate_0, vx_0, vy_0, vz_0);
-                V across_0 = _o167.across_0;
-                V round_0 = _o167.round_0;
-                V lift_0 = _o167.lift_0;
-                V tx_0 = _o167.tx_0;
-                V ty_0 = _o167.ty_0;
-                V tz_0 = _o167.tz_0;
-                V vx_1 = _o167.vx_1;
-                V vy_1 = _o167.vy_1;
-                V vz_1 = _o167.vz_1;
-                V nx_1 = _o167.nx_1;
-                V ny_1 = _o167.ny_1;
-                V nz_1 = _o167.nz_1;
-                V turn_rate_1 = _o167.turn_rate_1;
-                V cos_1 = _o167.cos_1;
-                V sin_1 = _o167.sin_1;
-                V widened_1 = _o167.widened_1;
-                V near_1 = _o167.near_1;
-                const LANES(court_roll_1_out) _o168 =
+                V across_0 = _o168.across_0;
+                V round_0 = _o168.round_0;
+                V lift_0 = _o168.lift_0;
+                V tx_0 = _o168.tx_0;
+                V ty_0 = _o168.ty_0;
+                V tz_0 = _o168.tz_0;
+                V vx_1 = _o168.vx_1;
+                V vy_1 = _o168.vy_1;
+                V vz_1 = _o168.vz_1;
+                V nx_1 = _o168.nx_1;
+                V ny_1 = _o168.ny_1;
+                V nz_1 = _o168.nz_1;
+                V turn_rate_1 = _o168.turn_rate_1;
+                V cos_1 = _o168.cos_1;
+                V sin_1 = _o168.sin_1;
+                V widened_1 = _o168.widened_1;
+                V near_1 = _o168.near_1;
+                const LANES(court_roll_1_out) _o169 =
                     LANES(court_roll_1)(across_0, bent_x, bent_y, bent_z, cos_0, cos_1, p_gravity, lift_0, near_0, near_1, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, ring, round_0, sin_0, sin_1, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, widened_1);
-                V across_1 = _o168.across_1;
-                V round_1 = _o168.round_1;
-                V lift_1 = _o168.lift_1;
-                V tx_1 = _o168.tx_1;
-                V ty_1 = _o168.ty_1;
-                V tz_1 = _o168.tz_1;
-                V vx_2 = _o168.vx_2;
-                V vy_2 = _o168.vy_2;
-                V vz_2 = _o168.vz_2;
-                V nx_2 = _o168.nx_2;
-                V ny_2 = _o168.ny_2;
-                V nz_2 = _o168.nz_2;
-                V turn_rate_2 = _o168.turn_rate_2;
-                V cos_2 = _o168.cos_2;
-                V sin_2 = _o168.sin_2;
-                V widened_2 = _o168.widened_2;
-                V near_2 = _o168.near_2;
-                const LANES(court_roll_2_out) _o169 =
+                V across_1 = _o169.across_1;
+                V round_1 = _o169.round_1;
+                V lift_1 = _o169.lift_1;
+                V tx_1 = _o169.tx_1;
+                V ty_1 = _o169.ty_1;
+                V tz_1 = _o169.tz_1;
+                V vx_2 = _o169.vx_2;
+                V vy_2 = _o169.vy_2;
+                V vz_2 = _o169.vz_2;
+                V nx_2 = _o169.nx_2;
+                V ny_2 = _o169.ny_2;
+                V nz_2 = _o169.nz_2;
+                V turn_rate_2 = _o169.turn_rate_2;
+                V cos_2 = _o169.cos_2;
+                V sin_2 = _o169.sin_2;
+                V widened_2 = _o169.widened_2;
+                V near_2 = _o169.near_2;
+                const LANES(court_roll_2_out) _o170 =
                     LANES(court_roll_2)(across_0, across_1, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, p_gravity, lift_0, lift_1, near_0, near_1, near_2, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, ring, round_0, round_1, sin_0, sin_1, sin_2, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, widened_1, widened_2);
-                V across_2 = _o169.across_2;
-                V round_2 = _o169.round_2;
-                V lift_2 = _o169.lift_2;
-                V tx_2 = _o169.tx_2;
-                V ty_2 = _o169.ty_2;
-                V tz_2 = _o169.tz_2;
-                V vx_3 = _o169.vx_3;
-                V vy_3 = _o169.vy_3;
-                V vz_3 = _o169.vz_3;
-                V nx_3 = _o169.nx_3;
-                V ny_3 = _o169.ny_3;
-                V nz_3 = _o169.nz_3;
-                V turn_rate_3 = _o169.turn_rate_3;
-                V cos_3 = _o169.cos_3;
-                V sin_3 = _o169.sin_3;
-                V widened_3 = _o169.widened_3;
-                V near_3 = _o169.near_3;
-                const LANES(court_roll_3_out) _o170 =
+                V across_2 = _o170.across_2;
+                V round_2 = _o170.round_2;
+                V lift_2 = _o170.lift_2;
+                V tx_2 = _o170.tx_2;
+                V ty_2 = _o170.ty_2;
+                V tz_2 = _o170.tz_2;
+                V vx_3 = _o170.vx_3;
+                V vy_3 = _o170.vy_3;
+                V vz_3 = _o170.vz_3;
+                V nx_3 = _o170.nx_3;
+                V ny_3 = _o170.ny_3;
+                V nz_3 = _o170.nz_3;
+                V turn_rate_3 = _o170.turn_rate_3;
+                V cos_3 = _o170.cos_3;
+                V sin_3 = _o170.sin_3;
+                V widened_3 = _o170.widened_3;
+                V near_3 = _o170.near_3;
+                const LANES(court_roll_3_out) _o171 =
                     LANES(court_roll_3)(across_0, across_1, across_2, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, p_gravity, lift_0, lift_1, lift_2, near_0, near_1, near_2, near_3, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, ring, round_0, round_1, round_2, sin_0, sin_1, sin_2, sin_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, widened_1, widened_2, widened_3);
-                V across_3 = _o170.across_3;
-                V round_3 = _o170.round_3;
-                V lift_3 = _o170.lift_3;
-                V tx_3 = _o170.tx_3;
-                V ty_3 = _o170.ty_3;
-                V tz_3 = _o170.tz_3;
-                V vx_4 = _o170.vx_4;
-                V vy_4 = _o170.vy_4;
-                V vz_4 = _o170.vz_4;
-                V nx_4 = _o170.nx_4;
-                V ny_4 = _o170.ny_4;
-                V nz_4 = _o170.nz_4;
-                V turn_rate_4 = _o170.turn_rate_4;
-                V cos_4 = _o170.cos_4;
-                V sin_4 = _o170.sin_4;
-                V widened_4 = _o170.widened_4;
-                V near_4 = _o170.near_4;
-                const LANES(court_roll_4_out) _o171 =
+                V across_3 = _o171.across_3;
+                V round_3 = _o171.round_3;
+                V lift_3 = _o171.lift_3;
+                V tx_3 = _o171.tx_3;
+                V ty_3 = _o171.ty_3;
+                V tz_3 = _o171.tz_3;
+                V vx_4 = _o171.vx_4;
+                V vy_4 = _o171.vy_4;
+                V vz_4 = _o171.vz_4;
+                V nx_4 = _o171.nx_4;
+                V ny_4 = _o171.ny_4;
+                V nz_4 = _o171.nz_4;
+                V turn_rate_4 = _o171.turn_rate_4;
+                V cos_4 = _o171.cos_4;
+                V sin_4 = _o171.sin_4;
+                V widened_4 = _o171.widened_4;
+                V near_4 = _o171.near_4;
+                const LANES(court_roll_4_out) _o172 =
                     LANES(court_roll_4)(across_0, across_1, across_2, across_3, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, p_gravity, lift_0, lift_1, lift_2, lift_3, near_0, near_1, near_2, near_3, near_4, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, ring, round_0, round_1, round_2, round_3, sin_0, sin_1, sin_2, sin_3, sin_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, widened_1, widened_2, widened_3, widened_4);
-                V across_4 = _o171.across_4;
-                V round_4 = _o171.round_4;
-                V lift_4 = _o171.lift_4;
-                V tx_4 = _o171.tx_4;
-                V ty_4 = _o171.ty_4;
-                V tz_4 = _o171.tz_4;
-                V vx_5 = _o171.vx_5;
-                V vy_5 = _o171.vy_5;
-                V vz_5 = _o171.vz_5;
-                V nx_5 = _o171.nx_5;
-                V ny_5 = _o171.ny_5;
-                V nz_5 = _o171.nz_5;
-                V turn_rate_5 = _o171.turn_rate_5;
-                V cos_5 = _o171.cos_5;
-                V sin_5 = _o171.sin_5;
-                V widened_5 = _o171.widened_5;
-                V near_5 = _o171.near_5;
-                const LANES(court_roll_5_out) _o172 =
+                V across_4 = _o172.across_4;
+                V round_4 = _o172.round_4;
+                V lift_4 = _o172.lift_4;
+                V tx_4 = _o172.tx_4;
+                V ty_4 = _o172.ty_4;
+                V tz_4 = _o172.tz_4;
+                V vx_5 = _o172.vx_5;
+                V vy_5 = _o172.vy_5;
+                V vz_5 = _o172.vz_5;
+                V nx_5 = _o172.nx_5;
+                V ny_5 = _o172.ny_5;
+                V nz_5 = _o172.nz_5;
+                V turn_rate_5 = _o172.turn_rate_5;
+                V cos_5 = _o172.cos_5;
+                V sin_5 = _o172.sin_5;
+                V widened_5 = _o172.widened_5;
+                V near_5 = _o172.near_5;
+                const LANES(court_roll_5_out) _o173 =
                     LANES(court_roll_5)(across_0, across_1, across_2, across_3, across_4, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, near_0, near_1, near_2, near_3, near_4, near_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, ring, round_0, round_1, round_2, round_3, round_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, widened_1, widened_2, widened_3, widened_4, widened_5);
-                V across_5 = _o172.across_5;
-                V round_5 = _o172.round_5;
-                V lift_5 = _o172.lift_5;
-                V tx_5 = _o172.tx_5;
-                V ty_5 = _o172.ty_5;
-                V tz_5 = _o172.tz_5;
-                V vx_6 = _o172.vx_6;
-                V vy_6 = _o172.vy_6;
-                V vz_6 = _o172.vz_6;
-                V nx_6 = _o172.nx_6;
-                V ny_6 = _o172.ny_6;
-                V nz_6 = _o172.nz_6;
-                V turn_rate_6 = _o172.turn_rate_6;
-                V cos_6 = _o172.cos_6;
-                V sin_6 = _o172.sin_6;
-                V widened_6 = _o172.widened_6;
-                V near_6 = _o172.near_6;
-                const LANES(court_roll_6_out) _o173 =
+                V across_5 = _o173.across_5;
+                V round_5 = _o173.round_5;
+                V lift_5 = _o173.lift_5;
+                V tx_5 = _o173.tx_5;
+                V ty_5 = _o173.ty_5;
+                V tz_5 = _o173.tz_5;
+                V vx_6 = _o173.vx_6;
+                V vy_6 = _o173.vy_6;
+                V vz_6 = _o173.vz_6;
+                V nx_6 = _o173.nx_6;
+                V ny_6 = _o173.ny_6;
+                V nz_6 = _o173.nz_6;
+                V turn_rate_6 = _o173.turn_rate_6;
+                V cos_6 = _o173.cos_6;
+                V sin_6 = _o173.sin_6;
+                V widened_6 = _o173.widened_6;
+                V near_6 = _o173.near_6;
+                const LANES(court_roll_6_out) _o174 =
                     LANES(court_roll_6)(across_0, across_1, across_2, across_3, across_4, across_5, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, near_0, near_1, near_2, near_3, near_4, near_5, near_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6);
-                V across_6 = _o173.across_6;
-                V round_6 = _o173.round_6;
-                V lift_6 = _o173.lift_6;
-                V tx_6 = _o173.tx_6;
-                V ty_6 = _o173.ty_6;
-                V tz_6 = _o173.tz_6;
-                V vx_7 = _o173.vx_7;
-                V vy_7 = _o173.vy_7;
-                V vz_7 = _o173.vz_7;
-                V nx_7 = _o173.nx_7;
-                V ny_7 = _o173.ny_7;
-                V nz_7 = _o173.nz_7;
-                V turn_rate_7 = _o173.turn_rate_7;
-                V cos_7 = _o173.cos_7;
-                V sin_7 = _o173.sin_7;
-                V widened_7 = _o173.widened_7;
-                V near_7 = _o173.near_7;
-                const LANES(court_roll_7_out) _o174 =
+                V across_6 = _o174.across_6;
+                V round_6 = _o174.round_6;
+                V lift_6 = _o174.lift_6;
+                V tx_6 = _o174.tx_6;
+                V ty_6 = _o174.ty_6;
+                V tz_6 = _o174.tz_6;
+                V vx_7 = _o174.vx_7;
+                V vy_7 = _o174.vy_7;
+                V vz_7 = _o174.vz_7;
+                V nx_7 = _o174.nx_7;
+                V ny_7 = _o174.ny_7;
+                V nz_7 = _o174.nz_7;
+                V turn_rate_7 = _o174.turn_rate_7;
+                V cos_7 = _o174.cos_7;
+                V sin_7 = _o174.sin_7;
+                V widened_7 = _o174.widened_7;
+                V near_7 = _o174.near_7;
+                const LANES(court_roll_7_out) _o175 =
                     LANES(court_roll_7)(across_0, across_1, across_2, across_3, across_4, across_5, across_6, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, round_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6, widened_7);
-                V lift_7 = _o174.lift_7;
-                V vx_8 = _o174.vx_8;
-                V vy_8 = _o174.vy_8;
-                V vz_8 = _o174.vz_8;
-                V nx_8 = _o174.nx_8;
-                V ny_8 = _o174.ny_8;
-                V nz_8 = _o174.nz_8;
-                V turn_rate_8 = _o174.turn_rate_8;
-                const LANES(court_roll_pace_out) _o175 =
+                V lift_7 = _o175.lift_7;
+                V vx_8 = _o175.vx_8;
+                V vy_8 = _o175.vy_8;
+                V vz_8 = _o175.vz_8;
+                V nx_8 = _o175.nx_8;
+                V ny_8 = _o175.ny_8;
+                V nz_8 = _o175.nz_8;
+                V turn_rate_8 = _o175.turn_rate_8;
+                const LANES(court_roll_pace_out) _o176 =
                     LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-                V stride = _o175.stride;
-                V strongest = _o175.strongest;
-                V fastest = _o175.fastest;
-                V force = _o175.force;
-                V force_rate = _o175.force_rate;
-                V force_bend = _o175.force_bend;
-                const LANES(court_leaving_force_out) _o176 =
+                V stride = _o176.stride;
+                V strongest = _o176.strongest;
+                V fastest = _o176.fastest;
+                V force = _o176.force;
+                V force_rate = _o176.force_rate;
+                V force_bend = _o176.force_bend;
+                const LANES(court_pulled_out) _o177 =
+                    LANES(court_pulled)(p_gravity, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                V drag = _o177.drag;
+                V drag_rate = _o177.drag_rate;
+                V strain = _o177.strain;
+                V strain_rate = _o177.strain_rate;
+                const LANES(court_holding_out) _o178 =
+                    LANES(court_holding)(held, K(0.0));
+                here = _o178.here;
+                const M _m179 = lanes_both(active, here);
+                {
+                    const LANES(court_ring_impact_strained_out) _o180 =
+                        LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_ring_friction);
+                    strain = lanes_select(_m179, _o180.strain, strain);
+                    strain_rate = lanes_select(_m179, _o180.strain_rate, strain_rate);
+                }
+                const LANES(court_holding_out) _o181 =
+                    LANES(court_holding)(held, K(1.0));
+                here = _o181.here;
+                const M _m182 = lanes_both(active, here);
+                {
+                    const LANES(court_ring_impact_strained_out) _o183 =
+                        LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_backboard_friction);
+                    strain = lanes_select(_m182, _o183.strain, strain);
+                    strain_rate = lanes_select(_m182, _o183.strain_rate, strain_rate);
+                }
+                const LANES(court_holding_out) _o184 =
+                    LANES(court_holding)(held, K(2.0));
+                here = _o184.here;
+                const M _m185 = lanes_both(active, here);
+                {
+                    const LANES(court_ring_impact_strained_out) _o186 =
+                        LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_bridge_friction);
+                    strain = lanes_select(_m185, _o186.strain, strain);
+                    strain_rate = lanes_select(_m185, _o186.strain_rate, strain_rate);
+                }
+                const LANES(court_losing_out) _o187 =
+                    LANES(court_losing)(grip_lost, strain);
+                M loses = _o187.loses;
+                const M _m188 = lanes_both(active, loses);
+                if (lanes_any(_m188)) {
+                    const LANES(court_lost_grip_out) _o189 =
+                        LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
+                    grip_lost = lanes_select(_m188, _o189.grip_lost, grip_lost);
+                }
+                const LANES(court_tightened_out) _o190 =
+                    LANES(court_tightened)(clock, strain, strain_rate);
+                taut = _o190.taut;
+                taut_rate = _o190.taut_rate;
+                taut_clock = _o190.taut_clock;
+                const LANES(court_leaving_force_out) _o191 =
                     LANES(court_leaving_force)(p_ball_radius, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-                stride = _o176.stride;
-                which = _o176.which;
-                M rests = _o176.rests;
-                doubt = _o176.doubt;
-                const LANES(court_beside_out) _o177 =
+                stride = _o191.stride;
+                which = _o191.which;
+                M rests = _o191.rests;
+                doubt = _o191.doubt;
+                const LANES(court_beside_out) _o192 =
                     LANES(court_beside)(held, K(0.0));
-                M beside = _o177.beside;
-                const M _m178 = lanes_both(active, beside);
-                if (lanes_any(_m178)) {
-                    const LANES(court_ring_beside_out) _o179 =
+                M beside = _o192.beside;
+                const M _m193 = lanes_both(active, beside);
+                if (lanes_any(_m193)) {
+                    const LANES(court_ring_beside_out) _o194 =
                         LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o179.gap;
-                    V nearing = _o179.nearing;
-                    V dent = _o179.dent;
-                    const LANES(court_beside_body_out) _o180 =
+                    V gap = _o194.gap;
+                    V nearing = _o194.nearing;
+                    V dent = _o194.dent;
+                    const LANES(court_beside_body_out) _o195 =
                         LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                    stride = lanes_select(_m178, _o180.stride, stride);
-                    which = lanes_select(_m178, _o180.which, which);
-                    doubt = lanes_select(_m178, _o180.doubt, doubt);
-                    late = lanes_select(_m178, _o180.late, late);
+                    stride = lanes_select(_m193, _o195.stride, stride);
+                    which = lanes_select(_m193, _o195.which, which);
+                    doubt = lanes_select(_m193, _o195.doubt, doubt);
+                    late = lanes_select(_m193, _o195.late, late);
                 }
-                const LANES(court_beside_out) _o181 =
+                const LANES(court_beside_out) _o196 =
                     LANES(court_beside)(held, K(1.0));
-                beside = _o181.beside;
-                const M _m182 = lanes_both(active, beside);
-                if (lanes_any(_m182)) {
-                    const LANES(court_backboard_beside_out) _o183 =
+                beside = _o196.beside;
+                const M _m197 = lanes_both(active, beside);
+                if (lanes_any(_m197)) {
+                    const LANES(court_backboard_beside_out) _o198 =
                         LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    V gap = _o183.gap;
-                    V nearing = _o183.nearing;
-                    V dent = _o183.dent;
-                    const LANES(court_beside_body_out) _o184 =
+                    V gap = _o198.gap;
+                    V nearing = _o198.nearing;
+                    V dent = _o198.dent;
+                    const LANES(court_beside_body_out) _o199 =
                         LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                    stride = lanes_select(_m182, _o184.stride, stride);
-                    which = lanes_select(_m182, _o184.which, which);
-                    doubt = lanes_select(_m182, _o184.doubt, doubt);
-                    late = lanes_select(_m182, _o184.late, late);
+                    stride = lanes_select(_m197, _o199.stride, stride);
+                    which = lanes_select(_m197, _o199.which, which);
+                    doubt = lanes_select(_m197, _o199.doubt, doubt);
+                    late = lanes_select(_m197, _o199.late, late);
                 }
-                const LANES(court_beside_out) _o185 =
+                const LANES(court_beside_out) _o200 =
                     LANES(court_beside)(held, K(2.0));
-                beside = _o185.beside;
-                const M _m186 = lanes_both(active, beside);
-                if (lanes_any(_m186)) {
-                    const LANES(court_bridge_beside_out) _o187 =
+                beside = _o200.beside;
+                const M _m201 = lanes_both(active, beside);
+                if (lanes_any(_m201)) {
+                    const LANES(court_bridge_beside_out) _o202 =
                         LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o187.gap;
-                    V nearing = _o187.nearing;
-                    V dent = _o187.dent;
-                    const LANES(court_beside_body_out) _o188 =
+                    V gap = _o202.gap;
+                    V nearing = _o202.nearing;
+                    V dent = _o202.dent;
+                    const LANES(court_beside_body_out) _o203 =
                         LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                    stride = lanes_select(_m186, _o188.stride, stride);
-                    which = lanes_select(_m186, _o188.which, which);
-                    doubt = lanes_select(_m186, _o188.doubt, doubt);
-                    late = lanes_select(_m186, _o188.late, late);
+                    stride = lanes_select(_m201, _o203.stride, stride);
+                    which = lanes_select(_m201, _o203.which, which);
+                    doubt = lanes_select(_m201, _o203.doubt, doubt);
+                    late = lanes_select(_m201, _o203.late, late);
                 }
-                const LANES(court_end_beside_out) _o189 =
+                const LANES(court_end_beside_out) _o204 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o189.gap;
-                V nearing = _o189.nearing;
-                V dent = _o189.dent;
-                const LANES(court_beside_gate_out) _o190 =
+                V gap = _o204.gap;
+                V nearing = _o204.nearing;
+                V dent = _o204.dent;
+                const LANES(court_beside_gate_out) _o205 =
                     LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = _o190.stride;
-                which = _o190.which;
-                doubt = _o190.doubt;
-                late = _o190.late;
-                const LANES(court_holding_out) _o191 =
+                stride = _o205.stride;
+                which = _o205.which;
+                doubt = _o205.doubt;
+                late = _o205.late;
+                const LANES(court_holding_out) _o206 =
                     LANES(court_holding)(held, K(1.0));
-                here = _o191.here;
-                const M _m192 = lanes_both(active, here);
-                if (lanes_any(_m192)) {
-                    const LANES(court_backboard_seam0_out) _o193 =
+                here = _o206.here;
+                const M _m207 = lanes_both(active, here);
+                if (lanes_any(_m207)) {
+                    const LANES(court_backboard_seam0_out) _o208 =
                         LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                    gap = lanes_select(_m192, _o193.gap, gap);
-                    V nearing = _o193.nearing;
-                    V near = _o193.near;
-                    const LANES(court_beside_seam_out) _o194 =
+                    gap = lanes_select(_m207, _o208.gap, gap);
+                    V nearing = _o208.nearing;
+                    V near = _o208.near;
+                    const LANES(court_beside_seam_out) _o209 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m192, _o194.stride, stride);
-                    const LANES(court_backboard_seam1_out) _o195 =
+                    stride = lanes_select(_m207, _o209.stride, stride);
+                    const LANES(court_backboard_seam1_out) _o210 =
                         LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                    gap = lanes_select(_m192, _o195.gap, gap);
-                    nearing = _o195.nearing;
-                    near = _o195.near;
-                    const LANES(court_beside_seam_out) _o196 =
+                    gap = lanes_select(_m207, _o210.gap, gap);
+                    nearing = _o210.nearing;
+                    near = _o210.near;
+                    const LANES(court_beside_seam_out) _o211 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m192, _o196.stride, stride);
-                    const LANES(court_backboard_seam2_out) _o197 =
+                    stride = lanes_select(_m207, _o211.stride, stride);
+                    const LANES(court_backboard_seam2_out) _o212 =
                         LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                    gap = lanes_select(_m192, _o197.gap, gap);
-                    nearing = _o197.nearing;
-                    near = _o197.near;
-                    const LANES(court_beside_seam_out) _o198 =
+                    gap = lanes_select(_m207, _o212.gap, gap);
+                    nearing = _o212.nearing;
+                    near = _o212.near;
+                    const LANES(court_beside_seam_out) _o213 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m192, _o198.stride, stride);
-                    const LANES(court_backboard_seam3_out) _o199 =
+                    stride = lanes_select(_m207, _o213.stride, stride);
+                    const LANES(court_backboard_seam3_out) _o214 =
                         LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                    gap = lanes_select(_m192, _o199.gap, gap);
-                    nearing = _o199.nearing;
-                    near = _o199.near;
-                    const LANES(court_beside_seam_out) _o200 =
+                    gap = lanes_select(_m207, _o214.gap, gap);
+                    nearing = _o214.nearing;
+                    near = _o214.near;
+                    const LANES(court_beside_seam_out) _o215 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m192, _o200.stride, stride);
-                    const LANES(court_backboard_seam4_out) _o201 =
+                    stride = lanes_select(_m207, _o215.stride, stride);
+                    const LANES(court_backboard_seam4_out) _o216 =
                         LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                    gap = lanes_select(_m192, _o201.gap, gap);
-                    nearing = _o201.nearing;
-                    near = _o201.near;
-                    const LANES(court_beside_seam_out) _o202 =
+                    gap = lanes_select(_m207, _o216.gap, gap);
+                    nearing = _o216.nearing;
+                    near = _o216.near;
+                    const LANES(court_beside_seam_out) _o217 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m192, _o202.stride, stride);
-                    const LANES(court_backboard_seam5_out) _o203 =
+                    stride = lanes_select(_m207, _o217.stride, stride);
+                    const LANES(court_backboard_seam5_out) _o218 =
                         LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                    gap = lanes_select(_m192, _o203.gap, gap);
-                    nearing = _o203.nearing;
-                    near = _o203.near;
-                    const LANES(court_beside_seam_out) _o204 =
+                    gap = lanes_select(_m207, _o218.gap, gap);
+                    nearing = _o218.nearing;
+                    near = _o218.near;
+                    const LANES(court_beside_seam_out) _o219 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m192, _o204.stride, stride);
+                    stride = lanes_select(_m207, _o219.stride, stride);
                 }
-                const LANES(court_holding_out) _o205 =
+                const LANES(court_holding_out) _o220 =
                     LANES(court_holding)(held, K(2.0));
-                here = _o205.here;
-                const M _m206 = lanes_both(active, here);
-                if (lanes_any(_m206)) {
-                    const LANES(court_bridge_seam0_out) _o207 =
+                here = _o220.here;
+                const M _m221 = lanes_both(active, here);
+                if (lanes_any(_m221)) {
+                    const LANES(court_bridge_seam0_out) _o222 =
                         LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                    gap = lanes_select(_m206, _o207.gap, gap);
-                    V nearing = _o207.nearing;
-                    V near = _o207.near;
-                    const LANES(court_beside_seam_out) _o208 =
+                    gap = lanes_select(_m221, _o222.gap, gap);
+                    V nearing = _o222.nearing;
+                    V near = _o222.near;
+                    const LANES(court_beside_seam_out) _o223 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m206, _o208.stride, stride);
-                    const LANES(court_bridge_seam1_out) _o209 =
+                    stride = lanes_select(_m221, _o223.stride, stride);
+                    const LANES(court_bridge_seam1_out) _o224 =
                         LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                    gap = lanes_select(_m206, _o209.gap, gap);
-                    nearing = _o209.nearing;
-                    near = _o209.near;
-                    const LANES(court_beside_seam_out) _o210 =
+                    gap = lanes_select(_m221, _o224.gap, gap);
+                    nearing = _o224.nearing;
+                    near = _o224.near;
+                    const LANES(court_beside_seam_out) _o225 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m206, _o210.stride, stride);
-                    const LANES(court_bridge_seam2_out) _o211 =
+                    stride = lanes_select(_m221, _o225.stride, stride);
+                    const LANES(court_bridge_seam2_out) _o226 =
                         LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                    gap = lanes_select(_m206, _o211.gap, gap);
-                    nearing = _o211.nearing;
-                    near = _o211.near;
-                    const LANES(court_beside_seam_out) _o212 =
+                    gap = lanes_select(_m221, _o226.gap, gap);
+                    nearing = _o226.nearing;
+                    near = _o226.near;
+                    const LANES(court_beside_seam_out) _o227 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m206, _o212.stride, stride);
-                    const LANES(court_bridge_seam3_out) _o213 =
+                    stride = lanes_select(_m221, _o227.stride, stride);
+                    const LANES(court_bridge_seam3_out) _o228 =
                         LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                    gap = lanes_select(_m206, _o213.gap, gap);
-                    nearing = _o213.nearing;
-                    near = _o213.near;
-                    const LANES(court_beside_seam_out) _o214 =
+                    gap = lanes_select(_m221, _o228.gap, gap);
+                    nearing = _o228.nearing;
+                    near = _o228.near;
+                    const LANES(court_beside_seam_out) _o229 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m206, _o214.stride, stride);
-                    const LANES(court_bridge_seam4_out) _o215 =
+                    stride = lanes_select(_m221, _o229.stride, stride);
+                    const LANES(court_bridge_seam4_out) _o230 =
                         LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                    gap = lanes_select(_m206, _o215.gap, gap);
-                    nearing = _o215.nearing;
-                    near = _o215.near;
-                    const LANES(court_beside_seam_out) _o216 =
+                    gap = lanes_select(_m221, _o230.gap, gap);
+                    nearing = _o230.nearing;
+                    near = _o230.near;
+                    const LANES(court_beside_seam_out) _o231 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m206, _o216.stride, stride);
-                    const LANES(court_bridge_seam5_out) _o217 =
+                    stride = lanes_select(_m221, _o231.stride, stride);
+                    const LANES(court_bridge_seam5_out) _o232 =
                         LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                    gap = lanes_select(_m206, _o217.gap, gap);
-                    nearing = _o217.nearing;
-                    near = _o217.near;
-                    const LANES(court_beside_seam_out) _o218 =
+                    gap = lanes_select(_m221, _o232.gap, gap);
+                    nearing = _o232.nearing;
+                    near = _o232.near;
+                    const LANES(court_beside_seam_out) _o233 =
                         LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m206, _o218.stride, stride);
+                    stride = lanes_select(_m221, _o233.stride, stride);
                 }
-                const LANES(court_beside_time_out) _o219 =
+                const LANES(court_beside_time_out) _o234 =
                     LANES(court_beside_time)(clock, stride, time_limit, which);
-                stride = _o219.stride;
-                which = _o219.which;
-                const LANES(court_apart_out) _o220 =
+                stride = _o234.stride;
+                which = _o234.which;
+                const LANES(court_apart_out) _o235 =
                     LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-                V apart = _o220.apart;
-                const LANES(court_neighbour_out) _o221 =
+                V apart = _o235.apart;
+                const LANES(court_neighbour_out) _o236 =
                     LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-                V far_x = _o221.far_x;
-                V far_y = _o221.far_y;
-                V far_z = _o221.far_z;
-                V far_vx = _o221.far_vx;
-                V far_vy = _o221.far_vy;
-                V far_vz = _o221.far_vz;
-                V far_wx = _o221.far_wx;
-                V far_wy = _o221.far_wy;
-                V far_wz = _o221.far_wz;
-                const LANES(court_passing_from_out) _o222 =
+                V far_x = _o236.far_x;
+                V far_y = _o236.far_y;
+                V far_z = _o236.far_z;
+                V far_vx = _o236.far_vx;
+                V far_vy = _o236.far_vy;
+                V far_vz = _o236.far_vz;
+                V far_wx = _o236.far_wx;
+                V far_wy = _o236.far_wy;
+                V far_wz = _o236.far_wz;
+                const LANES(court_passing_from_out) _o237 =
                     LANES(court_passing_from)(z);
-                M over = _o222.over;
-                const LANES(court_roll_moved_out) _o223 =
+                M over = _o237.over;
+                const LANES(court_roll_moved_out) _o238 =
                     LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-                x = _o223.x;
-                vx = _o223.vx;
-                y = _o223.y;
-                vy = _o223.vy;
-                z = _o223.z;
-                vz = _o223.vz;
-                V turn_rate = _o223.turn_rate;
-                const LANES(court_holding_out) _o224 =
+                x = _o238.x;
+                vx = _o238.vx;
+                y = _o238.y;
+                vy = _o238.vy;
+                z = _o238.z;
+                vz = _o238.vz;
+                V turn_rate = _o238.turn_rate;
+                const LANES(court_holding_out) _o239 =
                     LANES(court_holding)(held, K(0.0));
-                here = _o224.here;
-                const M _m225 = lanes_both(active, here);
-                if (lanes_any(_m225)) {
-                    const LANES(court_ring_normal_out) _o226 =
+                here = _o239.here;
+                const M _m240 = lanes_both(active, here);
+                if (lanes_any(_m240)) {
+                    const LANES(court_ring_normal_out) _o241 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m225, _o226.nx, nx);
-                    ny = lanes_select(_m225, _o226.ny, ny);
-                    nz = lanes_select(_m225, _o226.nz, nz);
-                    const LANES(court_ring_off_out) _o227 =
+                    nx = lanes_select(_m240, _o241.nx, nx);
+                    ny = lanes_select(_m240, _o241.ny, ny);
+                    nz = lanes_select(_m240, _o241.nz, nz);
+                    const LANES(court_ring_off_out) _o242 =
                         LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = lanes_select(_m225, _o227.gap, gap);
+                    gap = lanes_select(_m240, _o242.gap, gap);
                 }
-                const LANES(court_holding_out) _o228 =
+                const LANES(court_holding_out) _o243 =
                     LANES(court_holding)(held, K(1.0));
-                here = _o228.here;
-                const M _m229 = lanes_both(active, here);
-                if (lanes_any(_m229)) {
-                    const LANES(court_backboard_normal_out) _o230 =
+                here = _o243.here;
+                const M _m244 = lanes_both(active, here);
+                if (lanes_any(_m244)) {
+                    const LANES(court_backboard_normal_out) _o245 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m229, _o230.nx, nx);
-                    ny = lanes_select(_m229, _o230.ny, ny);
-                    nz = lanes_select(_m229, _o230.nz, nz);
-                    const LANES(court_backboard_off_out) _o231 =
+                    nx = lanes_select(_m244, _o245.nx, nx);
+                    ny = lanes_select(_m244, _o245.ny, ny);
+                    nz = lanes_select(_m244, _o245.nz, nz);
+                    const LANES(court_backboard_off_out) _o246 =
                         LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = lanes_select(_m229, _o231.gap, gap);
+                    gap = lanes_select(_m244, _o246.gap, gap);
                 }
-                const LANES(court_holding_out) _o232 =
+                const LANES(court_holding_out) _o247 =
                     LANES(court_holding)(held, K(2.0));
-                here = _o232.here;
-                const M _m233 = lanes_both(active, here);
-                if (lanes_any(_m233)) {
-                    const LANES(court_bridge_normal_out) _o234 =
+                here = _o247.here;
+                const M _m248 = lanes_both(active, here);
+                if (lanes_any(_m248)) {
+                    const LANES(court_bridge_normal_out) _o249 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m233, _o234.nx, nx);
-                    ny = lanes_select(_m233, _o234.ny, ny);
-                    nz = lanes_select(_m233, _o234.nz, nz);
-                    const LANES(court_bridge_off_out) _o235 =
+                    nx = lanes_select(_m248, _o249.nx, nx);
+                    ny = lanes_select(_m248, _o249.ny, ny);
+                    nz = lanes_select(_m248, _o249.nz, nz);
+                    const LANES(court_bridge_off_out) _o250 =
                         LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = lanes_select(_m233, _o235.gap, gap);
+                    gap = lanes_select(_m248, _o250.gap, gap);
                 }
-                const LANES(court_roll_placed_out) _o236 =
+                const LANES(court_roll_placed_out) _o251 =
                     LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-                x = _o236.x;
-                y = _o236.y;
-                z = _o236.z;
-                vx = _o236.vx;
-                vy = _o236.vy;
-                vz = _o236.vz;
-                wx = _o236.wx;
-                wy = _o236.wy;
-                wz = _o236.wz;
-                const LANES(court_passing_in_contact_out) _o237 =
+                x = _o251.x;
+                y = _o251.y;
+                z = _o251.z;
+                vx = _o251.vx;
+                vy = _o251.vy;
+                vz = _o251.vz;
+                wx = _o251.wx;
+                wy = _o251.wy;
+                wz = _o251.wz;
+                const LANES(court_passing_in_contact_out) _o252 =
                     LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-                through = _o237.through;
-                const LANES(court_holding_out) _o238 =
+                through = _o252.through;
+                const LANES(court_holding_out) _o253 =
                     LANES(court_holding)(held, K(0.0));
-                here = _o238.here;
-                const M _m239 = lanes_both(active, here);
+                here = _o253.here;
+                const M _m254 = lanes_both(active, here);
                 {
-                    const LANES(court_ring_normal_out) _o240 =
+                    const LANES(court_ring_normal_out) _o255 =
                         LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m239, _o240.nx, nx);
-                    ny = lanes_select(_m239, _o240.ny, ny);
-                    nz = lanes_select(_m239, _o240.nz, nz);
-                }
-                const LANES(court_holding_out) _o241 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o241.here;
-                const M _m242 = lanes_both(active, here);
-                {
-                    const LANES(court_backboard_normal_out) _o243 =
-                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m242, _o243.nx, nx);
-                    ny = lanes_select(_m242, _o243.ny, ny);
-                    nz = lanes_select(_m242, _o243.nz, nz);
-                }
-                const LANES(court_holding_out) _o244 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o244.here;
-                const M _m245 = lanes_both(active, here);
-                {
-                    const LANES(court_bridge_normal_out) _o246 =
-                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m245, _o246.nx, nx);
-                    ny = lanes_select(_m245, _o246.ny, ny);
-                    nz = lanes_select(_m245, _o246.nz, nz);
-                }
-                const LANES(court_roll_turn_rate_out) _o247 =
-                    LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, far_wx, far_wy, far_wz);
-                turn_rate = _o247.turn_rate;
-                const LANES(court_holding_out) _o248 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o248.here;
-                const M _m249 = lanes_both(active, here);
-                if (lanes_any(_m249)) {
-                    const LANES(court_ring_normal_out) _o250 =
-                        LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m249, _o250.nx, nx);
-                    ny = lanes_select(_m249, _o250.ny, ny);
-                    nz = lanes_select(_m249, _o250.nz, nz);
-                    const LANES(court_ring_off_out) _o251 =
-                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    gap = lanes_select(_m249, _o251.gap, gap);
-                }
-                const LANES(court_holding_out) _o252 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o252.here;
-                const M _m253 = lanes_both(active, here);
-                if (lanes_any(_m253)) {
-                    const LANES(court_backboard_normal_out) _o254 =
-                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m253, _o254.nx, nx);
-                    ny = lanes_select(_m253, _o254.ny, ny);
-                    nz = lanes_select(_m253, _o254.nz, nz);
-                    const LANES(court_backboard_off_out) _o255 =
-                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                    gap = lanes_select(_m253, _o255.gap, gap);
+                    nx = lanes_select(_m254, _o255.nx, nx);
+                    ny = lanes_select(_m254, _o255.ny, ny);
+                    nz = lanes_select(_m254, _o255.nz, nz);
                 }
                 const LANES(court_holding_out) _o256 =
-                    LANES(court_holding)(held, K(2.0));
+                    LANES(court_holding)(held, K(1.0));
                 here = _o256.here;
                 const M _m257 = lanes_both(active, here);
-                if (lanes_any(_m257)) {
-                    const LANES(court_bridge_normal_out) _o258 =
-                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                {
+                    const LANES(court_backboard_normal_out) _o258 =
+                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                     nx = lanes_select(_m257, _o258.nx, nx);
                     ny = lanes_select(_m257, _o258.ny, ny);
                     nz = lanes_select(_m257, _o258.nz, nz);
-                    const LANES(court_bridge_off_out) _o259 =
-                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    gap = lanes_select(_m257, _o259.gap, gap);
                 }
-                const LANES(court_roll_placed_out) _o260 =
-                    LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-                far_x = _o260.x;
-                far_y = _o260.y;
-                far_z = _o260.z;
-                far_vx = _o260.vx;
-                far_vy = _o260.vy;
-                far_vz = _o260.vz;
-                far_wx = _o260.wx;
-                far_wy = _o260.wy;
-                far_wz = _o260.wz;
-                const LANES(court_roll_start_out) _o261 =
-                    LANES(court_roll_start)(p_ball_radius, nx, ny, nz, ring, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y);
-                vx_0 = _o261.vx_0;
-                vy_0 = _o261.vy_0;
-                vz_0 = _o261.vz_0;
-                nx_0 = _o261.nx_0;
-                ny_0 = _o261.ny_0;
-                nz_0 = _o261.nz_0;
-                turn_rate_0 = _o261.turn_rate_0;
-                cos_0 = _o261.cos_0;
-                sin_0 = _o261.sin_0;
-                near_0 = _o261.near_0;
-                const LANES(court_roll_0_out) _o262 =
-                    LANES(court_roll_0)(bent_x, bent_y, bent_z, cos_0, p_gravity, near_0, nx_0, ny_0, nz_0, per_reach, ring, sin_0, turn_rate_0, vx_0, vy_0, vz_0);
-                across_0 = _o262.across_0;
-                round_0 = _o262.round_0;
-                lift_0 = _o262.lift_0;
-                tx_0 = _o262.tx_0;
-                ty_0 = _o262.ty_0;
-                tz_0 = _o262.tz_0;
-                vx_1 = _o262.vx_1;
-                vy_1 = _o262.vy_1;
-                vz_1 = _o262.vz_1;
-                nx_1 = _o262.nx_1;
-                ny_1 = _o262.ny_1;
-                nz_1 = _o262.nz_1;
-                turn_rate_1 = _o262.turn_rate_1;
-                cos_1 = _o262.cos_1;
-                sin_1 = _o262.sin_1;
-                widened_1 = _o262.widened_1;
-                near_1 = _o262.near_1;
-                const LANES(court_roll_1_out) _o263 =
-                    LANES(court_roll_1)(across_0, bent_x, bent_y, bent_z, cos_0, cos_1, p_gravity, lift_0, near_0, near_1, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, ring, round_0, sin_0, sin_1, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, widened_1);
-                across_1 = _o263.across_1;
-                round_1 = _o263.round_1;
-                lift_1 = _o263.lift_1;
-                tx_1 = _o263.tx_1;
-                ty_1 = _o263.ty_1;
-                tz_1 = _o263.tz_1;
-                vx_2 = _o263.vx_2;
-                vy_2 = _o263.vy_2;
-                vz_2 = _o263.vz_2;
-                nx_2 = _o263.nx_2;
-                ny_2 = _o263.ny_2;
-                nz_2 = _o263.nz_2;
-                turn_rate_2 = _o263.turn_rate_2;
-                cos_2 = _o263.cos_2;
-                sin_2 = _o263.sin_2;
-                widened_2 = _o263.widened_2;
-                near_2 = _o263.near_2;
-                const LANES(court_roll_2_out) _o264 =
-                    LANES(court_roll_2)(across_0, across_1, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, p_gravity, lift_0, lift_1, near_0, near_1, near_2, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, ring, round_0, round_1, sin_0, sin_1, sin_2, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, widened_1, widened_2);
-                across_2 = _o264.across_2;
-                round_2 = _o264.round_2;
-                lift_2 = _o264.lift_2;
-                tx_2 = _o264.tx_2;
-                ty_2 = _o264.ty_2;
-                tz_2 = _o264.tz_2;
-                vx_3 = _o264.vx_3;
-                vy_3 = _o264.vy_3;
-                vz_3 = _o264.vz_3;
-                nx_3 = _o264.nx_3;
-                ny_3 = _o264.ny_3;
-                nz_3 = _o264.nz_3;
-                turn_rate_3 = _o264.turn_rate_3;
-                cos_3 = _o264.cos_3;
-                sin_3 = _o264.sin_3;
-                widened_3 = _o264.widened_3;
-                near_3 = _o264.near_3;
-                const LANES(court_roll_3_out) _o265 =
-                    LANES(court_roll_3)(across_0, across_1, across_2, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, p_gravity, lift_0, lift_1, lift_2, near_0, near_1, near_2, near_3, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, ring, round_0, round_1, round_2, sin_0, sin_1, sin_2, sin_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, widened_1, widened_2, widened_3);
-                across_3 = _o265.across_3;
-                round_3 = _o265.round_3;
-                lift_3 = _o265.lift_3;
-                tx_3 = _o265.tx_3;
-                ty_3 = _o265.ty_3;
-                tz_3 = _o265.tz_3;
-                vx_4 = _o265.vx_4;
-                vy_4 = _o265.vy_4;
-                vz_4 = _o265.vz_4;
-                nx_4 = _o265.nx_4;
-                ny_4 = _o265.ny_4;
-                nz_4 = _o265.nz_4;
-                turn_rate_4 = _o265.turn_rate_4;
-                cos_4 = _o265.cos_4;
-                sin_4 = _o265.sin_4;
-                widened_4 = _o265.widened_4;
-                near_4 = _o265.near_4;
-                const LANES(court_roll_4_out) _o266 =
-                    LANES(court_roll_4)(across_0, across_1, across_2, across_3, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, p_gravity, lift_0, lift_1, lift_2, lift_3, near_0, near_1, near_2, near_3, near_4, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, ring, round_0, round_1, round_2, round_3, sin_0, sin_1, sin_2, sin_3, sin_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, widened_1, widened_2, widened_3, widened_4);
-                across_4 = _o266.across_4;
-                round_4 = _o266.round_4;
-                lift_4 = _o266.lift_4;
-                tx_4 = _o266.tx_4;
-                ty_4 = _o266.ty_4;
-                tz_4 = _o266.tz_4;
-                vx_5 = _o266.vx_5;
-                vy_5 = _o266.vy_5;
-                vz_5 = _o266.vz_5;
-                nx_5 = _o266.nx_5;
-                ny_5 = _o266.ny_5;
-                nz_5 = _o266.nz_5;
-                turn_rate_5 = _o266.turn_rate_5;
-                cos_5 = _o266.cos_5;
-                sin_5 = _o266.sin_5;
-                widened_5 = _o266.widened_5;
-                near_5 = _o266.near_5;
-                const LANES(court_roll_5_out) _o267 =
-                    LANES(court_roll_5)(across_0, across_1, across_2, across_3, across_4, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, near_0, near_1, near_2, near_3, near_4, near_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, ring, round_0, round_1, round_2, round_3, round_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, widened_1, widened_2, widened_3, widened_4, widened_5);
-                across_5 = _o267.across_5;
-                round_5 = _o267.round_5;
-                lift_5 = _o267.lift_5;
-                tx_5 = _o267.tx_5;
-                ty_5 = _o267.ty_5;
-                tz_5 = _o267.tz_5;
-                vx_6 = _o267.vx_6;
-                vy_6 = _o267.vy_6;
-                vz_6 = _o267.vz_6;
-                nx_6 = _o267.nx_6;
-                ny_6 = _o267.ny_6;
-                nz_6 = _o267.nz_6;
-                turn_rate_6 = _o267.turn_rate_6;
-                cos_6 = _o267.cos_6;
-                sin_6 = _o267.sin_6;
-                widened_6 = _o267.widened_6;
-                near_6 = _o267.near_6;
-                const LANES(court_roll_6_out) _o268 =
-                    LANES(court_roll_6)(across_0, across_1, across_2, across_3, across_4, across_5, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, near_0, near_1, near_2, near_3, near_4, near_5, near_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6);
-                across_6 = _o268.across_6;
-                round_6 = _o268.round_6;
-                lift_6 = _o268.lift_6;
-                tx_6 = _o268.tx_6;
-                ty_6 = _o268.ty_6;
-                tz_6 = _o268.tz_6;
-                vx_7 = _o268.vx_7;
-                vy_7 = _o268.vy_7;
-                vz_7 = _o268.vz_7;
-                nx_7 = _o268.nx_7;
-                ny_7 = _o268.ny_7;
-                nz_7 = _o268.nz_7;
-                turn_rate_7 = _o268.turn_rate_7;
-                cos_7 = _o268.cos_7;
-                sin_7 = _o268.sin_7;
-                widened_7 = _o268.widened_7;
-                near_7 = _o268.near_7;
-                const LANES(court_roll_7_out) _o269 =
-                    LANES(court_roll_7)(across_0, across_1, across_2, across_3, across_4, across_5, across_6, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, round_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6, widened_7);
-                vx_8 = _o269.vx_8;
-                vy_8 = _o269.vy_8;
-                vz_8 = _o269.vz_8;
-                turn_rate_8 = _o269.turn_rate_8;
-                const LANES(court_roll_moved_out) _o270 =
-                    LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-                far_x = _o270.x;
-                far_vx = _o270.vx;
-                far_y = _o270.y;
-                far_vy = _o270.vy;
-                far_z = _o270.z;
-                far_vz = _o270.vz;
-                turn_rate = _o270.turn_rate;
-                const LANES(court_holding_out) _o271 =
+                const LANES(court_holding_out) _o259 =
+                    LANES(court_holding)(held, K(2.0));
+                here = _o259.here;
+                const M _m260 = lanes_both(active, here);
+                {
+                    const LANES(court_bridge_normal_out) _o261 =
+                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = lanes_select(_m260, _o261.nx, nx);
+                    ny = lanes_select(_m260, _o261.ny, ny);
+                    nz = lanes_select(_m260, _o261.nz, nz);
+                }
+                const LANES(court_roll_turn_rate_out) _o262 =
+                    LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, far_wx, far_wy, far_wz);
+                turn_rate = _o262.turn_rate;
+                const LANES(court_holding_out) _o263 =
                     LANES(court_holding)(held, K(0.0));
+                here = _o263.here;
+                const M _m264 = lanes_both(active, here);
+                if (lanes_any(_m264)) {
+                    const LANES(court_ring_normal_out) _o265 =
+                        LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = lanes_select(_m264, _o265.nx, nx);
+                    ny = lanes_select(_m264, _o265.ny, ny);
+                    nz = lanes_select(_m264, _o265.nz, nz);
+                    const LANES(court_ring_off_out) _o266 =
+                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                    gap = lanes_select(_m264, _o266.gap, gap);
+                }
+                const LANES(court_holding_out) _o267 =
+                    LANES(court_holding)(held, K(1.0));
+                here = _o267.here;
+                const M _m268 = lanes_both(active, here);
+                if (lanes_any(_m268)) {
+                    const LANES(court_backboard_normal_out) _o269 =
+                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = lanes_select(_m268, _o269.nx, nx);
+                    ny = lanes_select(_m268, _o269.ny, ny);
+                    nz = lanes_select(_m268, _o269.nz, nz);
+                    const LANES(court_backboard_off_out) _o270 =
+                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
+                    gap = lanes_select(_m268, _o270.gap, gap);
+                }
+                const LANES(court_holding_out) _o271 =
+                    LANES(court_holding)(held, K(2.0));
                 here = _o271.here;
                 const M _m272 = lanes_both(active, here);
                 if (lanes_any(_m272)) {
-                    const LANES(court_ring_normal_out) _o273 =
-                        LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    const LANES(court_bridge_normal_out) _o273 =
+                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
                     nx = lanes_select(_m272, _o273.nx, nx);
                     ny = lanes_select(_m272, _o273.ny, ny);
                     nz = lanes_select(_m272, _o273.nz, nz);
-                    const LANES(court_ring_off_out) _o274 =
-                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                    const LANES(court_bridge_off_out) _o274 =
+                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
                     gap = lanes_select(_m272, _o274.gap, gap);
                 }
-                const LANES(court_holding_out) _o275 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o275.here;
-                const M _m276 = lanes_both(active, here);
-                if (lanes_any(_m276)) {
-                    const LANES(court_backboard_normal_out) _o277 =
-                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m276, _o277.nx, nx);
-                    ny = lanes_select(_m276, _o277.ny, ny);
-                    nz = lanes_select(_m276, _o277.nz, nz);
-                    const LANES(court_backboard_off_out) _o278 =
-                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                    gap = lanes_select(_m276, _o278.gap, gap);
-                }
-                const LANES(court_holding_out) _o279 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o279.here;
-                const M _m280 = lanes_both(active, here);
-                if (lanes_any(_m280)) {
-                    const LANES(court_bridge_normal_out) _o281 =
-                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m280, _o281.nx, nx);
-                    ny = lanes_select(_m280, _o281.ny, ny);
-                    nz = lanes_select(_m280, _o281.nz, nz);
-                    const LANES(court_bridge_off_out) _o282 =
-                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    gap = lanes_select(_m280, _o282.gap, gap);
-                }
-                const LANES(court_roll_placed_out) _o283 =
+                const LANES(court_roll_placed_out) _o275 =
                     LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-                far_x = _o283.x;
-                far_y = _o283.y;
-                far_z = _o283.z;
-                far_vx = _o283.vx;
-                far_vy = _o283.vy;
-                far_vz = _o283.vz;
-                far_wx = _o283.wx;
-                far_wy = _o283.wy;
-                far_wz = _o283.wz;
-                const LANES(court_compared_out) _o284 =
+                far_x = _o275.x;
+                far_y = _o275.y;
+                far_z = _o275.z;
+                far_vx = _o275.vx;
+                far_vy = _o275.vy;
+                far_vz = _o275.vz;
+                far_wx = _o275.wx;
+                far_wy = _o275.wy;
+                far_wz = _o275.wz;
+                const LANES(court_roll_start_out) _o276 =
+                    LANES(court_roll_start)(p_ball_radius, nx, ny, nz, ring, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y);
+                vx_0 = _o276.vx_0;
+                vy_0 = _o276.vy_0;
+                vz_0 = _o276.vz_0;
+                nx_0 = _o276.nx_0;
+                ny_0 = _o276.ny_0;
+                nz_0 = _o276.nz_0;
+                turn_rate_0 = _o276.turn_rate_0;
+                cos_0 = _o276.cos_0;
+                sin_0 = _o276.sin_0;
+                near_0 = _o276.near_0;
+                const LANES(court_roll_0_out) _o277 =
+                    LANES(court_roll_0)(bent_x, bent_y, bent_z, cos_0, p_gravity, near_0, nx_0, ny_0, nz_0, per_reach, ring, sin_0, turn_rate_0, vx_0, vy_0, vz_0);
+                across_0 = _o277.across_0;
+                round_0 = _o277.round_0;
+                lift_0 = _o277.lift_0;
+                tx_0 = _o277.tx_0;
+                ty_0 = _o277.ty_0;
+                tz_0 = _o277.tz_0;
+                vx_1 = _o277.vx_1;
+                vy_1 = _o277.vy_1;
+                vz_1 = _o277.vz_1;
+                nx_1 = _o277.nx_1;
+                ny_1 = _o277.ny_1;
+                nz_1 = _o277.nz_1;
+                turn_rate_1 = _o277.turn_rate_1;
+                cos_1 = _o277.cos_1;
+                sin_1 = _o277.sin_1;
+                widened_1 = _o277.widened_1;
+                near_1 = _o277.near_1;
+                const LANES(court_roll_1_out) _o278 =
+                    LANES(court_roll_1)(across_0, bent_x, bent_y, bent_z, cos_0, cos_1, p_gravity, lift_0, near_0, near_1, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, ring, round_0, sin_0, sin_1, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, widened_1);
+                across_1 = _o278.across_1;
+                round_1 = _o278.round_1;
+                lift_1 = _o278.lift_1;
+                tx_1 = _o278.tx_1;
+                ty_1 = _o278.ty_1;
+                tz_1 = _o278.tz_1;
+                vx_2 = _o278.vx_2;
+                vy_2 = _o278.vy_2;
+                vz_2 = _o278.vz_2;
+                nx_2 = _o278.nx_2;
+                ny_2 = _o278.ny_2;
+                nz_2 = _o278.nz_2;
+                turn_rate_2 = _o278.turn_rate_2;
+                cos_2 = _o278.cos_2;
+                sin_2 = _o278.sin_2;
+                widened_2 = _o278.widened_2;
+                near_2 = _o278.near_2;
+                const LANES(court_roll_2_out) _o279 =
+                    LANES(court_roll_2)(across_0, across_1, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, p_gravity, lift_0, lift_1, near_0, near_1, near_2, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, ring, round_0, round_1, sin_0, sin_1, sin_2, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, widened_1, widened_2);
+                across_2 = _o279.across_2;
+                round_2 = _o279.round_2;
+                lift_2 = _o279.lift_2;
+                tx_2 = _o279.tx_2;
+                ty_2 = _o279.ty_2;
+                tz_2 = _o279.tz_2;
+                vx_3 = _o279.vx_3;
+                vy_3 = _o279.vy_3;
+                vz_3 = _o279.vz_3;
+                nx_3 = _o279.nx_3;
+                ny_3 = _o279.ny_3;
+                nz_3 = _o279.nz_3;
+                turn_rate_3 = _o279.turn_rate_3;
+                cos_3 = _o279.cos_3;
+                sin_3 = _o279.sin_3;
+                widened_3 = _o279.widened_3;
+                near_3 = _o279.near_3;
+                const LANES(court_roll_3_out) _o280 =
+                    LANES(court_roll_3)(across_0, across_1, across_2, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, p_gravity, lift_0, lift_1, lift_2, near_0, near_1, near_2, near_3, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, ring, round_0, round_1, round_2, sin_0, sin_1, sin_2, sin_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, widened_1, widened_2, widened_3);
+                across_3 = _o280.across_3;
+                round_3 = _o280.round_3;
+                lift_3 = _o280.lift_3;
+                tx_3 = _o280.tx_3;
+                ty_3 = _o280.ty_3;
+                tz_3 = _o280.tz_3;
+                vx_4 = _o280.vx_4;
+                vy_4 = _o280.vy_4;
+                vz_4 = _o280.vz_4;
+                nx_4 = _o280.nx_4;
+                ny_4 = _o280.ny_4;
+                nz_4 = _o280.nz_4;
+                turn_rate_4 = _o280.turn_rate_4;
+                cos_4 = _o280.cos_4;
+                sin_4 = _o280.sin_4;
+                widened_4 = _o280.widened_4;
+                near_4 = _o280.near_4;
+                const LANES(court_roll_4_out) _o281 =
+                    LANES(court_roll_4)(across_0, across_1, across_2, across_3, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, p_gravity, lift_0, lift_1, lift_2, lift_3, near_0, near_1, near_2, near_3, near_4, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, ring, round_0, round_1, round_2, round_3, sin_0, sin_1, sin_2, sin_3, sin_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, widened_1, widened_2, widened_3, widened_4);
+                across_4 = _o281.across_4;
+                round_4 = _o281.round_4;
+                lift_4 = _o281.lift_4;
+                tx_4 = _o281.tx_4;
+                ty_4 = _o281.ty_4;
+                tz_4 = _o281.tz_4;
+                vx_5 = _o281.vx_5;
+                vy_5 = _o281.vy_5;
+                vz_5 = _o281.vz_5;
+                nx_5 = _o281.nx_5;
+                ny_5 = _o281.ny_5;
+                nz_5 = _o281.nz_5;
+                turn_rate_5 = _o281.turn_rate_5;
+                cos_5 = _o281.cos_5;
+                sin_5 = _o281.sin_5;
+                widened_5 = _o281.widened_5;
+                near_5 = _o281.near_5;
+                const LANES(court_roll_5_out) _o282 =
+                    LANES(court_roll_5)(across_0, across_1, across_2, across_3, across_4, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, near_0, near_1, near_2, near_3, near_4, near_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, ring, round_0, round_1, round_2, round_3, round_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, widened_1, widened_2, widened_3, widened_4, widened_5);
+                across_5 = _o282.across_5;
+                round_5 = _o282.round_5;
+                lift_5 = _o282.lift_5;
+                tx_5 = _o282.tx_5;
+                ty_5 = _o282.ty_5;
+                tz_5 = _o282.tz_5;
+                vx_6 = _o282.vx_6;
+                vy_6 = _o282.vy_6;
+                vz_6 = _o282.vz_6;
+                nx_6 = _o282.nx_6;
+                ny_6 = _o282.ny_6;
+                nz_6 = _o282.nz_6;
+                turn_rate_6 = _o282.turn_rate_6;
+                cos_6 = _o282.cos_6;
+                sin_6 = _o282.sin_6;
+                widened_6 = _o282.widened_6;
+                near_6 = _o282.near_6;
+                const LANES(court_roll_6_out) _o283 =
+                    LANES(court_roll_6)(across_0, across_1, across_2, across_3, across_4, across_5, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, near_0, near_1, near_2, near_3, near_4, near_5, near_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6);
+                across_6 = _o283.across_6;
+                round_6 = _o283.round_6;
+                lift_6 = _o283.lift_6;
+                tx_6 = _o283.tx_6;
+                ty_6 = _o283.ty_6;
+                tz_6 = _o283.tz_6;
+                vx_7 = _o283.vx_7;
+                vy_7 = _o283.vy_7;
+                vz_7 = _o283.vz_7;
+                nx_7 = _o283.nx_7;
+                ny_7 = _o283.ny_7;
+                nz_7 = _o283.nz_7;
+                turn_rate_7 = _o283.turn_rate_7;
+                cos_7 = _o283.cos_7;
+                sin_7 = _o283.sin_7;
+                widened_7 = _o283.widened_7;
+                near_7 = _o283.near_7;
+                const LANES(court_roll_7_out) _o284 =
+                    LANES(court_roll_7)(across_0, across_1, across_2, across_3, across_4, across_5, across_6, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, round_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6, widened_7);
+                vx_8 = _o284.vx_8;
+                vy_8 = _o284.vy_8;
+                vz_8 = _o284.vz_8;
+                turn_rate_8 = _o284.turn_rate_8;
+                const LANES(court_roll_moved_out) _o285 =
+                    LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
+                far_x = _o285.x;
+                far_vx = _o285.vx;
+                far_y = _o285.y;
+                far_vy = _o285.vy;
+                far_z = _o285.z;
+                far_vz = _o285.vz;
+                turn_rate = _o285.turn_rate;
+                const LANES(court_holding_out) _o286 =
+                    LANES(court_holding)(held, K(0.0));
+                here = _o286.here;
+                const M _m287 = lanes_both(active, here);
+                if (lanes_any(_m287)) {
+                    const LANES(court_ring_normal_out) _o288 =
+                        LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = lanes_select(_m287, _o288.nx, nx);
+                    ny = lanes_select(_m287, _o288.ny, ny);
+                    nz = lanes_select(_m287, _o288.nz, nz);
+                    const LANES(court_ring_off_out) _o289 =
+                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                    gap = lanes_select(_m287, _o289.gap, gap);
+                }
+                const LANES(court_holding_out) _o290 =
+                    LANES(court_holding)(held, K(1.0));
+                here = _o290.here;
+                const M _m291 = lanes_both(active, here);
+                if (lanes_any(_m291)) {
+                    const LANES(court_backboard_normal_out) _o292 =
+                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = lanes_select(_m291, _o292.nx, nx);
+                    ny = lanes_select(_m291, _o292.ny, ny);
+                    nz = lanes_select(_m291, _o292.nz, nz);
+                    const LANES(court_backboard_off_out) _o293 =
+                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
+                    gap = lanes_select(_m291, _o293.gap, gap);
+                }
+                const LANES(court_holding_out) _o294 =
+                    LANES(court_holding)(held, K(2.0));
+                here = _o294.here;
+                const M _m295 = lanes_both(active, here);
+                if (lanes_any(_m295)) {
+                    const LANES(court_bridge_normal_out) _o296 =
+                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = lanes_select(_m295, _o296.nx, nx);
+                    ny = lanes_select(_m295, _o296.ny, ny);
+                    nz = lanes_select(_m295, _o296.nz, nz);
+                    const LANES(court_bridge_off_out) _o297 =
+                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                    gap = lanes_select(_m295, _o297.gap, gap);
+                }
+                const LANES(court_roll_placed_out) _o298 =
+                    LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
+                far_x = _o298.x;
+                far_y = _o298.y;
+                far_z = _o298.z;
+                far_vx = _o298.vx;
+                far_vy = _o298.vy;
+                far_vz = _o298.vz;
+                far_wx = _o298.wx;
+                far_wy = _o298.wy;
+                far_wz = _o298.wz;
+                const LANES(court_compared_out) _o299 =
                     LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-                dx = _o284.dx;
-                dy = _o284.dy;
-                dz = _o284.dz;
-                dvx = _o284.dvx;
-                dvy = _o284.dvy;
-                dvz = _o284.dvz;
-                dwx = _o284.dwx;
-                dwy = _o284.dwy;
-                dwz = _o284.dwz;
-                const LANES(court_rolled_on_out) _o285 =
+                dx = _o299.dx;
+                dy = _o299.dy;
+                dz = _o299.dz;
+                dvx = _o299.dvx;
+                dvy = _o299.dvy;
+                dvz = _o299.dvz;
+                dwx = _o299.dwx;
+                dwy = _o299.dwy;
+                dwz = _o299.dwz;
+                const LANES(court_rolled_on_out) _o300 =
                     LANES(court_rolled_on)(clock, rests, stride, which);
-                clock = _o285.clock;
-                rolling = _o285.rolling;
+                clock = _o300.clock;
+                rolling = _o300.rolling;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(64.0)))));
                 if (lanes_any(ended)) {
@@ -7172,6 +7454,8 @@ static void LANES(court_bounded)(const court_job *job)
                     lanes_store(ended_dy, dy);
                     double ended_dz[LANES_WIDTH];
                     lanes_store(ended_dz, dz);
+                    double ended_grip_lost[LANES_WIDTH];
+                    lanes_store(ended_grip_lost, grip_lost);
                     double ended_late[LANES_WIDTH];
                     lanes_store(ended_late, late);
                     double ended_per_reach[LANES_WIDTH];
@@ -7182,6 +7466,12 @@ static void LANES(court_bounded)(const court_job *job)
                     lanes_store(ended_rests, lanes_select(rests, K(1.0), K(0.0)));
                     double ended_rolling[LANES_WIDTH];
                     lanes_store(ended_rolling, lanes_select(rolling, K(1.0), K(0.0)));
+                    double ended_taut[LANES_WIDTH];
+                    lanes_store(ended_taut, taut);
+                    double ended_taut_clock[LANES_WIDTH];
+                    lanes_store(ended_taut_clock, taut_clock);
+                    double ended_taut_rate[LANES_WIDTH];
+                    lanes_store(ended_taut_rate, taut_rate);
                     double ended_through[LANES_WIDTH];
                     lanes_store(ended_through, through);
                     double ended_velocity_error[LANES_WIDTH];
@@ -7220,11 +7510,15 @@ static void LANES(court_bounded)(const court_job *job)
                         lists->kept_dx[k] = ended_dx[lane];
                         lists->kept_dy[k] = ended_dy[lane];
                         lists->kept_dz[k] = ended_dz[lane];
+                        lists->kept_grip_lost[k] = ended_grip_lost[lane];
                         lists->kept_late[k] = ended_late[lane];
                         lists->kept_per_reach[k] = ended_per_reach[lane];
                         lists->kept_position_error[k] = ended_position_error[lane];
                         lists->kept_rests[k] = ended_rests[lane];
                         lists->kept_rolling[k] = ended_rolling[lane];
+                        lists->kept_taut[k] = ended_taut[lane];
+                        lists->kept_taut_clock[k] = ended_taut_clock[lane];
+                        lists->kept_taut_rate[k] = ended_taut_rate[lane];
                         lists->kept_through[k] = ended_through[lane];
                         lists->kept_velocity_error[k] = ended_velocity_error[lane];
                         lists->kept_vx[k] = ended_vx[lane];
@@ -7285,112 +7579,112 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->kept_x + i);
             V y = lanes_load(lists->kept_y + i);
             V z = lanes_load(lists->kept_z + i);
-            const M _m286 = lanes_both(rows, leaves);
-            if (lanes_any(_m286)) {
-                const LANES(court_error_bounds_out) _o287 =
+            const M _m301 = lanes_both(rows, leaves);
+            if (lanes_any(_m301)) {
+                const LANES(court_error_bounds_out) _o302 =
                     LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_error = lanes_select(_m286, _o287.position_error, position_error);
-                velocity_error = lanes_select(_m286, _o287.velocity_error, velocity_error);
-                const LANES(court_holding_out) _o288 =
+                position_error = lanes_select(_m301, _o302.position_error, position_error);
+                velocity_error = lanes_select(_m301, _o302.velocity_error, velocity_error);
+                const LANES(court_holding_out) _o303 =
                     LANES(court_holding)(held, K(0.0));
-                M here = _o288.here;
-                const M _m289 = lanes_both(_m286, here);
-                if (lanes_any(_m289)) {
-                    const LANES(court_ring_tube_out) _o290 =
+                M here = _o303.here;
+                const M _m304 = lanes_both(_m301, here);
+                if (lanes_any(_m304)) {
+                    const LANES(court_ring_tube_out) _o305 =
                         LANES(court_ring_tube)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    per_reach = lanes_select(_m289, _o290.per_reach, per_reach);
-                    const LANES(court_ring_parting_out) _o291 =
+                    per_reach = lanes_select(_m304, _o305.per_reach, per_reach);
+                    const LANES(court_ring_parting_out) _o306 =
                         LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                    lift = lanes_select(_m289, _o291.lift, lift);
-                    surge = lanes_select(_m289, _o291.surge, surge);
-                    snap = lanes_select(_m289, _o291.snap, snap);
+                    lift = lanes_select(_m304, _o306.lift, lift);
+                    surge = lanes_select(_m304, _o306.surge, surge);
+                    snap = lanes_select(_m304, _o306.snap, snap);
                 }
-                const LANES(court_holding_out) _o292 =
+                const LANES(court_holding_out) _o307 =
                     LANES(court_holding)(held, K(1.0));
-                here = _o292.here;
-                const M _m293 = lanes_both(_m286, here);
-                if (lanes_any(_m293)) {
-                    const LANES(court_backboard_tube_out) _o294 =
+                here = _o307.here;
+                const M _m308 = lanes_both(_m301, here);
+                if (lanes_any(_m308)) {
+                    const LANES(court_backboard_tube_out) _o309 =
                         LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    per_reach = lanes_select(_m293, _o294.per_reach, per_reach);
-                    const LANES(court_backboard_parting_out) _o295 =
+                    per_reach = lanes_select(_m308, _o309.per_reach, per_reach);
+                    const LANES(court_backboard_parting_out) _o310 =
                         LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                    lift = lanes_select(_m293, _o295.lift, lift);
-                    surge = lanes_select(_m293, _o295.surge, surge);
-                    snap = lanes_select(_m293, _o295.snap, snap);
+                    lift = lanes_select(_m308, _o310.lift, lift);
+                    surge = lanes_select(_m308, _o310.surge, surge);
+                    snap = lanes_select(_m308, _o310.snap, snap);
                 }
-                const LANES(court_holding_out) _o296 =
+                const LANES(court_holding_out) _o311 =
                     LANES(court_holding)(held, K(2.0));
-                here = _o296.here;
-                const M _m297 = lanes_both(_m286, here);
-                if (lanes_any(_m297)) {
-                    const LANES(court_bridge_tube_out) _o298 =
+                here = _o311.here;
+                const M _m312 = lanes_both(_m301, here);
+                if (lanes_any(_m312)) {
+                    const LANES(court_bridge_tube_out) _o313 =
                         LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    per_reach = lanes_select(_m297, _o298.per_reach, per_reach);
-                    const LANES(court_bridge_parting_out) _o299 =
+                    per_reach = lanes_select(_m312, _o313.per_reach, per_reach);
+                    const LANES(court_bridge_parting_out) _o314 =
                         LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    lift = lanes_select(_m297, _o299.lift, lift);
-                    surge = lanes_select(_m297, _o299.surge, surge);
-                    snap = lanes_select(_m297, _o299.snap, snap);
+                    lift = lanes_select(_m312, _o314.lift, lift);
+                    surge = lanes_select(_m312, _o314.surge, surge);
+                    snap = lanes_select(_m312, _o314.snap, snap);
                 }
-                const LANES(court_alone_out) _o300 =
+                const LANES(court_alone_out) _o315 =
                     LANES(court_alone)();
-                V nearest = _o300.nearest;
-                const LANES(court_beside_out) _o301 =
+                V nearest = _o315.nearest;
+                const LANES(court_beside_out) _o316 =
                     LANES(court_beside)(held, K(0.0));
-                M beside = _o301.beside;
-                const M _m302 = lanes_both(_m286, beside);
-                if (lanes_any(_m302)) {
-                    const LANES(court_ring_beside_out) _o303 =
+                M beside = _o316.beside;
+                const M _m317 = lanes_both(_m301, beside);
+                if (lanes_any(_m317)) {
+                    const LANES(court_ring_beside_out) _o318 =
                         LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o303.gap;
-                    const LANES(court_neared_out) _o304 =
+                    V gap = _o318.gap;
+                    const LANES(court_neared_out) _o319 =
                         LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m302, _o304.nearest, nearest);
+                    nearest = lanes_select(_m317, _o319.nearest, nearest);
                 }
-                const LANES(court_beside_out) _o305 =
+                const LANES(court_beside_out) _o320 =
                     LANES(court_beside)(held, K(1.0));
-                beside = _o305.beside;
-                const M _m306 = lanes_both(_m286, beside);
-                if (lanes_any(_m306)) {
-                    const LANES(court_backboard_beside_out) _o307 =
+                beside = _o320.beside;
+                const M _m321 = lanes_both(_m301, beside);
+                if (lanes_any(_m321)) {
+                    const LANES(court_backboard_beside_out) _o322 =
                         LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    V gap = _o307.gap;
-                    const LANES(court_neared_out) _o308 =
+                    V gap = _o322.gap;
+                    const LANES(court_neared_out) _o323 =
                         LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m306, _o308.nearest, nearest);
+                    nearest = lanes_select(_m321, _o323.nearest, nearest);
                 }
-                const LANES(court_beside_out) _o309 =
+                const LANES(court_beside_out) _o324 =
                     LANES(court_beside)(held, K(2.0));
-                beside = _o309.beside;
-                const M _m310 = lanes_both(_m286, beside);
-                if (lanes_any(_m310)) {
-                    const LANES(court_bridge_beside_out) _o311 =
+                beside = _o324.beside;
+                const M _m325 = lanes_both(_m301, beside);
+                if (lanes_any(_m325)) {
+                    const LANES(court_bridge_beside_out) _o326 =
                         LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o311.gap;
-                    const LANES(court_neared_out) _o312 =
+                    V gap = _o326.gap;
+                    const LANES(court_neared_out) _o327 =
                         LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m310, _o312.nearest, nearest);
+                    nearest = lanes_select(_m325, _o327.nearest, nearest);
                 }
-                const LANES(court_beside_out) _o313 =
+                const LANES(court_beside_out) _o328 =
                     LANES(court_beside)(held, K(3.0));
-                beside = _o313.beside;
-                const M _m314 = lanes_both(_m286, beside);
+                beside = _o328.beside;
+                const M _m329 = lanes_both(_m301, beside);
                 {
-                    const LANES(court_end_beside_out) _o315 =
+                    const LANES(court_end_beside_out) _o330 =
                         LANES(court_end_beside)(p_end_depth, vz, z);
-                    V gap = _o315.gap;
-                    const LANES(court_neared_out) _o316 =
+                    V gap = _o330.gap;
+                    const LANES(court_neared_out) _o331 =
                         LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m314, _o316.nearest, nearest);
+                    nearest = lanes_select(_m329, _o331.nearest, nearest);
                 }
-                const LANES(court_parted_out) _o317 =
+                const LANES(court_parted_out) _o332 =
                     LANES(court_parted)(doubt, p_gravity, lift, nearest, per_reach, position_error, snap, surge, velocity_error, vx, vy, vz);
-                when = lanes_select(_m286, _o317.when, when);
-                doubt = lanes_select(_m286, _o317.doubt, doubt);
-                const LANES(court_hopping_out) _o318 =
+                when = lanes_select(_m301, _o332.when, when);
+                doubt = lanes_select(_m301, _o332.doubt, doubt);
+                const LANES(court_hopping_out) _o333 =
                     LANES(court_hopping)();
-                which = lanes_select(_m286, _o318.which, which);
+                which = lanes_select(_m301, _o333.which, which);
             }
             lanes_store(lists->kept_doubt + i, doubt);
             lanes_store(lists->kept_position_error + i, position_error);
@@ -7412,10 +7706,14 @@ static void LANES(court_bounded)(const court_job *job)
             lists->dx[row] = lists->kept_dx[k];
             lists->dy[row] = lists->kept_dy[k];
             lists->dz[row] = lists->kept_dz[k];
+            lists->grip_lost[row] = lists->kept_grip_lost[k];
             lists->late[row] = lists->kept_late[k];
             lists->position_error[row] = lists->kept_position_error[k];
             lists->rests[row] = lists->kept_rests[k];
             lists->rolling[row] = lists->kept_rolling[k];
+            lists->taut[row] = lists->kept_taut[k];
+            lists->taut_clock[row] = lists->kept_taut_clock[k];
+            lists->taut_rate[row] = lists->kept_taut_rate[k];
             lists->through[row] = lists->kept_through[k];
             lists->velocity_error[row] = lists->kept_velocity_error[k];
             lists->vx[row] = lists->kept_vx[k];
@@ -7483,6 +7781,8 @@ static void LANES(court_bounded)(const court_job *job)
             V position_error = lanes_load(lists->position_error + i);
             M rests = lanes_less(K(0.0), lanes_load(lists->rests + i));
             M rolling = lanes_less(K(0.0), lanes_load(lists->rolling + i));
+            V rolls = lanes_load(lists->rolls + i);
+            V slip_left = lanes_load(lists->slip_left + i);
             V speed = lanes_load(lists->speed + i);
             V spin_claim = lanes_load(lists->spin_claim + i);
             V through = lanes_load(lists->through + i);
@@ -7501,89 +7801,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o319 =
+            const LANES(court_departed_out) _o334 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o319.moves;
-            M ends = _o319.ends;
-            M touches = _o319.touches;
-            V reached = _o319.reached;
-            M edge = _o319.edge;
-            const LANES(court_body_of_out) _o320 =
+            M moves = _o334.moves;
+            M ends = _o334.ends;
+            M touches = _o334.touches;
+            V reached = _o334.reached;
+            M edge = _o334.edge;
+            const LANES(court_body_of_out) _o335 =
                 LANES(court_body_of)(which);
-            V body = _o320.body;
-            const M _m321 = lanes_both(rows, moves);
-            if (lanes_any(_m321)) {
-                const LANES(court_passing_doubt_out) _o322 =
+            V body = _o335.body;
+            const M _m336 = lanes_both(rows, moves);
+            if (lanes_any(_m336)) {
+                const LANES(court_passing_doubt_out) _o337 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o322.unsure;
-                const LANES(court_undecided_out) _o323 =
+                M unsure = _o337.unsure;
+                const LANES(court_undecided_out) _o338 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m321, _o323.uncertain, uncertain);
-                const LANES(court_passing_out) _o324 =
+                uncertain = lanes_select(_m336, _o338.uncertain, uncertain);
+                const LANES(court_passing_out) _o339 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m321, _o324.through, through);
-                const LANES(court_flight_out) _o325 =
+                through = lanes_select(_m336, _o339.through, through);
+                const LANES(court_flight_out) _o340 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m321, _o325.x, x);
-                y = lanes_select(_m321, _o325.y, y);
-                z = lanes_select(_m321, _o325.z, z);
-                vx = lanes_select(_m321, _o325.vx, vx);
-                vy = lanes_select(_m321, _o325.vy, vy);
-                vz = lanes_select(_m321, _o325.vz, vz);
-                const LANES(court_ticked_out) _o326 =
+                x = lanes_select(_m336, _o340.x, x);
+                y = lanes_select(_m336, _o340.y, y);
+                z = lanes_select(_m336, _o340.z, z);
+                vx = lanes_select(_m336, _o340.vx, vx);
+                vy = lanes_select(_m336, _o340.vy, vy);
+                vz = lanes_select(_m336, _o340.vz, vz);
+                const LANES(court_ticked_out) _o341 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m321, _o326.clock, clock);
+                clock = lanes_select(_m336, _o341.clock, clock);
             }
-            const M _m327 = lanes_both(rows, limited);
-            if (lanes_any(_m327)) {
-                const LANES(court_expired_out) _o328 =
+            const M _m342 = lanes_both(rows, limited);
+            if (lanes_any(_m342)) {
+                const LANES(court_expired_out) _o343 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m327, _o328.clock, clock);
-                body = lanes_select(_m327, _o328.body, body);
-                reached = lanes_select(_m327, _o328.reached, reached);
-                ends = lanes_choose(_m327, _o328.ends, ends);
+                clock = lanes_select(_m342, _o343.clock, clock);
+                body = lanes_select(_m342, _o343.body, body);
+                reached = lanes_select(_m342, _o343.reached, reached);
+                ends = lanes_choose(_m342, _o343.ends, ends);
             }
-            const LANES(court_unhopped_out) _o329 =
+            const LANES(court_unhopped_out) _o344 =
                 LANES(court_unhopped)();
-            M hopped = _o329.hopped;
-            const M _m330 = lanes_both(rows, kept);
-            if (lanes_any(_m330)) {
-                const LANES(court_kept_on_out) _o331 =
-                    LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, which);
-                body = lanes_select(_m330, _o331.body, body);
-                reached = lanes_select(_m330, _o331.reached, reached);
-                doubt = lanes_select(_m330, _o331.doubt, doubt);
-                ends = lanes_choose(_m330, _o331.ends, ends);
-                hopped = lanes_choose(_m330, _o331.hopped, hopped);
-                last = lanes_select(_m330, _o331.last, last);
-                mode = lanes_select(_m330, _o331.mode, mode);
-                held = lanes_select(_m330, _o331.held, held);
+            M hopped = _o344.hopped;
+            const M _m345 = lanes_both(rows, kept);
+            if (lanes_any(_m345)) {
+                const LANES(court_kept_on_out) _o346 =
+                    LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
+                body = lanes_select(_m345, _o346.body, body);
+                reached = lanes_select(_m345, _o346.reached, reached);
+                doubt = lanes_select(_m345, _o346.doubt, doubt);
+                ends = lanes_choose(_m345, _o346.ends, ends);
+                hopped = lanes_choose(_m345, _o346.hopped, hopped);
+                last = lanes_select(_m345, _o346.last, last);
+                mode = lanes_select(_m345, _o346.mode, mode);
+                held = lanes_select(_m345, _o346.held, held);
+                rolls = lanes_select(_m345, _o346.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o332 =
+            const LANES(court_displacement_out) _o347 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o332.margin;
-            const LANES(court_here_out) _o333 =
+            V slack = _o347.margin;
+            const LANES(court_here_out) _o348 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o333.here;
-            const M _m334 = lanes_both(rows, here);
+            M here = _o348.here;
+            const M _m349 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o335 =
+                const LANES(court_end_bounds_out) _o350 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o335.g0;
-                const LANES(court_end_reached_out) _o336 =
+                V g0 = _o350.g0;
+                const LANES(court_end_reached_out) _o351 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m334, _o336.reached, reached);
-                const LANES(court_end_edge_out) _o337 =
+                reached = lanes_select(_m349, _o351.reached, reached);
+                const LANES(court_end_edge_out) _o352 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m334, _o337.edge, edge);
+                edge = lanes_choose(_m349, _o352.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o338 =
+            const LANES(court_doubted_in_contact_out) _o353 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o338.uncertain;
-            const LANES(court_accounted_out) _o339 =
+            uncertain = _o353.uncertain;
+            const LANES(court_accounted_out) _o354 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o339.contacts;
-            V outcome = _o339.outcome;
+            contacts = _o354.contacts;
+            V outcome = _o354.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -7596,390 +7897,459 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o340 =
+            const LANES(court_meeting_out) _o355 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o340.meeting;
-            const M _m341 = lanes_both(rows, meeting);
-            if (lanes_any(_m341)) {
-                const LANES(court_end_normal_out) _o342 =
+            M meeting = _o355.meeting;
+            const M _m356 = lanes_both(rows, meeting);
+            if (lanes_any(_m356)) {
+                const LANES(court_end_normal_out) _o357 =
                     LANES(court_end_normal)();
-                V nx = _o342.nx;
-                V ny = _o342.ny;
-                V nz = _o342.nz;
-                const LANES(court_here_out) _o343 =
+                V nx = _o357.nx;
+                V ny = _o357.ny;
+                V nz = _o357.nz;
+                const LANES(court_here_out) _o358 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o343.here;
-                const M _m344 = lanes_both(_m341, here);
+                M here = _o358.here;
+                const M _m359 = lanes_both(_m356, here);
                 {
-                    const LANES(court_ring_normal_out) _o345 =
+                    const LANES(court_ring_normal_out) _o360 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m344, _o345.nx, nx);
-                    ny = lanes_select(_m344, _o345.ny, ny);
-                    nz = lanes_select(_m344, _o345.nz, nz);
-                    const LANES(court_counted_out) _o346 =
+                    nx = lanes_select(_m359, _o360.nx, nx);
+                    ny = lanes_select(_m359, _o360.ny, ny);
+                    nz = lanes_select(_m359, _o360.nz, nz);
+                    const LANES(court_counted_out) _o361 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m344, _o346.count, count_0);
+                    count_0 = lanes_select(_m359, _o361.count, count_0);
                 }
-                const LANES(court_here_out) _o347 =
+                const LANES(court_here_out) _o362 =
                     LANES(court_here)(K(1.0), which);
-                here = _o347.here;
-                const M _m348 = lanes_both(_m341, here);
+                here = _o362.here;
+                const M _m363 = lanes_both(_m356, here);
                 {
-                    const LANES(court_backboard_normal_out) _o349 =
+                    const LANES(court_backboard_normal_out) _o364 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m348, _o349.nx, nx);
-                    ny = lanes_select(_m348, _o349.ny, ny);
-                    nz = lanes_select(_m348, _o349.nz, nz);
-                    const LANES(court_counted_out) _o350 =
+                    nx = lanes_select(_m363, _o364.nx, nx);
+                    ny = lanes_select(_m363, _o364.ny, ny);
+                    nz = lanes_select(_m363, _o364.nz, nz);
+                    const LANES(court_counted_out) _o365 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m348, _o350.count, count_1);
+                    count_1 = lanes_select(_m363, _o365.count, count_1);
                 }
-                const LANES(court_here_out) _o351 =
+                const LANES(court_here_out) _o366 =
                     LANES(court_here)(K(2.0), which);
-                here = _o351.here;
-                const M _m352 = lanes_both(_m341, here);
+                here = _o366.here;
+                const M _m367 = lanes_both(_m356, here);
                 {
-                    const LANES(court_bridge_normal_out) _o353 =
+                    const LANES(court_bridge_normal_out) _o368 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m352, _o353.nx, nx);
-                    ny = lanes_select(_m352, _o353.ny, ny);
-                    nz = lanes_select(_m352, _o353.nz, nz);
-                    const LANES(court_counted_out) _o354 =
+                    nx = lanes_select(_m367, _o368.nx, nx);
+                    ny = lanes_select(_m367, _o368.ny, ny);
+                    nz = lanes_select(_m367, _o368.nz, nz);
+                    const LANES(court_counted_out) _o369 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m352, _o354.count, count_2);
+                    count_2 = lanes_select(_m367, _o369.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o355 =
+                const LANES(court_elsewhere_out) _o370 =
                     LANES(court_elsewhere)();
-                V curving = _o355.curving;
-                const LANES(court_again_out) _o356 =
+                V curving = _o370.curving;
+                const LANES(court_again_out) _o371 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o356.again;
-                const M _m357 = lanes_both(_m341, again);
+                M again = _o371.again;
+                const M _m372 = lanes_both(_m356, again);
                 {
-                    const LANES(court_ring_curvature_out) _o358 =
+                    const LANES(court_ring_curvature_out) _o373 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m357, _o358.curvature, curving);
+                    curving = lanes_select(_m372, _o373.curvature, curving);
                 }
-                const LANES(court_again_out) _o359 =
+                const LANES(court_again_out) _o374 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o359.again;
-                const M _m360 = lanes_both(_m341, again);
+                again = _o374.again;
+                const M _m375 = lanes_both(_m356, again);
                 {
-                    const LANES(court_backboard_curvature_out) _o361 =
+                    const LANES(court_backboard_curvature_out) _o376 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m360, _o361.curvature, curving);
+                    curving = lanes_select(_m375, _o376.curvature, curving);
                 }
-                const LANES(court_again_out) _o362 =
+                const LANES(court_again_out) _o377 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o362.again;
-                const M _m363 = lanes_both(_m341, again);
+                again = _o377.again;
+                const M _m378 = lanes_both(_m356, again);
                 {
-                    const LANES(court_bridge_curvature_out) _o364 =
+                    const LANES(court_bridge_curvature_out) _o379 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m363, _o364.curvature, curving);
+                    curving = lanes_select(_m378, _o379.curvature, curving);
                 }
-                const LANES(court_carry_flight_out) _o365 =
+                const LANES(court_carry_flight_out) _o380 =
                     LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m341, _o365.dx, dx);
-                dy = lanes_select(_m341, _o365.dy, dy);
-                dz = lanes_select(_m341, _o365.dz, dz);
-                dvx = lanes_select(_m341, _o365.dvx, dvx);
-                dvy = lanes_select(_m341, _o365.dvy, dvy);
-                dvz = lanes_select(_m341, _o365.dvz, dvz);
-                V delay = _o365.delay;
-                V shift = _o365.shift;
-                const LANES(court_delayed_out) _o366 =
+                dx = lanes_select(_m356, _o380.dx, dx);
+                dy = lanes_select(_m356, _o380.dy, dy);
+                dz = lanes_select(_m356, _o380.dz, dz);
+                dvx = lanes_select(_m356, _o380.dvx, dvx);
+                dvy = lanes_select(_m356, _o380.dvy, dvy);
+                dvz = lanes_select(_m356, _o380.dvz, dvz);
+                V delay = _o380.delay;
+                V shift = _o380.shift;
+                const LANES(court_delayed_out) _o381 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m341, _o366.clock_error, clock_error);
-                const M _m367 = lanes_both(_m341, ends);
+                clock_error = lanes_select(_m356, _o381.clock_error, clock_error);
+                const M _m382 = lanes_both(_m356, ends);
                 {
-                    const LANES(court_floored_out) _o368 =
+                    const LANES(court_floored_out) _o383 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m367, _o368.dx, dx);
-                    dy = lanes_select(_m367, _o368.dy, dy);
-                    dz = lanes_select(_m367, _o368.dz, dz);
+                    dx = lanes_select(_m382, _o383.dx, dx);
+                    dy = lanes_select(_m382, _o383.dy, dy);
+                    dz = lanes_select(_m382, _o383.dz, dz);
                 }
-                const LANES(court_unturned_out) _o369 =
+                const LANES(court_unturned_out) _o384 =
                     LANES(court_unturned)();
-                V dnx = _o369.dnx;
-                V dny = _o369.dny;
-                V dnz = _o369.dnz;
-                V turn = _o369.turn;
-                const LANES(court_here_out) _o370 =
+                V dnx = _o384.dnx;
+                V dny = _o384.dny;
+                V dnz = _o384.dnz;
+                V turn = _o384.turn;
+                const LANES(court_here_out) _o385 =
                     LANES(court_here)(K(0.0), which);
-                here = _o370.here;
-                const M _m371 = lanes_both(_m341, here);
-                if (lanes_any(_m371)) {
-                    const LANES(court_ring_carry_normal_out) _o372 =
+                here = _o385.here;
+                const M _m386 = lanes_both(_m356, here);
+                if (lanes_any(_m386)) {
+                    const LANES(court_ring_carry_normal_out) _o387 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m371, _o372.dnx, dnx);
-                    dny = lanes_select(_m371, _o372.dny, dny);
-                    dnz = lanes_select(_m371, _o372.dnz, dnz);
-                    turn = lanes_select(_m371, _o372.turn, turn);
+                    dnx = lanes_select(_m386, _o387.dnx, dnx);
+                    dny = lanes_select(_m386, _o387.dny, dny);
+                    dnz = lanes_select(_m386, _o387.dnz, dnz);
+                    turn = lanes_select(_m386, _o387.turn, turn);
                 }
-                const LANES(court_here_out) _o373 =
+                const LANES(court_here_out) _o388 =
                     LANES(court_here)(K(1.0), which);
-                here = _o373.here;
-                const M _m374 = lanes_both(_m341, here);
+                here = _o388.here;
+                const M _m389 = lanes_both(_m356, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o375 =
+                    const LANES(court_backboard_carry_normal_out) _o390 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m374, _o375.dnx, dnx);
-                    dny = lanes_select(_m374, _o375.dny, dny);
-                    dnz = lanes_select(_m374, _o375.dnz, dnz);
-                    turn = lanes_select(_m374, _o375.turn, turn);
+                    dnx = lanes_select(_m389, _o390.dnx, dnx);
+                    dny = lanes_select(_m389, _o390.dny, dny);
+                    dnz = lanes_select(_m389, _o390.dnz, dnz);
+                    turn = lanes_select(_m389, _o390.turn, turn);
                 }
-                const LANES(court_here_out) _o376 =
+                const LANES(court_here_out) _o391 =
                     LANES(court_here)(K(2.0), which);
-                here = _o376.here;
-                const M _m377 = lanes_both(_m341, here);
+                here = _o391.here;
+                const M _m392 = lanes_both(_m356, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o378 =
+                    const LANES(court_bridge_carry_normal_out) _o393 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m377, _o378.dnx, dnx);
-                    dny = lanes_select(_m377, _o378.dny, dny);
-                    dnz = lanes_select(_m377, _o378.dnz, dnz);
-                    turn = lanes_select(_m377, _o378.turn, turn);
+                    dnx = lanes_select(_m392, _o393.dnx, dnx);
+                    dny = lanes_select(_m392, _o393.dny, dny);
+                    dnz = lanes_select(_m392, _o393.dnz, dnz);
+                    turn = lanes_select(_m392, _o393.turn, turn);
                 }
                 {
-                    const double *const _t380[][2] = {
+                    const double *const _t395[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t381[][1] = {
+                    static const double _t396[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k379 = 0; _k379 < 3; _k379++) {
-                        const V own_1 = lanes_load(_t380[_k379][0] + (i & varying));
-                        const V own_2 = lanes_load(_t380[_k379][1] + (i & varying));
-                        const V own_index = K(_t381[_k379][0]);
-                        const LANES(court_here_out) _o382 =
+                    for (size_t _k394 = 0; _k394 < 3; _k394++) {
+                        const V own_1 = lanes_load(_t395[_k394][0] + (i & varying));
+                        const V own_2 = lanes_load(_t395[_k394][1] + (i & varying));
+                        const V own_index = K(_t396[_k394][0]);
+                        const LANES(court_here_out) _o397 =
                             LANES(court_here)(own_index, which);
-                        M here = _o382.here;
-                        const M _m383 = lanes_both(_m341, here);
-                        if (lanes_any(_m383)) {
-                            const LANES(court_ring_impact_doubt_out) _o384 =
+                        M here = _o397.here;
+                        const M _m398 = lanes_both(_m356, here);
+                        if (lanes_any(_m398)) {
+                            const LANES(court_ring_impact_doubt_out) _o399 =
                                 LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            M unsure = _o384.unsure;
-                            const LANES(court_undecided_out) _o385 =
+                            M unsure = _o399.unsure;
+                            const LANES(court_undecided_out) _o400 =
                                 LANES(court_undecided)(uncertain, unsure);
-                            uncertain = lanes_select(_m383, _o385.uncertain, uncertain);
-                            const LANES(court_carry_ring_impact_out) _o386 =
+                            uncertain = lanes_select(_m398, _o400.uncertain, uncertain);
+                            const LANES(court_carry_ring_impact_out) _o401 =
                                 LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            dvx = lanes_select(_m383, _o386.dvx, dvx);
-                            dvy = lanes_select(_m383, _o386.dvy, dvy);
-                            dvz = lanes_select(_m383, _o386.dvz, dvz);
-                            dwx = lanes_select(_m383, _o386.dwx, dwx);
-                            dwy = lanes_select(_m383, _o386.dwy, dwy);
-                            dwz = lanes_select(_m383, _o386.dwz, dwz);
-                            const LANES(court_ring_impact_out) _o387 =
+                            dvx = lanes_select(_m398, _o401.dvx, dvx);
+                            dvy = lanes_select(_m398, _o401.dvy, dvy);
+                            dvz = lanes_select(_m398, _o401.dvz, dvz);
+                            dwx = lanes_select(_m398, _o401.dwx, dwx);
+                            dwy = lanes_select(_m398, _o401.dwy, dwy);
+                            dwz = lanes_select(_m398, _o401.dwz, dwz);
+                            const LANES(court_ring_impact_out) _o402 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m383, _o387.vx, vx);
-                            vy = lanes_select(_m383, _o387.vy, vy);
-                            vz = lanes_select(_m383, _o387.vz, vz);
-                            wx = lanes_select(_m383, _o387.wx, wx);
-                            wy = lanes_select(_m383, _o387.wy, wy);
-                            wz = lanes_select(_m383, _o387.wz, wz);
+                            vx = lanes_select(_m398, _o402.vx, vx);
+                            vy = lanes_select(_m398, _o402.vy, vy);
+                            vz = lanes_select(_m398, _o402.vz, vz);
+                            wx = lanes_select(_m398, _o402.wx, wx);
+                            wy = lanes_select(_m398, _o402.wy, wy);
+                            wz = lanes_select(_m398, _o402.wz, wz);
                         }
                     }
                 }
-                const M _m388 = lanes_both(_m341, touches);
+                const M _m403 = lanes_both(_m356, touches);
                 {
-                    const LANES(court_touched_out) _o389 =
+                    const LANES(court_touched_out) _o404 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m388, _o389.first, first);
-                    last = lanes_select(_m388, _o389.last, last);
+                    first = lanes_select(_m403, _o404.first, first);
+                    last = lanes_select(_m403, _o404.last, last);
                 }
-                const M _m390 = lanes_both(_m341, touches);
-                if (lanes_any(_m390)) {
-                    const LANES(court_slowed_out) _o391 =
+                const M _m405 = lanes_both(_m356, touches);
+                if (lanes_any(_m405)) {
+                    const LANES(court_slowed_out) _o406 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o391.slow;
-                    assured = lanes_select(_m390, _o391.assured, assured);
-                    const M _m392 = lanes_both(_m390, slow);
-                    if (lanes_any(_m392)) {
-                        const LANES(court_gripped_out) _o393 =
+                    M slow = _o406.slow;
+                    assured = lanes_select(_m405, _o406.assured, assured);
+                    const M _m407 = lanes_both(_m405, slow);
+                    if (lanes_any(_m407)) {
+                        const LANES(court_gripped_out) _o408 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o393.rolled_x;
-                        V rolled_y = _o393.rolled_y;
-                        V rolled_z = _o393.rolled_z;
-                        V slip = _o393.slip;
-                        V bounce = _o393.bounce;
-                        const LANES(court_here_out) _o394 =
+                        V rolled_x = _o408.rolled_x;
+                        V rolled_y = _o408.rolled_y;
+                        V rolled_z = _o408.rolled_z;
+                        V slip = _o408.slip;
+                        V bounce = _o408.bounce;
+                        const LANES(court_here_out) _o409 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o394.here;
-                        const M _m395 = lanes_both(_m392, here);
-                        if (lanes_any(_m395)) {
-                            const LANES(court_ring_turning_out) _o396 =
+                        M here = _o409.here;
+                        const M _m410 = lanes_both(_m407, here);
+                        if (lanes_any(_m410)) {
+                            const LANES(court_ring_turning_out) _o411 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o396.turning_x;
-                            V turning_y = _o396.turning_y;
-                            V turning_z = _o396.turning_z;
-                            const LANES(court_alone_out) _o397 =
+                            V turning_x = _o411.turning_x;
+                            V turning_y = _o411.turning_y;
+                            V turning_z = _o411.turning_z;
+                            const LANES(court_pressed_on_out) _o412 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o412.press;
+                            V weight = _o412.weight;
+                            V drag = _o412.drag;
+                            V thrust_x = _o412.thrust_x;
+                            V thrust_y = _o412.thrust_y;
+                            V thrust_z = _o412.thrust_z;
+                            const LANES(court_alone_out) _o413 =
                                 LANES(court_alone)();
-                            V nearest = _o397.nearest;
-                            const LANES(court_backboard_beside_out) _o398 =
-                                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                            V gap = _o398.gap;
-                            const LANES(court_neared_out) _o399 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o399.nearest;
-                            const LANES(court_bridge_beside_out) _o400 =
-                                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            gap = _o400.gap;
-                            const LANES(court_neared_out) _o401 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o401.nearest;
-                            const LANES(court_end_beside_out) _o402 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o402.gap;
-                            const LANES(court_neared_out) _o403 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o403.nearest;
-                            const LANES(court_ring_impact_settling_out) _o404 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wx, wy, wz);
-                            M settles = _o404.settles;
-                            M lodges = _o404.lodges;
-                            assured = lanes_select(_m395, _o404.assured, assured);
-                            M unsure = _o404.unsure;
-                            const LANES(court_settled_out) _o405 =
-                                LANES(court_settled)(K(0.0), lodges, outcome, settles, uncertain, unsure);
-                            mode = lanes_select(_m395, _o405.mode, mode);
-                            held = lanes_select(_m395, _o405.held, held);
-                            outcome = lanes_select(_m395, _o405.outcome, outcome);
-                            uncertain = lanes_select(_m395, _o405.uncertain, uncertain);
-                        }
-                        const LANES(court_here_out) _o406 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o406.here;
-                        const M _m407 = lanes_both(_m392, here);
-                        if (lanes_any(_m407)) {
-                            const LANES(court_backboard_turning_out) _o408 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o408.turning_x;
-                            V turning_y = _o408.turning_y;
-                            V turning_z = _o408.turning_z;
-                            const LANES(court_alone_out) _o409 =
-                                LANES(court_alone)();
-                            V nearest = _o409.nearest;
-                            const LANES(court_ring_beside_out) _o410 =
-                                LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V gap = _o410.gap;
-                            const LANES(court_neared_out) _o411 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o411.nearest;
-                            const LANES(court_bridge_beside_out) _o412 =
-                                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            gap = _o412.gap;
-                            const LANES(court_neared_out) _o413 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o413.nearest;
-                            const LANES(court_end_beside_out) _o414 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o414.gap;
-                            const LANES(court_neared_out) _o415 =
-                                LANES(court_neared)(gap, nearest);
+                            V nearest = _o413.nearest;
+                            V wedge = _o413.wedge;
+                            const LANES(court_backboard_closing_out) _o414 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            V gap = _o414.gap;
+                            V nearing = _o414.nearing;
+                            V swerve = _o414.swerve;
+                            V facing = _o414.facing;
+                            const LANES(court_neared_body_out) _o415 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o415.nearest;
-                            const LANES(court_ring_impact_settling_out) _o416 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wx, wy, wz);
-                            M settles = _o416.settles;
-                            M lodges = _o416.lodges;
-                            assured = lanes_select(_m407, _o416.assured, assured);
-                            M unsure = _o416.unsure;
-                            const LANES(court_settled_out) _o417 =
-                                LANES(court_settled)(K(1.0), lodges, outcome, settles, uncertain, unsure);
-                            mode = lanes_select(_m407, _o417.mode, mode);
-                            held = lanes_select(_m407, _o417.held, held);
-                            outcome = lanes_select(_m407, _o417.outcome, outcome);
-                            uncertain = lanes_select(_m407, _o417.uncertain, uncertain);
-                        }
-                        const LANES(court_here_out) _o418 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o418.here;
-                        const M _m419 = lanes_both(_m392, here);
-                        if (lanes_any(_m419)) {
-                            const LANES(court_bridge_turning_out) _o420 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o420.turning_x;
-                            V turning_y = _o420.turning_y;
-                            V turning_z = _o420.turning_z;
-                            const LANES(court_alone_out) _o421 =
-                                LANES(court_alone)();
-                            V nearest = _o421.nearest;
-                            const LANES(court_ring_beside_out) _o422 =
-                                LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V gap = _o422.gap;
-                            const LANES(court_neared_out) _o423 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o423.nearest;
-                            const LANES(court_backboard_beside_out) _o424 =
-                                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                            gap = _o424.gap;
-                            const LANES(court_neared_out) _o425 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o425.nearest;
-                            const LANES(court_end_beside_out) _o426 =
+                            wedge = _o415.wedge;
+                            const LANES(court_bridge_closing_out) _o416 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o416.gap;
+                            nearing = _o416.nearing;
+                            swerve = _o416.swerve;
+                            facing = _o416.facing;
+                            const LANES(court_neared_body_out) _o417 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o417.nearest;
+                            wedge = _o417.wedge;
+                            const LANES(court_end_beside_out) _o418 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o426.gap;
-                            const LANES(court_neared_out) _o427 =
+                            gap = _o418.gap;
+                            const LANES(court_neared_out) _o419 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o427.nearest;
-                            const LANES(court_ring_impact_settling_out) _o428 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wx, wy, wz);
-                            M settles = _o428.settles;
-                            M lodges = _o428.lodges;
-                            assured = lanes_select(_m419, _o428.assured, assured);
-                            M unsure = _o428.unsure;
-                            const LANES(court_settled_out) _o429 =
-                                LANES(court_settled)(K(2.0), lodges, outcome, settles, uncertain, unsure);
-                            mode = lanes_select(_m419, _o429.mode, mode);
-                            held = lanes_select(_m419, _o429.held, held);
-                            outcome = lanes_select(_m419, _o429.outcome, outcome);
-                            uncertain = lanes_select(_m419, _o429.uncertain, uncertain);
+                            nearest = _o419.nearest;
+                            const LANES(court_ring_parting_out) _o420 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+                            V lift = _o420.lift;
+                            const LANES(court_ring_impact_settling_out) _o421 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o421.settles;
+                            M lodges = _o421.lodges;
+                            M slides = _o421.slides;
+                            M parts = _o421.parts;
+                            assured = lanes_select(_m410, _o421.assured, assured);
+                            M unsure = _o421.unsure;
+                            const LANES(court_settled_out) _o422 =
+                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m410, _o422.mode, mode);
+                            held = lanes_select(_m410, _o422.held, held);
+                            outcome = lanes_select(_m410, _o422.outcome, outcome);
+                            slip_left = lanes_select(_m410, _o422.slip_left, slip_left);
+                            uncertain = lanes_select(_m410, _o422.uncertain, uncertain);
+                        }
+                        const LANES(court_here_out) _o423 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o423.here;
+                        const M _m424 = lanes_both(_m407, here);
+                        if (lanes_any(_m424)) {
+                            const LANES(court_backboard_turning_out) _o425 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o425.turning_x;
+                            V turning_y = _o425.turning_y;
+                            V turning_z = _o425.turning_z;
+                            const LANES(court_pressed_on_out) _o426 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o426.press;
+                            V weight = _o426.weight;
+                            V drag = _o426.drag;
+                            V thrust_x = _o426.thrust_x;
+                            V thrust_y = _o426.thrust_y;
+                            V thrust_z = _o426.thrust_z;
+                            const LANES(court_alone_out) _o427 =
+                                LANES(court_alone)();
+                            V nearest = _o427.nearest;
+                            V wedge = _o427.wedge;
+                            const LANES(court_ring_closing_out) _o428 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o428.gap;
+                            V nearing = _o428.nearing;
+                            V swerve = _o428.swerve;
+                            V facing = _o428.facing;
+                            const LANES(court_neared_body_out) _o429 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o429.nearest;
+                            wedge = _o429.wedge;
+                            const LANES(court_bridge_closing_out) _o430 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o430.gap;
+                            nearing = _o430.nearing;
+                            swerve = _o430.swerve;
+                            facing = _o430.facing;
+                            const LANES(court_neared_body_out) _o431 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o431.nearest;
+                            wedge = _o431.wedge;
+                            const LANES(court_end_beside_out) _o432 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o432.gap;
+                            const LANES(court_neared_out) _o433 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o433.nearest;
+                            const LANES(court_backboard_parting_out) _o434 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o434.lift;
+                            const LANES(court_ring_impact_settling_out) _o435 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o435.settles;
+                            M lodges = _o435.lodges;
+                            M slides = _o435.slides;
+                            M parts = _o435.parts;
+                            assured = lanes_select(_m424, _o435.assured, assured);
+                            M unsure = _o435.unsure;
+                            const LANES(court_settled_out) _o436 =
+                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m424, _o436.mode, mode);
+                            held = lanes_select(_m424, _o436.held, held);
+                            outcome = lanes_select(_m424, _o436.outcome, outcome);
+                            slip_left = lanes_select(_m424, _o436.slip_left, slip_left);
+                            uncertain = lanes_select(_m424, _o436.uncertain, uncertain);
+                        }
+                        const LANES(court_here_out) _o437 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o437.here;
+                        const M _m438 = lanes_both(_m407, here);
+                        if (lanes_any(_m438)) {
+                            const LANES(court_bridge_turning_out) _o439 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o439.turning_x;
+                            V turning_y = _o439.turning_y;
+                            V turning_z = _o439.turning_z;
+                            const LANES(court_pressed_on_out) _o440 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o440.press;
+                            V weight = _o440.weight;
+                            V drag = _o440.drag;
+                            V thrust_x = _o440.thrust_x;
+                            V thrust_y = _o440.thrust_y;
+                            V thrust_z = _o440.thrust_z;
+                            const LANES(court_alone_out) _o441 =
+                                LANES(court_alone)();
+                            V nearest = _o441.nearest;
+                            V wedge = _o441.wedge;
+                            const LANES(court_ring_closing_out) _o442 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o442.gap;
+                            V nearing = _o442.nearing;
+                            V swerve = _o442.swerve;
+                            V facing = _o442.facing;
+                            const LANES(court_neared_body_out) _o443 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o443.nearest;
+                            wedge = _o443.wedge;
+                            const LANES(court_backboard_closing_out) _o444 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            gap = _o444.gap;
+                            nearing = _o444.nearing;
+                            swerve = _o444.swerve;
+                            facing = _o444.facing;
+                            const LANES(court_neared_body_out) _o445 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o445.nearest;
+                            wedge = _o445.wedge;
+                            const LANES(court_end_beside_out) _o446 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o446.gap;
+                            const LANES(court_neared_out) _o447 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o447.nearest;
+                            const LANES(court_bridge_parting_out) _o448 =
+                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                            V lift = _o448.lift;
+                            const LANES(court_ring_impact_settling_out) _o449 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o449.settles;
+                            M lodges = _o449.lodges;
+                            M slides = _o449.slides;
+                            M parts = _o449.parts;
+                            assured = lanes_select(_m438, _o449.assured, assured);
+                            M unsure = _o449.unsure;
+                            const LANES(court_settled_out) _o450 =
+                                LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m438, _o450.mode, mode);
+                            held = lanes_select(_m438, _o450.held, held);
+                            outcome = lanes_select(_m438, _o450.outcome, outcome);
+                            slip_left = lanes_select(_m438, _o450.slip_left, slip_left);
+                            uncertain = lanes_select(_m438, _o450.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m430 = lanes_both(rows, limited);
-            if (lanes_any(_m430)) {
-                const LANES(court_timed_out) _o431 =
+            const M _m451 = lanes_both(rows, limited);
+            if (lanes_any(_m451)) {
+                const LANES(court_timed_out) _o452 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o431.timed;
-                const M _m432 = lanes_both(_m430, timed);
-                if (lanes_any(_m432)) {
-                    const LANES(court_carry_time_out) _o433 =
+                M timed = _o452.timed;
+                const M _m453 = lanes_both(_m451, timed);
+                if (lanes_any(_m453)) {
+                    const LANES(court_carry_time_out) _o454 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m432, _o433.dx, dx);
-                    dy = lanes_select(_m432, _o433.dy, dy);
-                    dz = lanes_select(_m432, _o433.dz, dz);
-                    dvx = lanes_select(_m432, _o433.dvx, dvx);
-                    dvy = lanes_select(_m432, _o433.dvy, dvy);
-                    dvz = lanes_select(_m432, _o433.dvz, dvz);
-                    clock_error = lanes_select(_m432, _o433.clock_error, clock_error);
+                    dx = lanes_select(_m453, _o454.dx, dx);
+                    dy = lanes_select(_m453, _o454.dy, dy);
+                    dz = lanes_select(_m453, _o454.dz, dz);
+                    dvx = lanes_select(_m453, _o454.dvx, dvx);
+                    dvy = lanes_select(_m453, _o454.dvy, dvy);
+                    dvz = lanes_select(_m453, _o454.dvz, dvz);
+                    clock_error = lanes_select(_m453, _o454.clock_error, clock_error);
                 }
             }
-            const M _m434 = lanes_both(rows, hopped);
-            if (lanes_any(_m434)) {
-                const LANES(court_carry_hop_out) _o435 =
+            const M _m455 = lanes_both(rows, hopped);
+            if (lanes_any(_m455)) {
+                const LANES(court_carry_hop_out) _o456 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m434, _o435.dx, dx);
-                dy = lanes_select(_m434, _o435.dy, dy);
-                dz = lanes_select(_m434, _o435.dz, dz);
+                dx = lanes_select(_m455, _o456.dx, dx);
+                dy = lanes_select(_m455, _o456.dy, dy);
+                dz = lanes_select(_m455, _o456.dz, dz);
             }
-            const LANES(court_closing_out) _o436 =
+            const LANES(court_closing_out) _o457 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o436.closed;
-            const M _m437 = lanes_both(rows, closed);
+            M closed = _o457.closed;
+            const M _m458 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o438 =
+                const LANES(court_claimed_errors_out) _o459 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m437, _o438.position_error, position_claim);
-                velocity_claim = lanes_select(_m437, _o438.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m437, _o438.spin_error, spin_claim);
-                time_claim = lanes_select(_m437, _o438.time_error, time_claim);
+                position_claim = lanes_select(_m458, _o459.position_error, position_claim);
+                velocity_claim = lanes_select(_m458, _o459.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m458, _o459.spin_error, spin_claim);
+                time_claim = lanes_select(_m458, _o459.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);
@@ -8003,6 +8373,8 @@ static void LANES(court_bounded)(const court_job *job)
             lanes_store(lists->mode + i, mode);
             lanes_store(lists->outcome + i, outcome);
             lanes_store(lists->position_claim + i, position_claim);
+            lanes_store(lists->rolls + i, rolls);
+            lanes_store(lists->slip_left + i, slip_left);
             lanes_store(lists->spin_claim + i, spin_claim);
             lanes_store(lists->through + i, through);
             lanes_store(lists->time_claim + i, time_claim);
@@ -8065,7 +8437,7 @@ static void LANES(court_bounded)(const court_job *job)
 static void LANES(court_run)(const court_job *job)
 {
     const court_results *out = job->results;
-    if (out->time_error || out->state_error || out->uncertain)
+    if (out->grip_lost || out->time_error || out->state_error || out->uncertain)
         LANES(court_bounded)(job);
     else
         LANES(court_plain)(job);

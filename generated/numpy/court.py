@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 643d48f59fe07a6b,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 47d312e35352038d,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -198,6 +198,12 @@ FIELDS: tuple[Field, ...] = (
     Field("held", -1, False),
     Field("mode", 0.0, False),
     Field("assured", 0.0, True),
+    Field("rolls", 0.0, False),
+    Field("slip_left", 0.0, False),
+    Field("grip_lost", _inf, True),
+    Field("taut", _inf, True),
+    Field("taut_rate", 0.0, True),
+    Field("taut_clock", 0.0, True),
     Field("through", 0.0, False),
     Field("uncertain", 0.0, True),
     Field("position_claim", 0.0, True),
@@ -214,6 +220,9 @@ RESULTS: tuple[Result, ...] = (
     Result("first", "int8", ('first',), False, False, False, False),
     Result("time", "float64", ('clock',), False, True, False, False),
     Result("state", "float64", ('x', 'y', 'z', 'vx', 'vy', 'vz', 'wx', 'wy', 'wz'), True, True, False, False),
+    Result("rolls", "int32", ('rolls',), False, False, False, False),
+    Result("slip_left", "bool", ('slip_left',), False, False, False, False),
+    Result("grip_lost", "float64", ('grip_lost',), False, True, True, True),
     Result("time_error", "float64", ('time_claim',), False, True, True, True),
     Result("state_error", "float64", ('position_claim', 'velocity_claim', 'spin_claim'), True, True, True, True),
     Result("uncertain", "bool", ('uncertain',), False, False, True, False),
@@ -297,9 +306,11 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "roll_placed": ("p_ball_radius", "gap", "nx", "ny", "nz", "turn_rate", "vx", "vy", "vz", "x", "y", "z",),
     "roll_pace": ("p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "lift_5", "lift_6", "lift_7", "nx_8", "ny_8", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "nz_6", "nz_7", "nz_8", "per_reach", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vx_7", "vx_8", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vy_7", "vy_8", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "vz_7", "vz_8",),
     "roll_turn_rate": ("p_ball_radius", "nx", "ny", "nz", "wx", "wy", "wz",),
+    "pressed_on": ("p_ball_radius", "p_gravity", "nx", "ny", "nz", "rolled_x", "rolled_y", "rolled_z", "turning_x", "turning_y", "turning_z", "wx", "wy", "wz",),
     "slowed": ("p_ball_radius", "nx", "ny", "nz", "vx", "vy", "vz",),
     "gripped": ("p_ball_radius", "nx", "ny", "nz", "vx", "vy", "vz", "wx", "wy", "wz",),
     "alone": (),
+    "neared_body": ("facing", "gap", "nearest", "nearing", "press", "swerve", "wedge",),
     "neared": ("gap", "nearest",),
     "begun_errors": ("p_ball_radius", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "vx", "vy", "vz",),
     "leaving_force": ("p_ball_radius", "doubt", "fastest", "force", "force_bend", "force_rate", "p_gravity", "per_reach", "position_error", "stride", "velocity_error", "vx", "vx_1", "vy", "vy_1", "vz", "vz_1", "which",),
@@ -321,10 +332,16 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "unhopped": (),
     "beginning_contact": (),
     "hopping": (),
-    "kept_on": ("began", "body", "clock", "doubt", "ends", "held", "last", "reached", "rests", "rolling", "which",),
-    "settled": ("index", "lodges", "outcome", "settles", "uncertain", "unsure",),
+    "kept_on": ("began", "body", "clock", "doubt", "ends", "held", "last", "reached", "rests", "rolling", "rolls", "which",),
+    "settled": ("index", "lodges", "outcome", "parts", "settles", "slides", "uncertain", "unsure",),
+    "pulled": ("p_gravity", "nx_0", "nx_1", "ny_0", "ny_1", "nz_0", "nz_1", "turn_rate_0", "turn_rate_1", "tx_0", "tx_1", "ty_0", "ty_1", "tz_0", "tz_1",),
+    "untaut": (),
+    "losing": ("grip_lost", "strain",),
+    "lost_grip": ("clock", "strain", "strain_rate", "taut", "taut_clock", "taut_rate",),
+    "tightened": ("clock", "strain", "strain_rate",),
     "ring_impact_doubt": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "turn", "p_ball_radius", "p_ring_restitution", "p_ring_friction", "p_tangential_restitution", "p_restitution_speed",),
-    "ring_impact_settling": ("p_ball_radius", "bounce", "p_gravity", "nearest", "nx", "ny", "nz", "p_ring_friction", "p_ring_restitution", "rolled_x", "rolled_y", "rolled_z", "slip", "turning_x", "turning_y", "turning_z", "velocity_error", "wx", "wy", "wz",),
+    "ring_impact_settling": ("p_ball_radius", "bounce", "drag", "lift", "nearest", "press", "p_ring_friction", "p_ring_restitution", "rolled_x", "rolled_y", "rolled_z", "slip", "turning_x", "turning_y", "turning_z", "velocity_error", "wedge", "weight", "wx", "wy", "wz",),
+    "ring_impact_strained": ("drag", "drag_rate", "force", "force_rate", "p_ring_friction",),
     "ring_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "p_ball_radius", "p_ring_restitution", "p_ring_friction", "p_tangential_restitution", "p_restitution_speed",),
     "carry_ring_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "contacts", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dnx", "dny", "dnz", "turn", "p_ball_radius", "p_ring_restitution", "p_ring_friction", "p_tangential_restitution", "p_restitution_speed",),
     "ring_coefficients": ("x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
@@ -338,6 +355,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_beside": ("p_ball_radius", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
+    "ring_closing": ("p_ball_radius", "nx", "ny", "nz", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "thrust_x", "thrust_y", "thrust_z", "p_wire_radius", "x", "y", "z",),
     "ring_off": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "x", "y", "z",),
     "ring_tube": ("p_ball_radius", "p_ring_radius", "p_wire_radius",),
     "ring_turning": ("p_ball_radius", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "p_wire_radius", "x", "y",),
@@ -352,6 +370,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "backboard_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_gravity",),
     "backboard_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_gravity",),
     "backboard_beside": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "vx", "vy", "vz", "x", "y", "z",),
+    "backboard_closing": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "nx", "ny", "nz", "rolled_x", "rolled_y", "rolled_z", "thrust_x", "thrust_y", "thrust_z", "x", "y", "z",),
     "backboard_off": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "x", "y", "z",),
     "backboard_tube": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "vx", "vy", "vz", "x", "y", "z",),
     "backboard_turning": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "rolled_x", "rolled_y", "rolled_z", "x", "y", "z",),
@@ -372,6 +391,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "bridge_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth", "p_gravity",),
     "bridge_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth", "p_gravity",),
     "bridge_beside": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
+    "bridge_closing": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "nx", "ny", "nz", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "thrust_x", "thrust_y", "thrust_z", "p_wire_radius", "x", "y", "z",),
     "bridge_off": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "p_wire_radius", "x", "y", "z",),
     "bridge_tube": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
     "bridge_turning": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "p_wire_radius", "x", "y", "z",),
@@ -392,6 +412,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "end_place": ("x", "y", "p_end_depth",),
     "end_bounds": ("x", "y", "p_ring_radius",),
     "end_beside": ("p_end_depth", "vz", "z",),
+    "end_closing": ("p_end_depth", "nz", "rolled_z", "thrust_z", "z",),
     "end_off": ("p_end_depth", "z",),
     "end_tube": (),
     "end_turning": (),
@@ -488,9 +509,11 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "roll_placed": ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz",),
     "roll_pace": ("stride", "strongest", "fastest", "force", "force_rate", "force_bend",),
     "roll_turn_rate": ("turn_rate",),
+    "pressed_on": ("press", "weight", "drag", "thrust_x", "thrust_y", "thrust_z",),
     "slowed": ("slow", "assured",),
     "gripped": ("rolled_x", "rolled_y", "rolled_z", "slip", "bounce",),
-    "alone": ("nearest",),
+    "alone": ("nearest", "wedge",),
+    "neared_body": ("nearest", "wedge",),
     "neared": ("nearest",),
     "begun_errors": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "leaving_force": ("stride", "which", "rests", "doubt",),
@@ -512,10 +535,16 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "unhopped": ("hopped",),
     "beginning_contact": ("which",),
     "hopping": ("which",),
-    "kept_on": ("body", "reached", "doubt", "ends", "hopped", "last", "mode", "held",),
-    "settled": ("mode", "held", "outcome", "uncertain",),
+    "kept_on": ("body", "reached", "doubt", "ends", "hopped", "last", "mode", "held", "rolls",),
+    "settled": ("mode", "held", "outcome", "slip_left", "uncertain",),
+    "pulled": ("drag", "drag_rate", "strain", "strain_rate",),
+    "untaut": ("taut",),
+    "losing": ("loses",),
+    "lost_grip": ("grip_lost",),
+    "tightened": ("taut", "taut_rate", "taut_clock",),
     "ring_impact_doubt": ("unsure",),
-    "ring_impact_settling": ("settles", "lodges", "assured", "unsure",),
+    "ring_impact_settling": ("settles", "lodges", "slides", "parts", "assured", "unsure",),
+    "ring_impact_strained": ("strain", "strain_rate",),
     "ring_impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "carry_ring_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "ring_coefficients": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8",),
@@ -529,6 +558,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_refine": ("time", "rate",),
     "ring_advance": ("gap", "rate", "bend", "step", "next", "root", "clearance",),
     "ring_beside": ("gap", "nearing", "dent",),
+    "ring_closing": ("gap", "nearing", "swerve", "facing",),
     "ring_off": ("gap",),
     "ring_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
     "ring_turning": ("turning_x", "turning_y", "turning_z",),
@@ -543,6 +573,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_refine": ("time", "rate",),
     "backboard_advance": ("gap", "rate", "bend", "step", "next", "root", "clearance",),
     "backboard_beside": ("gap", "nearing", "dent",),
+    "backboard_closing": ("gap", "nearing", "swerve", "facing",),
     "backboard_off": ("gap",),
     "backboard_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
     "backboard_turning": ("turning_x", "turning_y", "turning_z",),
@@ -563,6 +594,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "bridge_refine": ("time", "rate",),
     "bridge_advance": ("gap", "rate", "bend", "step", "next", "root", "clearance",),
     "bridge_beside": ("gap", "nearing", "dent",),
+    "bridge_closing": ("gap", "nearing", "swerve", "facing",),
     "bridge_off": ("gap",),
     "bridge_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
     "bridge_turning": ("turning_x", "turning_y", "turning_z",),
@@ -583,6 +615,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "end_place": ("x", "y", "z",),
     "end_bounds": ("g0",),
     "end_beside": ("gap", "nearing", "dent",),
+    "end_closing": ("gap", "nearing", "swerve", "facing",),
     "end_off": ("gap",),
     "end_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
     "end_turning": ("turning_x", "turning_y", "turning_z",),
@@ -1950,6 +1983,23 @@ def roll_turn_rate(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: A
     return p_ball_radius * (((nx * wx) + (ny * wy)) + (nz * wz)),
 
 
+def pressed_on(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, turning_x: Any, turning_y: Any, turning_z: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Normal force, its part of the free fall, friction and acceleration of a ball that rolls.
+
+    N = -a·n - v·n', F = beta (-a_t + s n × n'). 54 operations: 13 additions, 5 subtractions, 33 multiplications, 1 square root, 2 negations.
+    Returns press, weight, drag, thrust_x, thrust_y, thrust_z.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _s0 = -_multiply(p_gravity, nz, _r0)
+    _s1 = _negative(_s0, _r0) - _add(_add(_multiply(rolled_x, turning_x, _r1), _multiply(rolled_y, turning_y, _r2), _r2), _multiply(rolled_z, turning_z, _r1), _r1)
+    _s2 = _add(_add(_multiply(nx, wx, _r1), _multiply(ny, wy, _r0), _r0), _multiply(nz, wz, _r1), _r1)
+    _s3 = 0.4 * p_ball_radius
+    _s4 = _add(_multiply(_multiply(0.4, ny, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(nz, turning_x, _r2), _multiply(nx, turning_z, _r3), _r3), _r3), _s2, _r3), _r3)
+    _s5 = _add(_multiply(_multiply(0.4, nx, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(ny, turning_z, _r2), _multiply(nz, turning_y, _r4), _r4), _r4), _s2, _r4), _r4)
+    _s6 = _add(_add(0.4 * p_gravity, _multiply(_multiply(0.4, nz, _r0), _s0, _r0), _r0), _multiply(_multiply(_s3, _subtract(_multiply(nx, turning_y, _r2), _multiply(ny, turning_x, _r5), _r5), _r5), _s2, _r5), _r5)
+    return _s1, _s0, _sqrt(_add(_add(_multiply(_s4, _s4, _r0), _multiply(_s5, _s5, _r1), _r1), _multiply(_s6, _s6, _r0), _r0)), _multiply(nx, _s1, _r0) + _s5, _multiply(ny, _s1, _r0) + _s4, _add(_multiply(nz, _s1, _r0), _s6, _r0) - p_gravity
+
+
 def slowed(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a ball hardly leaves the surface that it has touched.
 
@@ -1982,9 +2032,23 @@ def alone() -> tuple[Any, ...]:
     """Nothing next to the ball.
 
     Table 1. No operations.
-    Returns nearest.
+    Returns nearest, wedge.
     """
-    return _inf,
+    return _inf, _inf
+
+
+def neared_body(facing: Any, gap: Any, nearest: Any, nearing: Any, press: Any, swerve: Any, wedge: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """A body next to a ball that rolls on.
+
+    Table 1. 18 operations: 1 addition, 4 multiplications, 1 division, 2 absolute values, 5 comparisons, 1 conjunction, 4 selections.
+    Returns nearest, wedge.
+    """
+    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _s0 = _absolute(gap, _r0)
+    _s1 = _absolute(swerve, _r1)
+    _s2 = _multiply(9.5367431640625e-07, press, _r2)
+    _s3 = _select(_logical_and((swerve < _multiply(9.094947017729282e-13, press, _r3)), (facing < 0.9999990463256836)), _add(_divide(_multiply(0.5, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _inf, _r4)
+    return _result(_s0 < nearest, _s0, nearest, _r0), _result(_s3 < wedge, _s3, wedge, _r0)
 
 
 def neared(gap: Any, nearest: Any) -> tuple[Any, ...]:
@@ -2301,11 +2365,11 @@ def hopping() -> tuple[Any, ...]:
     return 7.0,
 
 
-def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any, last: Any, reached: Any, rests: Any, rolling: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any, last: Any, reached: Any, rests: Any, rolling: Any, rolls: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """What comes of a ball in contact.
 
-    Table 1. 33 operations: 2 additions, 1 subtraction, 1 multiplication, 8 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 14 selections.
-    Returns body, reached, doubt, ends, hopped, last, mode, held.
+    Table 1. 35 operations: 3 additions, 1 subtraction, 1 multiplication, 8 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 15 selections.
+    Returns body, reached, doubt, ends, hopped, last, mode, held, rolls.
     """
     _r0, _r1, _r2, _r3, *_ = _room
     _s0 = which == 5.0
@@ -2314,16 +2378,106 @@ def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any,
     _s3 = which == 7.0
     _s4 = _logical_and(rolling, (_subtract(clock, began, _r1) <= 5.960464477539063e-08))
     _s5 = 4.0 < which
-    return _result(_s0, _add(4.0, _s1, _r1), _select(_s2, _add(5.0, _s1, _r2), _select(_s3, -1.0, body, _r0), _r3), _r0), _result(_s4, 2.0, _select(rests, 5.0, _select(_logical_or(_s5, rolling), -1.0, reached, _r3), _r0), _r0), _result(_s4, 0.0, doubt, _r0), _logical_and(ends, _logical_not(_s5)), _s3, _result(_s3, -1.0, last, _r0), _result(_logical_or(_s0, rolling), 2.0, _select(_s2, 3.0, 0.0, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, -1.0, _r0)
+    return _result(_s0, _add(4.0, _s1, _r1), _select(_s2, _add(5.0, _s1, _r2), _select(_s3, -1.0, body, _r0), _r3), _r0), _result(_s4, 2.0, _select(rests, 5.0, _select(_logical_or(_s5, rolling), -1.0, reached, _r3), _r0), _r0), _result(_s4, 0.0, doubt, _r0), _logical_and(ends, _logical_not(_s5)), _s3, _result(_s3, -1.0, last, _r0), _result(_logical_or(_s0, rolling), 2.0, _select(_s2, 3.0, 0.0, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, -1.0, _r0), _result(_s0, _add(1.0, rolls, _r0), rolls, _r0)
 
 
-def settled(index: Any, lodges: Any, outcome: Any, settles: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
-    """Whether the ball stays on a surface, or is wedged between two.
+def settled(index: Any, lodges: Any, outcome: Any, parts: Any, settles: Any, slides: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
+    """Whether the ball stays on a surface, slides, leaves, or is wedged between two.
 
-    Table 1. 7 operations: 1 comparison, 1 conjunction, 1 disjunction, 4 selections.
-    Returns mode, held, outcome, uncertain.
+    Table 1. 12 operations: 1 comparison, 1 conjunction, 3 disjunctions, 7 selections.
+    Returns mode, held, outcome, slip_left, uncertain.
     """
-    return _where(settles, 1.0, 0.0), _where(settles, index, -1.0), _where(_logical_and(lodges, (outcome < 0.0)), 5.0, outcome), _where(_logical_or(lodges, unsure), 1.0, uncertain)
+    return _where(settles, 1.0, _where(parts, 3.0, 0.0)), _where(_logical_or(settles, parts), index, -1.0), _where(_logical_and(_logical_or(lodges, slides), (outcome < 0.0)), _where(lodges, 5.0, 2.0), outcome), _where(slides, 1.0, 0.0), _where(_logical_or(lodges, unsure), 1.0, uncertain)
+
+
+def pulled(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The square of the friction that rolling takes, per unit mass, and its rate.
+
+    F = beta (-a_t + s n × n'). 57 operations: 17 additions, 38 multiplications, 2 negations.
+    Returns drag, drag_rate, strain, strain_rate.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _negative(_multiply(p_gravity, nz_0, _r0), _r0)
+    _s1 = _multiply(0.4, nx_0, _r1)
+    _s2 = _multiply(0.4, turn_rate_0, _r2)
+    _s3 = _add(_multiply(_s1, _s0, _r3), _multiply(_s2, tx_0, _r4), _r4)
+    _s4 = _multiply(0.4, ny_0, _r3)
+    _s5 = _add(_multiply(_s4, _s0, _r5), _multiply(_s2, ty_0, _r6), _r6)
+    _s6 = _multiply(0.4, nz_0, _r5)
+    _s7 = _add(_add(0.4 * p_gravity, _multiply(_s6, _s0, _r7), _r7), _multiply(_s2, tz_0, _r8), _r8)
+    _s8 = _negative(_multiply(p_gravity, nz_1, _r7), _r7)
+    _s9 = _multiply(0.4, turn_rate_1, _r9)
+    _s10 = _multiply(_multiply(2.0, _s3, _r10), _add(_add(_add(_multiply(_s1, _s8, _r1), _multiply(_multiply(0.4, nx_1, _r11), _s0, _r11), _r11), _multiply(_s2, tx_1, _r1), _r1), _multiply(_s9, tx_0, _r11), _r11), _r10)
+    _s11 = _multiply(_multiply(2.0, _s5, _r11), _add(_add(_add(_multiply(_s4, _s8, _r3), _multiply(_multiply(0.4, ny_1, _r1), _s0, _r1), _r1), _multiply(_s2, ty_1, _r3), _r3), _multiply(_s9, ty_0, _r1), _r1), _r11)
+    _s12 = _multiply(_multiply(2.0, _s7, _r1), _add(_add(_add(_multiply(_s6, _s8, _r7), _multiply(_multiply(0.4, nz_1, _r5), _s0, _r5), _r5), _multiply(_s2, tz_1, _r2), _r2), _multiply(_s9, tz_0, _r9), _r9), _r1)
+    return _add(_multiply(_s3, _s3, _r4), _multiply(_s5, _s5, _r6), _r6) + _multiply(_s7, _s7, _r8), _add(_s10, _s11, _r11) + _s12, -_inf, 0.0
+
+
+def untaut() -> tuple[Any, ...]:
+    """A contact begins, of which nothing is known yet.
+
+    Table 1. No operations.
+    Returns taut.
+    """
+    return _inf,
+
+
+def losing(grip_lost: Any, strain: Any) -> tuple[Any, ...]:
+    """Whether grip would not last any more.
+
+    F² > mu² N². 3 operations: 2 comparisons, 1 conjunction.
+    Returns loses.
+    """
+    return _logical_and((0.0 < strain), (grip_lost == _inf)),
+
+
+def lost_grip(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_clock: Any, taut_rate: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """When friction began to be asked for more than there is.
+
+    a cubic between the ends of a step. 97 operations: 22 additions, 9 subtractions, 28 multiplications, 5 divisions, 1 negation, 16 comparisons, 1 conjunction, 15 selections.
+    Returns grip_lost.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _s0 = _subtract(clock, taut_clock, _r0)
+    _s1 = _subtract(strain, taut, _r1)
+    _s2 = _negative(_divide(taut, _s1, _r2), _r2)
+    _s3 = _select(_s2 < 1.0, _s2, 1.0, _r3)
+    _s4 = _select(0.0 < _s3, _s3, 0.0, _r4)
+    _s5 = _multiply(strain_rate, _s0, _r5)
+    _s6 = _multiply(taut_rate, _s0, _r6)
+    _s7 = _subtract(_add(_s5, _s6, _r7), _multiply(2.0, _s1, _r8), _r8)
+    _s8 = _multiply(3.0, _s7, _r7)
+    _s9 = _subtract(_subtract(_multiply(3.0, _s1, _r9), _s5, _r9), _multiply(2.0, _s6, _r5), _r5)
+    _s10 = _multiply(2.0, _s9, _r9)
+    _s11 = _add(_multiply(_add(_multiply(_s8, _s4, _r10), _s10, _r10), _s4, _r10), _s6, _r10)
+    _s12 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s4, _r11), _s9, _r11), _s4, _r11), _s6, _r11), _s4, _r11), _r11)
+    _s13 = _subtract(_s4, _divide(_s12, _select(0.0 < _s11, _s11, _s1, _r12), _r11), _r11)
+    _s14 = _select(_s13 < 1.0, _s13, 1.0, _r4)
+    _s15 = _select(0.0 < _s14, _s14, 0.0, _r3)
+    _s16 = _add(_multiply(_add(_multiply(_s8, _s15, _r2), _s10, _r2), _s15, _r2), _s6, _r2)
+    _s17 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s15, _r12), _s9, _r12), _s15, _r12), _s6, _r12), _s15, _r12), _r12)
+    _s18 = _subtract(_s15, _divide(_s17, _select(0.0 < _s16, _s16, _s1, _r10), _r12), _r12)
+    _s19 = _select(_s18 < 1.0, _s18, 1.0, _r3)
+    _s20 = _select(0.0 < _s19, _s19, 0.0, _r4)
+    _s21 = _add(_multiply(_add(_multiply(_s8, _s20, _r11), _s10, _r11), _s20, _r11), _s6, _r11)
+    _s22 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s20, _r10), _s9, _r10), _s20, _r10), _s6, _r10), _s20, _r10), _r10)
+    _s23 = _subtract(_s20, _divide(_s22, _select(0.0 < _s21, _s21, _s1, _r2), _r10), _r10)
+    _s24 = _select(_s23 < 1.0, _s23, 1.0, _r4)
+    _s25 = _select(0.0 < _s24, _s24, 0.0, _r3)
+    _s26 = _add(_multiply(_add(_multiply(_s8, _s25, _r7), _s10, _r7), _s25, _r7), _s6, _r7)
+    _s27 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s25, _r8), _s9, _r8), _s25, _r8), _s6, _r8), _s25, _r8), _r8)
+    _s28 = _subtract(_s25, _divide(_s27, _select(0.0 < _s26, _s26, _s1, _r6), _r8), _r8)
+    _s29 = _select(_s28 < 1.0, _s28, 1.0, _r3)
+    return _result(_logical_and((taut < _inf), (taut < strain)), _add(taut_clock, _multiply(_s0, _select(0.0 < _s29, _s29, 0.0, _r4), _r4), _r4), clock, _r0),
+
+
+def tightened(clock: Any, strain: Any, strain_rate: Any) -> tuple[Any, ...]:
+    """What the next end of a step is seen beside.
+
+    Table 1. No operations.
+    Returns taut, taut_rate, taut_clock.
+    """
+    return strain, strain_rate, clock
 
 
 def ring_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, turn: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2355,38 +2509,61 @@ def ring_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     return _s18,
 
 
-def ring_impact_settling(p_ball_radius: Any, bounce: Any, p_gravity: Any, nearest: Any, nx: Any, ny: Any, nz: Any, p_ring_friction: Any, p_ring_restitution: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, slip: Any, turning_x: Any, turning_y: Any, turning_z: Any, velocity_error: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
+def ring_impact_settling(p_ball_radius: Any, bounce: Any, drag: Any, lift: Any, nearest: Any, press: Any, p_ring_friction: Any, p_ring_restitution: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, slip: Any, turning_x: Any, turning_y: Any, turning_z: Any, velocity_error: Any, wedge: Any, weight: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a ball stays on a surface, slides on it or leaves it: its bounces end before anything else can happen, and from when on that is certain.
 
-    a geometric series of bounces. 135 operations: 25 additions, 6 subtractions, 62 multiplications, 4 divisions, 2 square roots, 2 negations, 12 absolute values, 11 comparisons, 9 conjunctions, 1 disjunction, 1 selection.
-    Returns settles, lodges, assured, unsure.
+    a geometric series of bounces. 149 operations: 20 additions, 4 subtractions, 47 multiplications, 8 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections.
+    Returns settles, lodges, slides, parts, assured, unsure.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
-    _s0 = _negative(_multiply(p_gravity, nz, _r0), _r0)
-    _s1 = _subtract(_negative(_s0, _r1), _add(_add(_multiply(rolled_x, turning_x, _r2), _multiply(rolled_y, turning_y, _r3), _r3), _multiply(rolled_z, turning_z, _r2), _r2), _r2)
-    _s2 = 1.0 - p_ring_restitution
-    _s3 = _divide(bounce, _s1, _r1)
-    _s4 = _add(4.440892098500626e-16, _add(_add(_absolute(turning_x, _r3), _absolute(turning_y, _r4), _r4), _absolute(turning_z, _r3), _r3), _r3)
-    _s5 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r4), _absolute(wy, _r5), _r5), _absolute(wz, _r4), _r4), _r4), _absolute(rolled_x, _r5), _r5), _absolute(rolled_y, _r4), _r4)
-    _s6 = _add(_s5, _absolute(rolled_z, _r5), _r5)
-    _s7 = _absolute(_s0, _r4)
-    _s8 = _multiply(_multiply(3.0, _s3, _r6), _multiply(_multiply(8.0, _add(_multiply(_s4, _s6, _r7), _s7, _r7), _r7), _s4, _r7), _r6) < _multiply(_s2 * _s2, _s1, _r7)
-    _s9 = _add(_add(_multiply(nx, wx, _r7), _multiply(ny, wy, _r6), _r6), _multiply(nz, wz, _r7), _r7)
-    _s10 = 0.4 * p_ball_radius
-    _s11 = _add(_multiply(_multiply(0.4, ny, _r6), _s0, _r6), _multiply(_multiply(_s10, _subtract(_multiply(nz, turning_x, _r8), _multiply(nx, turning_z, _r9), _r9), _r9), _s9, _r9), _r9)
-    _s12 = _add(_multiply(_multiply(0.4, nx, _r6), _s0, _r6), _multiply(_multiply(_s10, _subtract(_multiply(ny, turning_z, _r8), _multiply(nz, turning_y, _r10), _r10), _r10), _s9, _r10), _r10)
-    _s13 = _add(_add(0.4 * p_gravity, _multiply(_multiply(0.4, nz, _r6), _s0, _r6), _r6), _multiply(_multiply(_s10, _subtract(_multiply(nx, turning_y, _r0), _multiply(ny, turning_x, _r8), _r8), _r8), _s9, _r8), _r8)
-    _s14 = _sqrt(_add(_add(_multiply(_s11, _s11, _r9), _multiply(_s12, _s12, _r10), _r10), _multiply(_s13, _s13, _r8), _r8), _r8)
-    _s15 = slip <= _add(_multiply(_multiply(8.0, _s3, _r10), _s14, _r10), _multiply(1.4210854715202004e-14, _add(_sqrt(_multiply(p_ball_radius, _s7, _r4), _r4), _s6, _r4), _r4), _r4)
-    _s16 = 1.0 + p_ring_restitution
-    _s17 = _logical_and(_logical_and(_logical_and(_logical_and((0.0 < _s1), (0.0 < _s2)), _s8), _s15), (_multiply(2.0, _s14, _r4) <= _multiply(p_ring_friction * _s16, _s1, _r10)))
-    _s18 = _add(_add(_multiply(_multiply(0.5, bounce, _r10), _s3, _r10), _divide(_multiply(_multiply(1.6, slip, _r4), _s3, _r4), _s2, _r4), _r4), _divide(_multiply(_multiply(4.0, _multiply(_s3, _s3, _r10), _r10), _s14, _r10), _s16 * _s2, _r10), _r10)
-    _s19 = 3.637978807091713e-12 * p_ball_radius
-    _s20 = _logical_and(_s17, (_s18 <= _s19))
-    _s21 = 1024.0 * _s19
-    _s22 = _add(_divide(_multiply(_multiply(16.0, _s3, _r1), _s6, _r1), _s2, _r1), _s21, _r1) < nearest
-    _s23 = _logical_or((_absolute(_s1, _r2) <= _multiply(_multiply(4.0, velocity_error, _r1), _s4, _r1)), _logical_and((_multiply(bounce, _absolute(_subtract(_s18, _s19, _r10), _r10), _r10) <= _multiply(_multiply(2.0, velocity_error, _r1), _s19, _r1)), (0.0 < bounce)))
-    return _logical_and(_s20, _s22), _logical_and(_s20, (nearest <= _s21)), _result(_logical_and(_s17, _s22), 1.0, 0.0, _r0), _s23
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _s0 = 1.0 - p_ring_restitution
+    _s1 = 0.0 < _s0
+    _s2 = _divide(bounce, press, _r0)
+    _s3 = _add(4.440892098500626e-16, _add(_add(_absolute(turning_x, _r1), _absolute(turning_y, _r2), _r2), _absolute(turning_z, _r1), _r1), _r1)
+    _s4 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r2), _absolute(wy, _r3), _r3), _absolute(wz, _r2), _r2), _r2), _absolute(rolled_x, _r3), _r3), _absolute(rolled_y, _r2), _r2)
+    _s5 = _add(_s4, _absolute(rolled_z, _r3), _r3)
+    _s6 = _absolute(weight, _r2)
+    _s7 = _multiply(_multiply(8.0, _add(_multiply(_s3, _s5, _r4), _s6, _r4), _r4), _s3, _r4)
+    _s8 = _s0 * _s0
+    _s9 = _add(_sqrt(_multiply(p_ball_radius, _s6, _r2), _r2), _s5, _r2)
+    _s10 = _multiply(1.4210854715202004e-14, _s9, _r5)
+    _s11 = _multiply(2.0, drag, _r6)
+    _s12 = 1.0 + p_ring_restitution
+    _s13 = p_ring_friction * _s12
+    _s14 = _multiply(press, _s13, _r7)
+    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((0.0 < press), _s1), (_multiply(_multiply(3.0, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(8.0, drag, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
+    _s16 = _multiply(0.5, bounce, _r9)
+    _s17 = _s12 * _s0
+    _s18 = _multiply(4.0, drag, _r8)
+    _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(1.6, slip, _r10), _s2, _r10), _s0, _r10), _r10)
+    _s20 = 3.637978807091713e-12 * p_ball_radius
+    _s21 = _logical_and(_s15, (_s19 <= _s20))
+    _s22 = 3.725290298461914e-09 * p_ball_radius
+    _s23 = wedge <= _s22
+    _s24 = _divide(_multiply(_multiply(16.0, _s2, _r0), _s5, _r0), _s0, _r0)
+    _s25 = _add(_s22, _s24, _r11) < nearest
+    _s26 = _s24 <= _s22
+    _s27 = _negative(lift, _r0)
+    _s28 = _select(_s27 < press, _s27, press, _r11)
+    _s29 = _divide(bounce, _s28, _r12)
+    _s30 = _logical_and(_logical_and(_logical_and((0.0 < _s28), _s1), (_multiply(_multiply(3.0, _s29, _r13), _s7, _r13) < _multiply(_s8, _s28, _r11))), (_add(_s22, _divide(_multiply(_multiply(16.0, _s29, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
+    _s31 = _logical_and(_s30, (_add(_multiply(_s16, _s29, _r9), _divide(_multiply(_s18, _multiply(_s29, _s29, _r11), _r11), _s17, _r11), _r11) <= _s20))
+    _s32 = 0.0 < bounce
+    _s33 = _add(_divide(_multiply(5.0, _add(_multiply(_s11, _s29, _r12), _select(_s32, _multiply(bounce, _s13, _r11), 0.0, _r9), _r9), _r9), _s0, _r9), _multiply(1.4551915228366852e-11, _s9, _r2), _r2)
+    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(4.0, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s19, _s20, _r10), _r10), _r10) <= _multiply(_multiply(2.0, velocity_error, _r11), _s20, _r11)), _s32))
+    _s35 = _multiply(16.0, velocity_error, _r11)
+    _s36 = _logical_and(_s31, _logical_or((_absolute(_subtract(slip, _s33, _r10), _r10) < _s35), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s35, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
+    return _logical_and(_logical_and(_s21, _logical_not(_s23)), _logical_or(_s25, _s26)), _logical_and(_s21, _s23), _logical_and(_s31, _logical_or((_s33 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (0.0 <= lift)), _result(_logical_or(_logical_and(_s15, _s25), _s30), 1.0, 0.0, _r0), _logical_or(_logical_or(_s34, _s36), _logical_and(_logical_and(_s21, _s26), _logical_not(_s25)))
+
+
+def ring_impact_strained(drag: Any, drag_rate: Any, force: Any, force_rate: Any, p_ring_friction: Any) -> tuple[Any, ...]:
+    """F² - mu² N², and its rate.
+
+    Coulomb's law. 8 operations: 2 subtractions, 6 multiplications.
+    Returns strain, strain_rate.
+    """
+    _s0 = p_ring_friction * p_ring_friction
+    return drag - ((force * force) * _s0), drag_rate - (_s0 * (2.0 * (force * force_rate)))
 
 
 def ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2809,6 +2986,28 @@ def ring_beside(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: An
     return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(0.5, _s4, _r3) / _s2, _select(0.0 < _s5, _s5, 0.0, _r3) / (p_ball_radius + p_wire_radius)
 
 
+def ring_closing(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The distance, its rate and its second derivative, of a ball that rolls on something else.
+
+    derivatives of Table 2's distance. 75 operations: 12 additions, 5 subtractions, 48 multiplications, 8 divisions, 2 square roots.
+    Returns gap, nearing, swerve, facing.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _s0 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
+    _s1 = _sqrt(_s0, _r0)
+    _s2 = _subtract(_s1, p_ring_radius, _r2)
+    _s3 = _add(_multiply(z, z, _r3), _multiply(_s2, _s2, _r4), _r4)
+    _s4 = _sqrt(_s3, _r3)
+    _s5 = _add(_multiply(_multiply(2.0, rolled_x, _r5), x, _r5), _multiply(_multiply(2.0, rolled_y, _r6), y, _r6), _r6)
+    _s6 = _divide(_multiply(0.5, _s5, _r5), _s1, _r5)
+    _s7 = _add(_multiply(_multiply(2.0, rolled_z, _r7), z, _r7), _multiply(_multiply(2.0, _s6, _r8), _s2, _r8), _r8)
+    _s8 = _divide(_multiply(0.5, _add(_add(_multiply(2.0, _multiply(rolled_x, rolled_x, _r7), _r7), _multiply(_multiply(2.0, thrust_x, _r9), x, _r9), _r9), _add(_multiply(2.0, _multiply(rolled_y, rolled_y, _r7), _r7), _multiply(_multiply(2.0, thrust_y, _r10), y, _r10), _r10), _r10), _r10), _s1, _r10)
+    _s9 = _add(_multiply(_multiply(2.0, _s2, _r9), _subtract(_s8, _divide(_multiply(0.25, _multiply(_s5, _s5, _r6), _r6), _multiply(_s1, _s0, _r1), _r6), _r6), _r9), _multiply(2.0, _multiply(_s6, _s6, _r5), _r5), _r5)
+    _s10 = _divide(_multiply(0.5, _add(_add(_multiply(2.0, _multiply(rolled_z, rolled_z, _r9), _r9), _multiply(_multiply(2.0, thrust_z, _r6), z, _r6), _r6), _s9, _r5), _r5), _s4, _r5)
+    _s11 = _multiply(2.0, _divide(_multiply(0.5, _add(_multiply(_multiply(2.0, nx, _r6), x, _r6), _multiply(_multiply(2.0, ny, _r9), y, _r9), _r9), _r9), _s1, _r9), _r9)
+    return _subtract(_s4, p_ball_radius, _r0) - p_wire_radius, _multiply(0.5, _s7, _r0) / _s4, _s10 - _divide(_multiply(0.25, _multiply(_s7, _s7, _r8), _r8), _multiply(_s4, _s3, _r4), _r8), _multiply(0.5, _add(_multiply(_multiply(2.0, nz, _r8), z, _r8), _multiply(_s11, _s2, _r9), _r9), _r9) / _s4
+
+
 def ring_off(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The distance.
 
@@ -3207,6 +3406,42 @@ def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _s10 = _add(_multiply(_multiply(2.0, _subtract(_select(_s0 < 0.0, 0.0, vz, _r0), _select(_s1 < 0.0, 0.0, _negative(vz, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(2.0, _subtract(_select(_s3 < 0.0, 0.0, vx, _r2), _select(_s4 < 0.0, 0.0, _negative(vx, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
     _s11 = _add(_s10, _multiply(_multiply(2.0, _subtract(_select(_s6 < 0.0, 0.0, vy, _r5), _select(_s7 < 0.0, 0.0, _negative(vy, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
     return _s9 - p_ball_radius, _multiply(0.5, _s11, _r10) / _s9, 0.0
+
+
+def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The distance, its rate and its second derivative, of a ball that rolls on something else.
+
+    derivatives of Table 2's distance. 117 operations: 15 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections.
+    Returns gap, nearing, swerve, facing.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _subtract(z, p_board_top, _r0)
+    _s1 = _subtract(p_board_bottom, z, _r1)
+    _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
+    _s3 = _add(p_board_distance, x, _r2)
+    _s4 = _negative(_add(p_board_distance + p_board_thickness, x, _r4), _r4)
+    _s5 = _subtract(_select(_s3 < 0.0, 0.0, _s3, _r5), _select(_s4 < 0.0, 0.0, _s4, _r6), _r6)
+    _s6 = _subtract(y, p_board_half_width, _r5)
+    _s7 = _negative(_add(p_board_half_width, y, _r7), _r7)
+    _s8 = _subtract(_select(_s6 < 0.0, 0.0, _s6, _r8), _select(_s7 < 0.0, 0.0, _s7, _r9), _r9)
+    _s9 = _add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8)
+    _s10 = _sqrt(_s9, _r10)
+    _s11 = _s0 < 0.0
+    _s12 = _s1 < 0.0
+    _s13 = _subtract(_select(_s11, 0.0, rolled_z, _r1), _select(_s12, 0.0, _negative(rolled_z, _r0), _r11), _r11)
+    _s14 = _s3 < 0.0
+    _s15 = _s4 < 0.0
+    _s16 = _subtract(_select(_s14, 0.0, rolled_x, _r4), _select(_s15, 0.0, _negative(rolled_x, _r2), _r0), _r0)
+    _s17 = _s6 < 0.0
+    _s18 = _s7 < 0.0
+    _s19 = _subtract(_select(_s17, 0.0, rolled_y, _r7), _select(_s18, 0.0, _negative(rolled_y, _r5), _r2), _r2)
+    _s20 = _add(_add(_multiply(_multiply(2.0, _s13, _r5), _s2, _r5), _multiply(_multiply(2.0, _s16, _r7), _s5, _r7), _r7), _multiply(_multiply(2.0, _s19, _r5), _s8, _r5), _r5)
+    _s21 = _add(_multiply(_multiply(2.0, _subtract(_select(_s11, 0.0, thrust_z, _r7), _select(_s12, 0.0, _negative(thrust_z, _r4), _r1), _r1), _r1), _s2, _r1), _multiply(2.0, _multiply(_s13, _s13, _r11), _r11), _r11)
+    _s22 = _add(_multiply(_multiply(2.0, _subtract(_select(_s14, 0.0, thrust_x, _r1), _select(_s15, 0.0, _negative(thrust_x, _r4), _r7), _r7), _r7), _s5, _r7), _multiply(2.0, _multiply(_s16, _s16, _r0), _r0), _r0)
+    _s23 = _add(_multiply(_multiply(2.0, _subtract(_select(_s17, 0.0, thrust_y, _r7), _select(_s18, 0.0, _negative(thrust_y, _r4), _r1), _r1), _r1), _s8, _r1), _multiply(2.0, _multiply(_s19, _s19, _r2), _r2), _r2)
+    _s24 = _add(_multiply(_multiply(2.0, _subtract(_select(_s11, 0.0, nz, _r1), _select(_s12, 0.0, _negative(nz, _r4), _r7), _r7), _r7), _s2, _r7), _multiply(_multiply(2.0, _subtract(_select(_s14, 0.0, nx, _r3), _select(_s15, 0.0, _negative(nx, _r4), _r1), _r1), _r1), _s5, _r1), _r1)
+    _s25 = _add(_s24, _multiply(_multiply(2.0, _subtract(_select(_s17, 0.0, ny, _r7), _select(_s18, 0.0, _negative(ny, _r6), _r4), _r4), _r4), _s8, _r4), _r4)
+    return _s10 - p_ball_radius, _multiply(0.5, _s20, _r1) / _s10, _divide(_multiply(0.5, _add(_add(_s21, _s22, _r0), _s23, _r2), _r2), _s10, _r2) - _divide(_multiply(0.25, _multiply(_s20, _s20, _r5), _r5), _multiply(_s10, _s9, _r8), _r5), _multiply(0.5, _s25, _r4) / _s10
 
 
 def backboard_off(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3682,6 +3917,42 @@ def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     return _s9 - p_ball_radius, _multiply(0.5, _s11, _r10) / _s9, 0.0
 
 
+def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The distance, its rate and its second derivative, of a ball that rolls on something else.
+
+    derivatives of Table 2's distance. 117 operations: 14 additions, 18 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections.
+    Returns gap, nearing, swerve, facing.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _add(p_ring_radius, x, _r0)
+    _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
+    _s3 = _subtract(y, p_bridge_half_width, _r2)
+    _s4 = _negative(_add(p_bridge_half_width, y, _r4), _r4)
+    _s5 = _subtract(_select(_s3 < 0.0, 0.0, _s3, _r5), _select(_s4 < 0.0, 0.0, _s4, _r6), _r6)
+    _s6 = _subtract(z, p_wire_radius, _r5)
+    _s7 = _subtract(p_wire_radius - p_bridge_depth, z, _r7)
+    _s8 = _subtract(_select(_s6 < 0.0, 0.0, _s6, _r8), _select(_s7 < 0.0, 0.0, _s7, _r9), _r9)
+    _s9 = _add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8)
+    _s10 = _sqrt(_s9, _r10)
+    _s11 = _s0 < 0.0
+    _s12 = _s1 < 0.0
+    _s13 = _subtract(_select(_s11, 0.0, rolled_x, _r1), _select(_s12, 0.0, _negative(rolled_x, _r0), _r11), _r11)
+    _s14 = _s3 < 0.0
+    _s15 = _s4 < 0.0
+    _s16 = _subtract(_select(_s14, 0.0, rolled_y, _r4), _select(_s15, 0.0, _negative(rolled_y, _r2), _r0), _r0)
+    _s17 = _s6 < 0.0
+    _s18 = _s7 < 0.0
+    _s19 = _subtract(_select(_s17, 0.0, rolled_z, _r7), _select(_s18, 0.0, _negative(rolled_z, _r5), _r2), _r2)
+    _s20 = _add(_add(_multiply(_multiply(2.0, _s13, _r5), _s2, _r5), _multiply(_multiply(2.0, _s16, _r7), _s5, _r7), _r7), _multiply(_multiply(2.0, _s19, _r5), _s8, _r5), _r5)
+    _s21 = _add(_multiply(_multiply(2.0, _subtract(_select(_s11, 0.0, thrust_x, _r7), _select(_s12, 0.0, _negative(thrust_x, _r4), _r1), _r1), _r1), _s2, _r1), _multiply(2.0, _multiply(_s13, _s13, _r11), _r11), _r11)
+    _s22 = _add(_multiply(_multiply(2.0, _subtract(_select(_s14, 0.0, thrust_y, _r1), _select(_s15, 0.0, _negative(thrust_y, _r4), _r7), _r7), _r7), _s5, _r7), _multiply(2.0, _multiply(_s16, _s16, _r0), _r0), _r0)
+    _s23 = _add(_multiply(_multiply(2.0, _subtract(_select(_s17, 0.0, thrust_z, _r7), _select(_s18, 0.0, _negative(thrust_z, _r4), _r1), _r1), _r1), _s8, _r1), _multiply(2.0, _multiply(_s19, _s19, _r2), _r2), _r2)
+    _s24 = _add(_multiply(_multiply(2.0, _subtract(_select(_s11, 0.0, nx, _r1), _select(_s12, 0.0, _negative(nx, _r4), _r7), _r7), _r7), _s2, _r7), _multiply(_multiply(2.0, _subtract(_select(_s14, 0.0, ny, _r3), _select(_s15, 0.0, _negative(ny, _r4), _r1), _r1), _r1), _s5, _r1), _r1)
+    _s25 = _add(_s24, _multiply(_multiply(2.0, _subtract(_select(_s17, 0.0, nz, _r7), _select(_s18, 0.0, _negative(nz, _r6), _r4), _r4), _r4), _s8, _r4), _r4)
+    return _s10 - p_ball_radius, _multiply(0.5, _s20, _r1) / _s10, _divide(_multiply(0.5, _add(_add(_s21, _s22, _r0), _s23, _r2), _r2), _s10, _r2) - _divide(_multiply(0.25, _multiply(_s20, _s20, _r5), _r5), _multiply(_s10, _s9, _r8), _r5), _multiply(0.5, _s25, _r4) / _s10
+
+
 def bridge_off(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The distance.
 
@@ -3928,6 +4199,15 @@ def end_beside(p_end_depth: Any, vz: Any, z: Any) -> tuple[Any, ...]:
     Returns gap, nearing, dent.
     """
     return z - (-p_end_depth), vz, 0.0
+
+
+def end_closing(p_end_depth: Any, nz: Any, rolled_z: Any, thrust_z: Any, z: Any) -> tuple[Any, ...]:
+    """The distance, its rate and its second derivative, of a ball that rolls on something else.
+
+    derivatives of Table 2's distance. 2 operations: 1 subtraction, 1 negation.
+    Returns gap, nearing, swerve, facing.
+    """
+    return z - (-p_end_depth), rolled_z, thrust_z, nz
 
 
 def end_off(p_end_depth: Any, z: Any) -> tuple[Any, ...]:
@@ -4270,6 +4550,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_gravity_0 = columns["p_gravity"]
     _p_ring_radius_0 = columns["p_ring_radius"]
     _p_wire_radius_0 = columns["p_wire_radius"]
+    _rolls_0 = columns["rolls"]
     _through_0 = columns["through"]
     _time_limit_0 = columns["time_limit"]
     _vx_0 = columns["vx"]
@@ -5521,7 +5802,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _per_reach_2 = _put(_per_reach_2, _rows83, _per_reach_3, _count78)
                 _snap_2 = _put(_snap_2, _rows83, _snap_3, _count78)
                 _surge_2 = _put(_surge_2, _rows83, _surge_3, _count78)
-            _nearest_2, = alone()
+            _nearest_2, *_ = alone()
             _beside_2, = beside(_held_2, 0.0)
             _rows85, _count86 = _rows(_beside_2, _count78)
             if _count86:
@@ -5654,15 +5935,17 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _reached_1 = _take(_reached_0, _rows95)
         _rests_1 = _take(_rests_0, _rows95)
         _rolling_1 = _take(_rolling_0, _rows95)
+        _rolls_1 = _take(_rolls_0, _rows95)
         _which_1 = _take(_which_0, _rows95)
         _room_1 = room(_count96)
-        _body_1, _reached_1, _, _ends_1, _, _last_1, _mode_1, _held_1 = kept_on(_began_1, _body_1, _clock_1, _inf, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _which_1, _room_1)
+        _body_1, _reached_1, _, _ends_1, _, _last_1, _mode_1, _held_1, _rolls_1 = kept_on(_began_1, _body_1, _clock_1, _inf, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1, _room_1)
         _body_0 = _put(_body_0, _rows95, _body_1, shots)
         _ends_0 = _put(_ends_0, _rows95, _ends_1, shots)
         _held_0 = _put(_held_0, _rows95, _held_1, shots)
         _last_0 = _put(_last_0, _rows95, _last_1, shots)
         _mode_0 = _put(_mode_0, _rows95, _mode_1, shots)
         _reached_0 = _put(_reached_0, _rows95, _reached_1, shots)
+        _rolls_0 = _put(_rolls_0, _rows95, _rolls_1, shots)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1, _through_0)
@@ -5676,6 +5959,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     columns["last"] = _last_0
     columns["mode"] = _mode_0
     columns["outcome"] = _outcome_0
+    columns["rolls"] = _rolls_0
     columns["through"] = _through_0
     columns["touches"] = _touches_0
     columns["vx"] = _vx_0
@@ -5722,6 +6006,7 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_ring_restitution_0 = columns["p_ring_restitution"]
     _p_tangential_restitution_0 = columns["p_tangential_restitution"]
     _p_wire_radius_0 = columns["p_wire_radius"]
+    _slip_left_0 = columns["slip_left"]
     _touches_0 = columns["touches"]
     _vx_0 = columns["vx"]
     _vy_0 = columns["vy"]
@@ -5765,6 +6050,7 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _p_ring_restitution_1 = _take(_p_ring_restitution_0, _rows1)
         _p_tangential_restitution_1 = _take(_p_tangential_restitution_0, _rows1)
         _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _slip_left_1 = _take(_slip_left_0, _rows1)
         _touches_1 = _take(_touches_0, _rows1)
         _vx_1 = _take(_vx_0, _rows1)
         _vy_1 = _take(_vy_0, _rows1)
@@ -5858,6 +6144,7 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows5)
             _p_ring_restitution_2 = _take(_p_ring_restitution_1, _rows5)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows5)
+            _slip_left_2 = _take(_slip_left_1, _rows5)
             _vx_2 = _take(_vx_1, _rows5)
             _vy_2 = _take(_vy_1, _rows5)
             _vz_2 = _take(_vz_1, _rows5)
@@ -5896,6 +6183,7 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _p_ring_radius_3 = _take(_p_ring_radius_2, _rows7)
                 _p_ring_restitution_3 = _take(_p_ring_restitution_2, _rows7)
                 _p_wire_radius_3 = _take(_p_wire_radius_2, _rows7)
+                _slip_left_3 = _take(_slip_left_2, _rows7)
                 _vx_3 = _take(_vx_2, _rows7)
                 _vy_3 = _take(_vy_2, _rows7)
                 _vz_3 = _take(_vz_2, _rows7)
@@ -5945,18 +6233,21 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _z_4 = _take(_z_3, _rows9)
                     _room_4 = room(_count10)
                     _turning_x_4, _turning_y_4, _turning_z_4 = ring_turning(_p_ball_radius_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _room_4)
-                    _nearest_4, = alone()
-                    _gap_4, *_ = backboard_beside(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
-                    _gap_4, *_ = bridge_beside(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _nearest_4, _wedge_4 = alone()
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = backboard_closing(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = bridge_closing(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
                     _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
                     _nearest_4, = neared(_gap_4, _nearest_4)
-                    _settles_4, _lodges_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _p_ring_friction_4, _p_ring_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, *_ = settled(0.0, _lodges_4, _outcome_4, _settles_4, 0.0, _unsure_4)
+                    _lift_4, *_ = ring_parting(_p_gravity_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _settles_4, _lodges_4, _slides_4, _parts_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_ring_friction_4, _p_ring_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, *_ = settled(0.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, 0.0, _unsure_4)
                     _held_3 = _put(_held_3, _rows9, _held_4, _count8)
                     _mode_3 = _put(_mode_3, _rows9, _mode_4, _count8)
                     _outcome_3 = _put(_outcome_3, _rows9, _outcome_4, _count8)
+                    _slip_left_3 = _put(_slip_left_3, _rows9, _slip_left_4, _count8)
                 _here_3, = here(1.0, _which_3)
                 _rows11, _count12 = _rows(_here_3, _count8)
                 if _count12:
@@ -5994,18 +6285,21 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _z_4 = _take(_z_3, _rows11)
                     _room_4 = room(_count12)
                     _turning_x_4, _turning_y_4, _turning_z_4 = backboard_turning(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = alone()
-                    _gap_4, *_ = ring_beside(_p_ball_radius_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
-                    _gap_4, *_ = bridge_beside(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _nearest_4, _wedge_4 = alone()
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = ring_closing(_p_ball_radius_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = bridge_closing(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
                     _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
                     _nearest_4, = neared(_gap_4, _nearest_4)
-                    _settles_4, _lodges_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _p_backboard_friction_4, _p_backboard_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, *_ = settled(1.0, _lodges_4, _outcome_4, _settles_4, 0.0, _unsure_4)
+                    _lift_4, *_ = backboard_parting(_p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _p_gravity_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _settles_4, _lodges_4, _slides_4, _parts_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_backboard_friction_4, _p_backboard_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, *_ = settled(1.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, 0.0, _unsure_4)
                     _held_3 = _put(_held_3, _rows11, _held_4, _count8)
                     _mode_3 = _put(_mode_3, _rows11, _mode_4, _count8)
                     _outcome_3 = _put(_outcome_3, _rows11, _outcome_4, _count8)
+                    _slip_left_3 = _put(_slip_left_3, _rows11, _slip_left_4, _count8)
                 _here_3, = here(2.0, _which_3)
                 _rows13, _count14 = _rows(_here_3, _count8)
                 if _count14:
@@ -6043,24 +6337,29 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _z_4 = _take(_z_3, _rows13)
                     _room_4 = room(_count14)
                     _turning_x_4, _turning_y_4, _turning_z_4 = bridge_turning(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = alone()
-                    _gap_4, *_ = ring_beside(_p_ball_radius_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
-                    _gap_4, *_ = backboard_beside(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _nearest_4, _wedge_4 = alone()
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = ring_closing(_p_ball_radius_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = backboard_closing(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
                     _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
                     _nearest_4, = neared(_gap_4, _nearest_4)
-                    _settles_4, _lodges_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _p_bridge_friction_4, _p_bridge_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, *_ = settled(2.0, _lodges_4, _outcome_4, _settles_4, 0.0, _unsure_4)
+                    _lift_4, *_ = bridge_parting(_p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_gravity_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _settles_4, _lodges_4, _slides_4, _parts_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_bridge_friction_4, _p_bridge_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, *_ = settled(2.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, 0.0, _unsure_4)
                     _held_3 = _put(_held_3, _rows13, _held_4, _count8)
                     _mode_3 = _put(_mode_3, _rows13, _mode_4, _count8)
                     _outcome_3 = _put(_outcome_3, _rows13, _outcome_4, _count8)
+                    _slip_left_3 = _put(_slip_left_3, _rows13, _slip_left_4, _count8)
                 _held_2 = _put(_held_2, _rows7, _held_3, _count6)
                 _mode_2 = _put(_mode_2, _rows7, _mode_3, _count6)
                 _outcome_2 = _put(_outcome_2, _rows7, _outcome_3, _count6)
+                _slip_left_2 = _put(_slip_left_2, _rows7, _slip_left_3, _count6)
             _held_1 = _put(_held_1, _rows5, _held_2, _count2)
             _mode_1 = _put(_mode_1, _rows5, _mode_2, _count2)
             _outcome_1 = _put(_outcome_1, _rows5, _outcome_2, _count2)
+            _slip_left_1 = _put(_slip_left_1, _rows5, _slip_left_2, _count2)
         _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
         _count_1_0 = _put(_count_1_0, _rows1, _count_1_1, shots)
         _count_2_0 = _put(_count_2_0, _rows1, _count_2_1, shots)
@@ -6069,6 +6368,7 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _last_0 = _put(_last_0, _rows1, _last_1, shots)
         _mode_0 = _put(_mode_0, _rows1, _mode_1, shots)
         _outcome_0 = _put(_outcome_0, _rows1, _outcome_1, shots)
+        _slip_left_0 = _put(_slip_left_0, _rows1, _slip_left_1, shots)
         _vx_0 = _put(_vx_0, _rows1, _vx_1, shots)
         _vy_0 = _put(_vy_0, _rows1, _vy_1, shots)
         _vz_0 = _put(_vz_0, _rows1, _vz_1, shots)
@@ -6083,6 +6383,7 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     columns["last"] = _last_0
     columns["mode"] = _mode_0
     columns["outcome"] = _outcome_0
+    columns["slip_left"] = _slip_left_0
     columns["vx"] = _vx_0
     columns["vy"] = _vy_0
     columns["vz"] = _vz_0
@@ -6167,10 +6468,12 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _dx_0 = columns["dx"]
     _dy_0 = columns["dy"]
     _dz_0 = columns["dz"]
+    _grip_lost_0 = columns["grip_lost"]
     _held_0 = columns["held"]
     _last_0 = columns["last"]
     _mode_0 = columns["mode"]
     _most_contacts_0 = columns["most_contacts"]
+    _p_backboard_friction_0 = columns["p_backboard_friction"]
     _p_ball_radius_0 = columns["p_ball_radius"]
     _p_board_bottom_0 = columns["p_board_bottom"]
     _p_board_distance_0 = columns["p_board_distance"]
@@ -6178,11 +6481,17 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_board_thickness_0 = columns["p_board_thickness"]
     _p_board_top_0 = columns["p_board_top"]
     _p_bridge_depth_0 = columns["p_bridge_depth"]
+    _p_bridge_friction_0 = columns["p_bridge_friction"]
     _p_bridge_half_width_0 = columns["p_bridge_half_width"]
     _p_end_depth_0 = columns["p_end_depth"]
     _p_gravity_0 = columns["p_gravity"]
+    _p_ring_friction_0 = columns["p_ring_friction"]
     _p_ring_radius_0 = columns["p_ring_radius"]
     _p_wire_radius_0 = columns["p_wire_radius"]
+    _rolls_0 = columns["rolls"]
+    _taut_0 = columns["taut"]
+    _taut_clock_0 = columns["taut_clock"]
+    _taut_rate_0 = columns["taut_rate"]
     _through_0 = columns["through"]
     _time_limit_0 = columns["time_limit"]
     _uncertain_0 = columns["uncertain"]
@@ -6787,8 +7096,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _dx_1 = _take(_dx_0, _rows30)
         _dy_1 = _take(_dy_0, _rows30)
         _dz_1 = _take(_dz_0, _rows30)
+        _grip_lost_1 = _take(_grip_lost_0, _rows30)
         _held_1 = _take(_held_0, _rows30)
         _mode_1 = _take(_mode_0, _rows30)
+        _p_backboard_friction_1 = _take(_p_backboard_friction_0, _rows30)
         _p_ball_radius_1 = _take(_p_ball_radius_0, _rows30)
         _p_board_bottom_1 = _take(_p_board_bottom_0, _rows30)
         _p_board_distance_1 = _take(_p_board_distance_0, _rows30)
@@ -6796,13 +7107,18 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _p_board_thickness_1 = _take(_p_board_thickness_0, _rows30)
         _p_board_top_1 = _take(_p_board_top_0, _rows30)
         _p_bridge_depth_1 = _take(_p_bridge_depth_0, _rows30)
+        _p_bridge_friction_1 = _take(_p_bridge_friction_0, _rows30)
         _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows30)
         _p_end_depth_1 = _take(_p_end_depth_0, _rows30)
         _p_gravity_1 = _take(_p_gravity_0, _rows30)
+        _p_ring_friction_1 = _take(_p_ring_friction_0, _rows30)
         _p_ring_radius_1 = _take(_p_ring_radius_0, _rows30)
         _p_wire_radius_1 = _take(_p_wire_radius_0, _rows30)
         _position_error_1 = _take(_position_error_0, _rows30)
         _rests_1 = _take(_rests_0, _rows30)
+        _taut_1 = _take(_taut_0, _rows30)
+        _taut_clock_1 = _take(_taut_clock_0, _rows30)
+        _taut_rate_1 = _take(_taut_rate_0, _rows30)
         _through_1 = _take(_through_0, _rows30)
         _time_limit_1 = _take(_time_limit_0, _rows30)
         _velocity_error_1 = _take(_velocity_error_0, _rows30)
@@ -6881,6 +7197,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _gap_2 = _choose(_here_2, _gap_3, _gap_2)
             _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _x_2, _y_2, _z_2, _room_2)
             _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = begun_errors(_p_ball_radius_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _taut_2, = untaut()
             _which_2, = beginning_contact()
             _dvx_1 = _put(_dvx_1, _rows32, _dvx_2, _count31)
             _dvy_1 = _put(_dvy_1, _rows32, _dvy_2, _count31)
@@ -6894,6 +7211,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nx_1 = _put(_nx_1, _rows32, _nx_2, _count31)
             _ny_1 = _put(_ny_1, _rows32, _ny_2, _count31)
             _nz_1 = _put(_nz_1, _rows32, _nz_2, _count31)
+            _taut_1 = _put(_taut_1, _rows32, _taut_2, _count31)
             _vx_1 = _put(_vx_1, _rows32, _vx_2, _count31)
             _vy_1 = _put(_vy_1, _rows32, _vy_2, _count31)
             _vz_1 = _put(_vz_1, _rows32, _vz_2, _count31)
@@ -6921,18 +7239,25 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _dx_2 = _take(_dx_1, _rows34)
             _dy_2 = _take(_dy_1, _rows34)
             _dz_2 = _take(_dz_1, _rows34)
+            _grip_lost_2 = _take(_grip_lost_1, _rows34)
             _held_2 = _take(_held_1, _rows34)
             _late_2 = _take(_late_1, _rows34)
             _nx_2 = _take(_nx_1, _rows34)
             _ny_2 = _take(_ny_1, _rows34)
             _nz_2 = _take(_nz_1, _rows34)
+            _p_backboard_friction_2 = _take(_p_backboard_friction_1, _rows34)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows34)
+            _p_bridge_friction_2 = _take(_p_bridge_friction_1, _rows34)
             _p_end_depth_2 = _take(_p_end_depth_1, _rows34)
             _p_gravity_2 = _take(_p_gravity_1, _rows34)
+            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows34)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows34)
             _per_reach_2 = _take(_per_reach_1, _rows34)
             _ring_2 = _take(_ring_1, _rows34)
             _rolling_2 = _take(_rolling_1, _rows34)
+            _taut_2 = _take(_taut_1, _rows34)
+            _taut_clock_2 = _take(_taut_clock_1, _rows34)
+            _taut_rate_2 = _take(_taut_rate_1, _rows34)
             _through_2 = _take(_through_1, _rows34)
             _time_limit_2 = _take(_time_limit_1, _rows34)
             _vx_2 = _take(_vx_1, _rows34)
@@ -6956,11 +7281,15 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _dx_1 = _copy(_dx_1, _count31)
             _dy_1 = _copy(_dy_1, _count31)
             _dz_1 = _copy(_dz_1, _count31)
+            _grip_lost_1 = _copy(_grip_lost_1, _count31)
             _late_1 = _copy(_late_1, _count31)
             _per_reach_1 = _copy(_per_reach_1, _count31)
             _position_error_1 = _copy(_position_error_1, _count31)
             _rests_1 = _copy(_rests_1, _count31)
             _rolling_1 = _copy(_rolling_1, _count31)
+            _taut_1 = _copy(_taut_1, _count31)
+            _taut_clock_1 = _copy(_taut_clock_1, _count31)
+            _taut_rate_1 = _copy(_taut_rate_1, _count31)
             _through_1 = _copy(_through_1, _count31)
             _velocity_error_1 = _copy(_velocity_error_1, _count31)
             _vx_1 = _copy(_vx_1, _count31)
@@ -7061,35 +7390,34 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
                 _, _, _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
                 _stride_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
+                _drag_2, _drag_rate_2, _strain_2, _strain_rate_2 = pulled(_p_gravity_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _room_2)
+                _here_2, = holding(_held_2, 0.0)
+                _strain_3, _strain_rate_3 = ring_impact_strained(_drag_2, _drag_rate_2, _force_2, _force_rate_2, _p_ring_friction_2)
+                _strain_2 = _choose(_here_2, _strain_3, _strain_2)
+                _strain_rate_2 = _choose(_here_2, _strain_rate_3, _strain_rate_2)
+                _here_2, = holding(_held_2, 1.0)
+                _strain_3, _strain_rate_3 = ring_impact_strained(_drag_2, _drag_rate_2, _force_2, _force_rate_2, _p_backboard_friction_2)
+                _strain_2 = _choose(_here_2, _strain_3, _strain_2)
+                _strain_rate_2 = _choose(_here_2, _strain_rate_3, _strain_rate_2)
+                _here_2, = holding(_held_2, 2.0)
+                _strain_3, _strain_rate_3 = ring_impact_strained(_drag_2, _drag_rate_2, _force_2, _force_rate_2, _p_bridge_friction_2)
+                _strain_2 = _choose(_here_2, _strain_3, _strain_2)
+                _strain_rate_2 = _choose(_here_2, _strain_rate_3, _strain_rate_2)
+                _loses_2, = losing(_grip_lost_2, _strain_2)
+                _rows42, _count43 = _rows(_loses_2, _count35)
+                if _count43:
+                    _clock_3 = _take(_clock_2, _rows42)
+                    _strain_3 = _take(_strain_2, _rows42)
+                    _strain_rate_3 = _take(_strain_rate_2, _rows42)
+                    _taut_3 = _take(_taut_2, _rows42)
+                    _taut_clock_3 = _take(_taut_clock_2, _rows42)
+                    _taut_rate_3 = _take(_taut_rate_2, _rows42)
+                    _room_3 = room(_count43)
+                    _grip_lost_3, = lost_grip(_clock_3, _strain_3, _strain_rate_3, _taut_3, _taut_clock_3, _taut_rate_3, _room_3)
+                    _grip_lost_2 = _put(_grip_lost_2, _rows42, _grip_lost_3, _count35)
+                _taut_2, _taut_rate_2, _taut_clock_2 = tightened(_clock_2, _strain_2, _strain_rate_2)
                 _stride_2, _which_2, _rests_2, _doubt_2 = leaving_force(_p_ball_radius_2, _doubt_2, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, _position_error_2, _stride_2, _velocity_error_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
                 _beside_2, = beside(_held_2, 0.0)
-                _rows42, _count43 = _rows(_beside_2, _count35)
-                if _count43:
-                    _far = _of(_rows34, _rows42)
-                    _doubt_3 = _take(_doubt_2, _rows42)
-                    _fastest_3 = _take(_fastest_2, _rows42)
-                    _late_3 = _take(_late_2, _rows42)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows42)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows42)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _position_error_3 = _take(_position_error_2, _rows42)
-                    _stride_3 = _take(_stride_2, _rows42)
-                    _strongest_3 = _take(_strongest_2, _rows42)
-                    _vx_3 = _take(_vx_2, _rows42)
-                    _vy_3 = _take(_vy_2, _rows42)
-                    _vz_3 = _take(_vz_2, _rows42)
-                    _which_3 = _take(_which_2, _rows42)
-                    _x_3 = _take(_x_2, _rows42)
-                    _y_3 = _take(_y_2, _rows42)
-                    _z_3 = _take(_z_2, _rows42)
-                    _room_3 = room(_count43)
-                    _gap_3, _nearing_3, _dent_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 0.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
-                    _doubt_2 = _put(_doubt_2, _rows42, _doubt_3, _count35)
-                    _late_2 = _put(_late_2, _rows42, _late_3, _count35)
-                    _stride_2 = _put(_stride_2, _rows42, _stride_3, _count35)
-                    _which_2 = _put(_which_2, _rows42, _which_3, _count35)
-                _beside_2, = beside(_held_2, 1.0)
                 _rows44, _count45 = _rows(_beside_2, _count35)
                 if _count45:
                     _far = _of(_rows34, _rows44)
@@ -7097,11 +7425,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _fastest_3 = _take(_fastest_2, _rows44)
                     _late_3 = _take(_late_2, _rows44)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows44)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows44)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _position_error_3 = _take(_position_error_2, _rows44)
                     _stride_3 = _take(_stride_2, _rows44)
                     _strongest_3 = _take(_strongest_2, _rows44)
@@ -7113,13 +7438,13 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_3 = _take(_y_2, _rows44)
                     _z_3 = _take(_z_2, _rows44)
                     _room_3 = room(_count45)
-                    _gap_3, _nearing_3, _dent_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
-                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 1.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_3, _nearing_3, _dent_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 0.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
                     _doubt_2 = _put(_doubt_2, _rows44, _doubt_3, _count35)
                     _late_2 = _put(_late_2, _rows44, _late_3, _count35)
                     _stride_2 = _put(_stride_2, _rows44, _stride_3, _count35)
                     _which_2 = _put(_which_2, _rows44, _which_3, _count35)
-                _beside_2, = beside(_held_2, 2.0)
+                _beside_2, = beside(_held_2, 1.0)
                 _rows46, _count47 = _rows(_beside_2, _count35)
                 if _count47:
                     _far = _of(_rows34, _rows46)
@@ -7127,11 +7452,11 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _fastest_3 = _take(_fastest_2, _rows46)
                     _late_3 = _take(_late_2, _rows46)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows46)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows46)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
                     _position_error_3 = _take(_position_error_2, _rows46)
                     _stride_3 = _take(_stride_2, _rows46)
                     _strongest_3 = _take(_strongest_2, _rows46)
@@ -7143,34 +7468,64 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_3 = _take(_y_2, _rows46)
                     _z_3 = _take(_z_2, _rows46)
                     _room_3 = room(_count47)
-                    _gap_3, _nearing_3, _dent_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 2.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_3, _nearing_3, _dent_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 1.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
                     _doubt_2 = _put(_doubt_2, _rows46, _doubt_3, _count35)
                     _late_2 = _put(_late_2, _rows46, _late_3, _count35)
                     _stride_2 = _put(_stride_2, _rows46, _stride_3, _count35)
                     _which_2 = _put(_which_2, _rows46, _which_3, _count35)
-                _gap_2, _nearing_2, _dent_2 = end_beside(_p_end_depth_2, _vz_2, _z_2)
-                _stride_2, _which_2, _doubt_2, _late_2 = beside_gate(_p_ball_radius_2, _dent_2, _doubt_2, _fastest_2, _gap_2, 3.0, _late_2, _nearing_2, _position_error_2, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
-                _here_2, = holding(_held_2, 1.0)
-                _rows48, _count49 = _rows(_here_2, _count35)
+                _beside_2, = beside(_held_2, 2.0)
+                _rows48, _count49 = _rows(_beside_2, _count35)
                 if _count49:
                     _far = _of(_rows34, _rows48)
+                    _doubt_3 = _take(_doubt_2, _rows48)
                     _fastest_3 = _take(_fastest_2, _rows48)
+                    _late_3 = _take(_late_2, _rows48)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows48)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows48)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _position_error_3 = _take(_position_error_2, _rows48)
                     _stride_3 = _take(_stride_2, _rows48)
                     _strongest_3 = _take(_strongest_2, _rows48)
                     _vx_3 = _take(_vx_2, _rows48)
                     _vy_3 = _take(_vy_2, _rows48)
                     _vz_3 = _take(_vz_2, _rows48)
+                    _which_3 = _take(_which_2, _rows48)
                     _x_3 = _take(_x_2, _rows48)
                     _y_3 = _take(_y_2, _rows48)
                     _z_3 = _take(_z_2, _rows48)
                     _room_3 = room(_count49)
+                    _gap_3, _nearing_3, _dent_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 2.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _doubt_2 = _put(_doubt_2, _rows48, _doubt_3, _count35)
+                    _late_2 = _put(_late_2, _rows48, _late_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows48, _stride_3, _count35)
+                    _which_2 = _put(_which_2, _rows48, _which_3, _count35)
+                _gap_2, _nearing_2, _dent_2 = end_beside(_p_end_depth_2, _vz_2, _z_2)
+                _stride_2, _which_2, _doubt_2, _late_2 = beside_gate(_p_ball_radius_2, _dent_2, _doubt_2, _fastest_2, _gap_2, 3.0, _late_2, _nearing_2, _position_error_2, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
+                _here_2, = holding(_held_2, 1.0)
+                _rows50, _count51 = _rows(_here_2, _count35)
+                if _count51:
+                    _far = _of(_rows34, _rows50)
+                    _fastest_3 = _take(_fastest_2, _rows50)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows50)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _stride_3 = _take(_stride_2, _rows50)
+                    _strongest_3 = _take(_strongest_2, _rows50)
+                    _vx_3 = _take(_vx_2, _rows50)
+                    _vy_3 = _take(_vy_2, _rows50)
+                    _vz_3 = _take(_vz_2, _rows50)
+                    _x_3 = _take(_x_2, _rows50)
+                    _y_3 = _take(_y_2, _rows50)
+                    _z_3 = _take(_z_2, _rows50)
+                    _room_3 = room(_count51)
                     _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _vx_3, _x_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _vx_3, _x_3)
@@ -7183,28 +7538,28 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _vz_3, _z_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows48, _gap_3, _count35)
-                    _stride_2 = _put(_stride_2, _rows48, _stride_3, _count35)
+                    _gap_2 = _put(_gap_2, _rows50, _gap_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows50, _stride_3, _count35)
                 _here_2, = holding(_held_2, 2.0)
-                _rows50, _count51 = _rows(_here_2, _count35)
-                if _count51:
-                    _far = _of(_rows34, _rows50)
-                    _fastest_3 = _take(_fastest_2, _rows50)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows50)
+                _rows52, _count53 = _rows(_here_2, _count35)
+                if _count53:
+                    _far = _of(_rows34, _rows52)
+                    _fastest_3 = _take(_fastest_2, _rows52)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows52)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
                     _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
                     _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows50)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows52)
                     _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _stride_3 = _take(_stride_2, _rows50)
-                    _strongest_3 = _take(_strongest_2, _rows50)
-                    _vx_3 = _take(_vx_2, _rows50)
-                    _vy_3 = _take(_vy_2, _rows50)
-                    _vz_3 = _take(_vz_2, _rows50)
-                    _x_3 = _take(_x_2, _rows50)
-                    _y_3 = _take(_y_2, _rows50)
-                    _z_3 = _take(_z_2, _rows50)
-                    _room_3 = room(_count51)
+                    _stride_3 = _take(_stride_2, _rows52)
+                    _strongest_3 = _take(_strongest_2, _rows52)
+                    _vx_3 = _take(_vx_2, _rows52)
+                    _vy_3 = _take(_vy_2, _rows52)
+                    _vz_3 = _take(_vz_2, _rows52)
+                    _x_3 = _take(_x_2, _rows52)
+                    _y_3 = _take(_y_2, _rows52)
+                    _z_3 = _take(_z_2, _rows52)
+                    _room_3 = room(_count53)
                     _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _vx_3, _x_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _vx_3, _x_3)
@@ -7217,88 +7572,73 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _vz_3, _p_wire_radius_3, _z_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows50, _gap_3, _count35)
-                    _stride_2 = _put(_stride_2, _rows50, _stride_3, _count35)
+                    _gap_2 = _put(_gap_2, _rows52, _gap_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows52, _stride_3, _count35)
                 _stride_2, _which_2 = beside_time(_clock_2, _stride_2, _time_limit_2, _which_2)
                 _apart_2, = apart(_p_ball_radius_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _room_2)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = neighbour(_apart_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
                 _over_2, = passing_from(_z_2)
                 _x_2, _vx_2, _y_2, _vy_2, _z_2, _vz_2, _turn_rate_2 = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _x_2, _y_2, _z_2, _room_2)
                 _here_2, = holding(_held_2, 0.0)
-                _rows52, _count53 = _rows(_here_2, _count35)
-                if _count53:
-                    _far = _of(_rows34, _rows52)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows52)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows52)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _x_3 = _take(_x_2, _rows52)
-                    _y_3 = _take(_y_2, _rows52)
-                    _z_3 = _take(_z_2, _rows52)
-                    _room_3 = room(_count53)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows52, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows52, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows52, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows52, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
                 _rows54, _count55 = _rows(_here_2, _count35)
                 if _count55:
                     _far = _of(_rows34, _rows54)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows54)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows54)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _x_3 = _take(_x_2, _rows54)
+                    _y_3 = _take(_y_2, _rows54)
+                    _z_3 = _take(_z_2, _rows54)
+                    _room_3 = room(_count55)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows54, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows54, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows54, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows54, _nz_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows56, _count57 = _rows(_here_2, _count35)
+                if _count57:
+                    _far = _of(_rows34, _rows56)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows56)
                     _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
                     _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
                     _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
                     _p_board_top_3 = _take(_p_board_top_1, _far)
-                    _x_3 = _take(_x_2, _rows54)
-                    _y_3 = _take(_y_2, _rows54)
-                    _z_3 = _take(_z_2, _rows54)
-                    _room_3 = room(_count55)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows54, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows54, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows54, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows54, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
-                _rows56, _count57 = _rows(_here_2, _count35)
-                if _count57:
-                    _far = _of(_rows34, _rows56)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows56)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows56)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _x_3 = _take(_x_2, _rows56)
                     _y_3 = _take(_y_2, _rows56)
                     _z_3 = _take(_z_2, _rows56)
                     _room_3 = room(_count57)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
                     _gap_2 = _put(_gap_2, _rows56, _gap_3, _count35)
                     _nx_2 = _put(_nx_2, _rows56, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows56, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows56, _nz_3, _count35)
-                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
-                _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
-                _here_2, = holding(_held_2, 0.0)
+                _here_2, = holding(_held_2, 2.0)
                 _rows58, _count59 = _rows(_here_2, _count35)
                 if _count59:
                     _far = _of(_rows34, _rows58)
-                    _far_x_3 = _take(_far_x_2, _rows58)
-                    _far_y_3 = _take(_far_y_2, _rows58)
-                    _far_z_3 = _take(_far_z_2, _rows58)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows58)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows58)
                     _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _x_3 = _take(_x_2, _rows58)
+                    _y_3 = _take(_y_2, _rows58)
+                    _z_3 = _take(_z_2, _rows58)
                     _room_3 = room(_count59)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows58, _gap_3, _count35)
                     _nx_2 = _put(_nx_2, _rows58, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows58, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows58, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
+                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
+                _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
+                _here_2, = holding(_held_2, 0.0)
                 _rows60, _count61 = _rows(_here_2, _count35)
                 if _count61:
                     _far = _of(_rows34, _rows60)
@@ -7306,17 +7646,14 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows60)
                     _far_z_3 = _take(_far_z_2, _rows60)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows60)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows60)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _room_3 = room(_count61)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
                     _nx_2 = _put(_nx_2, _rows60, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows60, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows60, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
+                _here_2, = holding(_held_2, 1.0)
                 _rows62, _count63 = _rows(_here_2, _count35)
                 if _count63:
                     _far = _of(_rows34, _rows62)
@@ -7324,18 +7661,17 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows62)
                     _far_z_3 = _take(_far_z_2, _rows62)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows62)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows62)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
                     _room_3 = room(_count63)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _nx_2 = _put(_nx_2, _rows62, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows62, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows62, _nz_3, _count35)
-                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
-                _here_2, = holding(_held_2, 0.0)
+                _here_2, = holding(_held_2, 2.0)
                 _rows64, _count65 = _rows(_here_2, _count35)
                 if _count65:
                     _far = _of(_rows34, _rows64)
@@ -7343,16 +7679,18 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows64)
                     _far_z_3 = _take(_far_z_2, _rows64)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows64)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows64)
                     _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _room_3 = room(_count65)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows64, _gap_3, _count35)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _nx_2 = _put(_nx_2, _rows64, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows64, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows64, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
+                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
+                _here_2, = holding(_held_2, 0.0)
                 _rows66, _count67 = _rows(_here_2, _count35)
                 if _count67:
                     _far = _of(_rows34, _rows66)
@@ -7360,19 +7698,16 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows66)
                     _far_z_3 = _take(_far_z_2, _rows66)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows66)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows66)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _room_3 = room(_count67)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
                     _gap_2 = _put(_gap_2, _rows66, _gap_3, _count35)
                     _nx_2 = _put(_nx_2, _rows66, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows66, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows66, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
+                _here_2, = holding(_held_2, 1.0)
                 _rows68, _count69 = _rows(_here_2, _count35)
                 if _count69:
                     _far = _of(_rows34, _rows68)
@@ -7380,18 +7715,38 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows68)
                     _far_z_3 = _take(_far_z_2, _rows68)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows68)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows68)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
                     _room_3 = room(_count69)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
                     _gap_2 = _put(_gap_2, _rows68, _gap_3, _count35)
                     _nx_2 = _put(_nx_2, _rows68, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows68, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows68, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows70, _count71 = _rows(_here_2, _count35)
+                if _count71:
+                    _far = _of(_rows34, _rows70)
+                    _far_x_3 = _take(_far_x_2, _rows70)
+                    _far_y_3 = _take(_far_y_2, _rows70)
+                    _far_z_3 = _take(_far_z_2, _rows70)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows70)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows70)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count71)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows70, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows70, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows70, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows70, _nz_3, _count35)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
                 _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _ring_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _room_2)
                 _across_0_2, _round_0_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2, _widened_1_2, _near_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _p_gravity_2, _near_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _ring_2, _sin_0_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
@@ -7404,23 +7759,6 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _, _, _, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _, _, _, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
                 _far_x_2, _far_vx_2, _far_y_2, _far_vy_2, _far_z_2, _far_vz_2, _turn_rate_2 = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
                 _here_2, = holding(_held_2, 0.0)
-                _rows70, _count71 = _rows(_here_2, _count35)
-                if _count71:
-                    _far = _of(_rows34, _rows70)
-                    _far_x_3 = _take(_far_x_2, _rows70)
-                    _far_y_3 = _take(_far_y_2, _rows70)
-                    _far_z_3 = _take(_far_z_2, _rows70)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows70)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows70)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _room_3 = room(_count71)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows70, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows70, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows70, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows70, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
                 _rows72, _count73 = _rows(_here_2, _count35)
                 if _count73:
                     _far = _of(_rows34, _rows72)
@@ -7428,19 +7766,16 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows72)
                     _far_z_3 = _take(_far_z_2, _rows72)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows72)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows72)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _room_3 = room(_count73)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
                     _gap_2 = _put(_gap_2, _rows72, _gap_3, _count35)
                     _nx_2 = _put(_nx_2, _rows72, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows72, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows72, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
+                _here_2, = holding(_held_2, 1.0)
                 _rows74, _count75 = _rows(_here_2, _count35)
                 if _count75:
                     _far = _of(_rows34, _rows74)
@@ -7448,23 +7783,43 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows74)
                     _far_z_3 = _take(_far_z_2, _rows74)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows74)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows74)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
                     _room_3 = room(_count75)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
                     _gap_2 = _put(_gap_2, _rows74, _gap_3, _count35)
                     _nx_2 = _put(_nx_2, _rows74, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows74, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows74, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows76, _count77 = _rows(_here_2, _count35)
+                if _count77:
+                    _far = _of(_rows34, _rows76)
+                    _far_x_3 = _take(_far_x_2, _rows76)
+                    _far_y_3 = _take(_far_y_2, _rows76)
+                    _far_z_3 = _take(_far_z_2, _rows76)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows76)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows76)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count77)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows76, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows76, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows76, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows76, _nz_3, _count35)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
                 _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_apart_2, _p_ball_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
                 _clock_2, _rolling_2 = rolled_on(_clock_2, _rests_2, _stride_2, _which_2)
-                _going76 = _where_true(_rolling_2)
-                if len(_going76) == _count35:
+                _going78 = _where_true(_rolling_2)
+                if len(_going78) == _count35:
                     continue
                 _done = _where_true(_logical_not(_rolling_2))
                 _store(_clock_1, _of(_rows34, _done), _clock_2, _done)
@@ -7478,11 +7833,15 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_dx_1, _of(_rows34, _done), _dx_2, _done)
                 _store(_dy_1, _of(_rows34, _done), _dy_2, _done)
                 _store(_dz_1, _of(_rows34, _done), _dz_2, _done)
+                _store(_grip_lost_1, _of(_rows34, _done), _grip_lost_2, _done)
                 _store(_late_1, _of(_rows34, _done), _late_2, _done)
                 _store(_per_reach_1, _of(_rows34, _done), _per_reach_2, _done)
                 _store(_position_error_1, _of(_rows34, _done), _position_error_2, _done)
                 _store(_rests_1, _of(_rows34, _done), _rests_2, _done)
                 _store(_rolling_1, _of(_rows34, _done), _rolling_2, _done)
+                _store(_taut_1, _of(_rows34, _done), _taut_2, _done)
+                _store(_taut_clock_1, _of(_rows34, _done), _taut_clock_2, _done)
+                _store(_taut_rate_1, _of(_rows34, _done), _taut_rate_2, _done)
                 _store(_through_1, _of(_rows34, _done), _through_2, _done)
                 _store(_velocity_error_1, _of(_rows34, _done), _velocity_error_2, _done)
                 _store(_vx_1, _of(_rows34, _done), _vx_2, _done)
@@ -7495,51 +7854,58 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_x_1, _of(_rows34, _done), _x_2, _done)
                 _store(_y_1, _of(_rows34, _done), _y_2, _done)
                 _store(_z_1, _of(_rows34, _done), _z_2, _done)
-                _rows34, _count35 = _of(_rows34, _going76), len(_going76)
+                _rows34, _count35 = _of(_rows34, _going78), len(_going78)
                 if not _count35:
                     break
-                _bent_x_2 = _take(_bent_x_2, _going76)
-                _bent_y_2 = _take(_bent_y_2, _going76)
-                _bent_z_2 = _take(_bent_z_2, _going76)
-                _clock_2 = _take(_clock_2, _going76)
-                _clock_error_2 = _take(_clock_error_2, _going76)
-                _doubt_2 = _take(_doubt_2, _going76)
-                _dvx_2 = _take(_dvx_2, _going76)
-                _dvy_2 = _take(_dvy_2, _going76)
-                _dvz_2 = _take(_dvz_2, _going76)
-                _dwx_2 = _take(_dwx_2, _going76)
-                _dwy_2 = _take(_dwy_2, _going76)
-                _dwz_2 = _take(_dwz_2, _going76)
-                _dx_2 = _take(_dx_2, _going76)
-                _dy_2 = _take(_dy_2, _going76)
-                _dz_2 = _take(_dz_2, _going76)
-                _held_2 = _take(_held_2, _going76)
-                _late_2 = _take(_late_2, _going76)
-                _nx_2 = _take(_nx_2, _going76)
-                _ny_2 = _take(_ny_2, _going76)
-                _nz_2 = _take(_nz_2, _going76)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going76)
-                _p_end_depth_2 = _take(_p_end_depth_2, _going76)
-                _p_gravity_2 = _take(_p_gravity_2, _going76)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going76)
-                _per_reach_2 = _take(_per_reach_2, _going76)
-                _position_error_2 = _take(_position_error_2, _going76)
-                _rests_2 = _take(_rests_2, _going76)
-                _ring_2 = _take(_ring_2, _going76)
-                _rolling_2 = _take(_rolling_2, _going76)
-                _through_2 = _take(_through_2, _going76)
-                _time_limit_2 = _take(_time_limit_2, _going76)
-                _velocity_error_2 = _take(_velocity_error_2, _going76)
-                _vx_2 = _take(_vx_2, _going76)
-                _vy_2 = _take(_vy_2, _going76)
-                _vz_2 = _take(_vz_2, _going76)
-                _which_2 = _take(_which_2, _going76)
-                _wx_2 = _take(_wx_2, _going76)
-                _wy_2 = _take(_wy_2, _going76)
-                _wz_2 = _take(_wz_2, _going76)
-                _x_2 = _take(_x_2, _going76)
-                _y_2 = _take(_y_2, _going76)
-                _z_2 = _take(_z_2, _going76)
+                _bent_x_2 = _take(_bent_x_2, _going78)
+                _bent_y_2 = _take(_bent_y_2, _going78)
+                _bent_z_2 = _take(_bent_z_2, _going78)
+                _clock_2 = _take(_clock_2, _going78)
+                _clock_error_2 = _take(_clock_error_2, _going78)
+                _doubt_2 = _take(_doubt_2, _going78)
+                _dvx_2 = _take(_dvx_2, _going78)
+                _dvy_2 = _take(_dvy_2, _going78)
+                _dvz_2 = _take(_dvz_2, _going78)
+                _dwx_2 = _take(_dwx_2, _going78)
+                _dwy_2 = _take(_dwy_2, _going78)
+                _dwz_2 = _take(_dwz_2, _going78)
+                _dx_2 = _take(_dx_2, _going78)
+                _dy_2 = _take(_dy_2, _going78)
+                _dz_2 = _take(_dz_2, _going78)
+                _grip_lost_2 = _take(_grip_lost_2, _going78)
+                _held_2 = _take(_held_2, _going78)
+                _late_2 = _take(_late_2, _going78)
+                _nx_2 = _take(_nx_2, _going78)
+                _ny_2 = _take(_ny_2, _going78)
+                _nz_2 = _take(_nz_2, _going78)
+                _p_backboard_friction_2 = _take(_p_backboard_friction_2, _going78)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going78)
+                _p_bridge_friction_2 = _take(_p_bridge_friction_2, _going78)
+                _p_end_depth_2 = _take(_p_end_depth_2, _going78)
+                _p_gravity_2 = _take(_p_gravity_2, _going78)
+                _p_ring_friction_2 = _take(_p_ring_friction_2, _going78)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going78)
+                _per_reach_2 = _take(_per_reach_2, _going78)
+                _position_error_2 = _take(_position_error_2, _going78)
+                _rests_2 = _take(_rests_2, _going78)
+                _ring_2 = _take(_ring_2, _going78)
+                _rolling_2 = _take(_rolling_2, _going78)
+                _taut_2 = _take(_taut_2, _going78)
+                _taut_clock_2 = _take(_taut_clock_2, _going78)
+                _taut_rate_2 = _take(_taut_rate_2, _going78)
+                _through_2 = _take(_through_2, _going78)
+                _time_limit_2 = _take(_time_limit_2, _going78)
+                _velocity_error_2 = _take(_velocity_error_2, _going78)
+                _vx_2 = _take(_vx_2, _going78)
+                _vy_2 = _take(_vy_2, _going78)
+                _vz_2 = _take(_vz_2, _going78)
+                _which_2 = _take(_which_2, _going78)
+                _wx_2 = _take(_wx_2, _going78)
+                _wy_2 = _take(_wy_2, _going78)
+                _wz_2 = _take(_wz_2, _going78)
+                _x_2 = _take(_x_2, _going78)
+                _y_2 = _take(_y_2, _going78)
+                _z_2 = _take(_z_2, _going78)
             else:
                 _store(_clock_1, _rows34, _clock_2, None)
                 _store(_doubt_1, _rows34, _doubt_2, None)
@@ -7552,11 +7918,15 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_dx_1, _rows34, _dx_2, None)
                 _store(_dy_1, _rows34, _dy_2, None)
                 _store(_dz_1, _rows34, _dz_2, None)
+                _store(_grip_lost_1, _rows34, _grip_lost_2, None)
                 _store(_late_1, _rows34, _late_2, None)
                 _store(_per_reach_1, _rows34, _per_reach_2, None)
                 _store(_position_error_1, _rows34, _position_error_2, None)
                 _store(_rests_1, _rows34, _rests_2, None)
                 _store(_rolling_1, _rows34, _rolling_2, None)
+                _store(_taut_1, _rows34, _taut_2, None)
+                _store(_taut_clock_1, _rows34, _taut_clock_2, None)
+                _store(_taut_rate_1, _rows34, _taut_rate_2, None)
                 _store(_through_1, _rows34, _through_2, None)
                 _store(_velocity_error_1, _rows34, _velocity_error_2, None)
                 _store(_vx_1, _rows34, _vx_2, None)
@@ -7569,74 +7939,51 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_x_1, _rows34, _x_2, None)
                 _store(_y_1, _rows34, _y_2, None)
                 _store(_z_1, _rows34, _z_2, None)
-        _rows77, _count78 = _rows(_leaves_1, _count31)
-        if _count78:
-            _clock_error_2 = _take(_clock_error_1, _rows77)
-            _doubt_2 = _take(_doubt_1, _rows77)
-            _dvx_2 = _take(_dvx_1, _rows77)
-            _dvy_2 = _take(_dvy_1, _rows77)
-            _dvz_2 = _take(_dvz_1, _rows77)
-            _dwx_2 = _take(_dwx_1, _rows77)
-            _dwy_2 = _take(_dwy_1, _rows77)
-            _dwz_2 = _take(_dwz_1, _rows77)
-            _dx_2 = _take(_dx_1, _rows77)
-            _dy_2 = _take(_dy_1, _rows77)
-            _dz_2 = _take(_dz_1, _rows77)
-            _held_2 = _take(_held_1, _rows77)
-            _lift_2 = _take(_lift_1, _rows77)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows77)
-            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows77)
-            _p_board_distance_2 = _take(_p_board_distance_1, _rows77)
-            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows77)
-            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows77)
-            _p_board_top_2 = _take(_p_board_top_1, _rows77)
-            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows77)
-            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows77)
-            _p_end_depth_2 = _take(_p_end_depth_1, _rows77)
-            _p_gravity_2 = _take(_p_gravity_1, _rows77)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows77)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows77)
-            _per_reach_2 = _take(_per_reach_1, _rows77)
-            _snap_2 = _take(_snap_1, _rows77)
-            _surge_2 = _take(_surge_1, _rows77)
-            _vx_2 = _take(_vx_1, _rows77)
-            _vy_2 = _take(_vy_1, _rows77)
-            _vz_2 = _take(_vz_1, _rows77)
-            _x_2 = _take(_x_1, _rows77)
-            _y_2 = _take(_y_1, _rows77)
-            _z_2 = _take(_z_1, _rows77)
-            _room_2 = room(_count78)
+        _rows79, _count80 = _rows(_leaves_1, _count31)
+        if _count80:
+            _clock_error_2 = _take(_clock_error_1, _rows79)
+            _doubt_2 = _take(_doubt_1, _rows79)
+            _dvx_2 = _take(_dvx_1, _rows79)
+            _dvy_2 = _take(_dvy_1, _rows79)
+            _dvz_2 = _take(_dvz_1, _rows79)
+            _dwx_2 = _take(_dwx_1, _rows79)
+            _dwy_2 = _take(_dwy_1, _rows79)
+            _dwz_2 = _take(_dwz_1, _rows79)
+            _dx_2 = _take(_dx_1, _rows79)
+            _dy_2 = _take(_dy_1, _rows79)
+            _dz_2 = _take(_dz_1, _rows79)
+            _held_2 = _take(_held_1, _rows79)
+            _lift_2 = _take(_lift_1, _rows79)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows79)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows79)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows79)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows79)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows79)
+            _p_board_top_2 = _take(_p_board_top_1, _rows79)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows79)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows79)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows79)
+            _p_gravity_2 = _take(_p_gravity_1, _rows79)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows79)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows79)
+            _per_reach_2 = _take(_per_reach_1, _rows79)
+            _snap_2 = _take(_snap_1, _rows79)
+            _surge_2 = _take(_surge_1, _rows79)
+            _vx_2 = _take(_vx_1, _rows79)
+            _vy_2 = _take(_vy_1, _rows79)
+            _vz_2 = _take(_vz_1, _rows79)
+            _x_2 = _take(_x_1, _rows79)
+            _y_2 = _take(_y_1, _rows79)
+            _z_2 = _take(_z_1, _rows79)
+            _room_2 = room(_count80)
             _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
             _here_2, = holding(_held_2, 0.0)
-            _rows79, _count80 = _rows(_here_2, _count78)
-            if _count80:
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows79)
-                _p_gravity_3 = _take(_p_gravity_2, _rows79)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows79)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows79)
-                _vx_3 = _take(_vx_2, _rows79)
-                _vy_3 = _take(_vy_2, _rows79)
-                _vz_3 = _take(_vz_2, _rows79)
-                _x_3 = _take(_x_2, _rows79)
-                _y_3 = _take(_y_2, _rows79)
-                _z_3 = _take(_z_2, _rows79)
-                _room_3 = room(_count80)
-                _, _, _, _per_reach_3, *_ = ring_tube(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3)
-                _lift_3, _surge_3, _snap_3 = ring_parting(_p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_2 = _put(_lift_2, _rows79, _lift_3, _count78)
-                _per_reach_2 = _put(_per_reach_2, _rows79, _per_reach_3, _count78)
-                _snap_2 = _put(_snap_2, _rows79, _snap_3, _count78)
-                _surge_2 = _put(_surge_2, _rows79, _surge_3, _count78)
-            _here_2, = holding(_held_2, 1.0)
-            _rows81, _count82 = _rows(_here_2, _count78)
+            _rows81, _count82 = _rows(_here_2, _count80)
             if _count82:
                 _p_ball_radius_3 = _take(_p_ball_radius_2, _rows81)
-                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows81)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows81)
-                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows81)
-                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows81)
-                _p_board_top_3 = _take(_p_board_top_2, _rows81)
                 _p_gravity_3 = _take(_p_gravity_2, _rows81)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows81)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows81)
                 _vx_3 = _take(_vx_2, _rows81)
                 _vy_3 = _take(_vy_2, _rows81)
                 _vz_3 = _take(_vz_2, _rows81)
@@ -7644,22 +7991,22 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _y_3 = _take(_y_2, _rows81)
                 _z_3 = _take(_z_2, _rows81)
                 _room_3 = room(_count82)
-                _, _, _, _per_reach_3, *_ = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_3, _surge_3, _snap_3 = backboard_parting(_p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_2 = _put(_lift_2, _rows81, _lift_3, _count78)
-                _per_reach_2 = _put(_per_reach_2, _rows81, _per_reach_3, _count78)
-                _snap_2 = _put(_snap_2, _rows81, _snap_3, _count78)
-                _surge_2 = _put(_surge_2, _rows81, _surge_3, _count78)
-            _here_2, = holding(_held_2, 2.0)
-            _rows83, _count84 = _rows(_here_2, _count78)
+                _, _, _, _per_reach_3, *_ = ring_tube(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3)
+                _lift_3, _surge_3, _snap_3 = ring_parting(_p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_2 = _put(_lift_2, _rows81, _lift_3, _count80)
+                _per_reach_2 = _put(_per_reach_2, _rows81, _per_reach_3, _count80)
+                _snap_2 = _put(_snap_2, _rows81, _snap_3, _count80)
+                _surge_2 = _put(_surge_2, _rows81, _surge_3, _count80)
+            _here_2, = holding(_held_2, 1.0)
+            _rows83, _count84 = _rows(_here_2, _count80)
             if _count84:
                 _p_ball_radius_3 = _take(_p_ball_radius_2, _rows83)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows83)
                 _p_board_distance_3 = _take(_p_board_distance_2, _rows83)
-                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows83)
-                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows83)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows83)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows83)
+                _p_board_top_3 = _take(_p_board_top_2, _rows83)
                 _p_gravity_3 = _take(_p_gravity_2, _rows83)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows83)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows83)
                 _vx_3 = _take(_vx_2, _rows83)
                 _vy_3 = _take(_vy_2, _rows83)
                 _vz_3 = _take(_vz_2, _rows83)
@@ -7667,18 +8014,20 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _y_3 = _take(_y_2, _rows83)
                 _z_3 = _take(_z_2, _rows83)
                 _room_3 = room(_count84)
-                _, _, _, _per_reach_3, *_ = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_3, _surge_3, _snap_3 = bridge_parting(_p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_2 = _put(_lift_2, _rows83, _lift_3, _count78)
-                _per_reach_2 = _put(_per_reach_2, _rows83, _per_reach_3, _count78)
-                _snap_2 = _put(_snap_2, _rows83, _snap_3, _count78)
-                _surge_2 = _put(_surge_2, _rows83, _surge_3, _count78)
-            _nearest_2, = alone()
-            _beside_2, = beside(_held_2, 0.0)
-            _rows85, _count86 = _rows(_beside_2, _count78)
+                _, _, _, _per_reach_3, *_ = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_3, _surge_3, _snap_3 = backboard_parting(_p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_2 = _put(_lift_2, _rows83, _lift_3, _count80)
+                _per_reach_2 = _put(_per_reach_2, _rows83, _per_reach_3, _count80)
+                _snap_2 = _put(_snap_2, _rows83, _snap_3, _count80)
+                _surge_2 = _put(_surge_2, _rows83, _surge_3, _count80)
+            _here_2, = holding(_held_2, 2.0)
+            _rows85, _count86 = _rows(_here_2, _count80)
             if _count86:
-                _nearest_3 = _take(_nearest_2, _rows85)
                 _p_ball_radius_3 = _take(_p_ball_radius_2, _rows85)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows85)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows85)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows85)
+                _p_gravity_3 = _take(_p_gravity_2, _rows85)
                 _p_ring_radius_3 = _take(_p_ring_radius_2, _rows85)
                 _p_wire_radius_3 = _take(_p_wire_radius_2, _rows85)
                 _vx_3 = _take(_vx_2, _rows85)
@@ -7688,19 +8037,20 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _y_3 = _take(_y_2, _rows85)
                 _z_3 = _take(_z_2, _rows85)
                 _room_3 = room(_count86)
-                _gap_3, *_ = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                _nearest_3, = neared(_gap_3, _nearest_3)
-                _nearest_2 = _put(_nearest_2, _rows85, _nearest_3, _count78)
-            _beside_2, = beside(_held_2, 1.0)
-            _rows87, _count88 = _rows(_beside_2, _count78)
+                _, _, _, _per_reach_3, *_ = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_3, _surge_3, _snap_3 = bridge_parting(_p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_2 = _put(_lift_2, _rows85, _lift_3, _count80)
+                _per_reach_2 = _put(_per_reach_2, _rows85, _per_reach_3, _count80)
+                _snap_2 = _put(_snap_2, _rows85, _snap_3, _count80)
+                _surge_2 = _put(_surge_2, _rows85, _surge_3, _count80)
+            _nearest_2, *_ = alone()
+            _beside_2, = beside(_held_2, 0.0)
+            _rows87, _count88 = _rows(_beside_2, _count80)
             if _count88:
                 _nearest_3 = _take(_nearest_2, _rows87)
                 _p_ball_radius_3 = _take(_p_ball_radius_2, _rows87)
-                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows87)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows87)
-                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows87)
-                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows87)
-                _p_board_top_3 = _take(_p_board_top_2, _rows87)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows87)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows87)
                 _vx_3 = _take(_vx_2, _rows87)
                 _vy_3 = _take(_vy_2, _rows87)
                 _vz_3 = _take(_vz_2, _rows87)
@@ -7708,19 +8058,19 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _y_3 = _take(_y_2, _rows87)
                 _z_3 = _take(_z_2, _rows87)
                 _room_3 = room(_count88)
-                _gap_3, *_ = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _gap_3, *_ = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                 _nearest_3, = neared(_gap_3, _nearest_3)
-                _nearest_2 = _put(_nearest_2, _rows87, _nearest_3, _count78)
-            _beside_2, = beside(_held_2, 2.0)
-            _rows89, _count90 = _rows(_beside_2, _count78)
+                _nearest_2 = _put(_nearest_2, _rows87, _nearest_3, _count80)
+            _beside_2, = beside(_held_2, 1.0)
+            _rows89, _count90 = _rows(_beside_2, _count80)
             if _count90:
                 _nearest_3 = _take(_nearest_2, _rows89)
                 _p_ball_radius_3 = _take(_p_ball_radius_2, _rows89)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows89)
                 _p_board_distance_3 = _take(_p_board_distance_2, _rows89)
-                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows89)
-                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows89)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows89)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows89)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows89)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows89)
+                _p_board_top_3 = _take(_p_board_top_2, _rows89)
                 _vx_3 = _take(_vx_2, _rows89)
                 _vy_3 = _take(_vy_2, _rows89)
                 _vz_3 = _take(_vz_2, _rows89)
@@ -7728,20 +8078,40 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _y_3 = _take(_y_2, _rows89)
                 _z_3 = _take(_z_2, _rows89)
                 _room_3 = room(_count90)
+                _gap_3, *_ = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _nearest_3, = neared(_gap_3, _nearest_3)
+                _nearest_2 = _put(_nearest_2, _rows89, _nearest_3, _count80)
+            _beside_2, = beside(_held_2, 2.0)
+            _rows91, _count92 = _rows(_beside_2, _count80)
+            if _count92:
+                _nearest_3 = _take(_nearest_2, _rows91)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows91)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows91)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows91)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows91)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows91)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows91)
+                _vx_3 = _take(_vx_2, _rows91)
+                _vy_3 = _take(_vy_2, _rows91)
+                _vz_3 = _take(_vz_2, _rows91)
+                _x_3 = _take(_x_2, _rows91)
+                _y_3 = _take(_y_2, _rows91)
+                _z_3 = _take(_z_2, _rows91)
+                _room_3 = room(_count92)
                 _gap_3, *_ = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                 _nearest_3, = neared(_gap_3, _nearest_3)
-                _nearest_2 = _put(_nearest_2, _rows89, _nearest_3, _count78)
+                _nearest_2 = _put(_nearest_2, _rows91, _nearest_3, _count80)
             _beside_2, = beside(_held_2, 3.0)
             _gap_3, *_ = end_beside(_p_end_depth_2, _vz_2, _z_2)
             _nearest_3, = neared(_gap_3, _nearest_2)
             _nearest_2 = _choose(_beside_2, _nearest_3, _nearest_2)
             _when_2, _doubt_2 = parted(_doubt_2, _p_gravity_2, _lift_2, _nearest_2, _per_reach_2, _position_error_2, _snap_2, _surge_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _room_2)
             _which_2, = hopping()
-            _doubt_1 = _put(_doubt_1, _rows77, _doubt_2, _count31)
-            _position_error_1 = _put(_position_error_1, _rows77, _position_error_2, _count31)
-            _velocity_error_1 = _put(_velocity_error_1, _rows77, _velocity_error_2, _count31)
-            _when_1 = _put(_when_1, _rows77, _when_2, _count31)
-            _which_1 = _put(_which_1, _rows77, _which_2, _count31)
+            _doubt_1 = _put(_doubt_1, _rows79, _doubt_2, _count31)
+            _position_error_1 = _put(_position_error_1, _rows79, _position_error_2, _count31)
+            _velocity_error_1 = _put(_velocity_error_1, _rows79, _velocity_error_2, _count31)
+            _when_1 = _put(_when_1, _rows79, _when_2, _count31)
+            _which_1 = _put(_which_1, _rows79, _which_2, _count31)
         _began_0 = _put(_began_0, _rows30, _began_1, shots)
         _clock_0 = _put(_clock_0, _rows30, _clock_1, shots)
         _doubt_0 = _put(_doubt_0, _rows30, _doubt_1, shots)
@@ -7754,10 +8124,14 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _dx_0 = _put(_dx_0, _rows30, _dx_1, shots)
         _dy_0 = _put(_dy_0, _rows30, _dy_1, shots)
         _dz_0 = _put(_dz_0, _rows30, _dz_1, shots)
+        _grip_lost_0 = _put(_grip_lost_0, _rows30, _grip_lost_1, shots)
         _late_0 = _put(_late_0, _rows30, _late_1, shots)
         _position_error_0 = _put(_position_error_0, _rows30, _position_error_1, shots)
         _rests_0 = _put(_rests_0, _rows30, _rests_1, shots)
         _rolling_0 = _put(_rolling_0, _rows30, _rolling_1, shots)
+        _taut_0 = _put(_taut_0, _rows30, _taut_1, shots)
+        _taut_clock_0 = _put(_taut_clock_0, _rows30, _taut_clock_1, shots)
+        _taut_rate_0 = _put(_taut_rate_0, _rows30, _taut_rate_1, shots)
         _through_0 = _put(_through_0, _rows30, _through_1, shots)
         _velocity_error_0 = _put(_velocity_error_0, _rows30, _velocity_error_1, shots)
         _vx_0 = _put(_vx_0, _rows30, _vx_1, shots)
@@ -7773,76 +8147,78 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _z_0 = _put(_z_0, _rows30, _z_1, shots)
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
-    _rows91, _count92 = _rows(_moves_0, shots)
-    if _count92:
-        _clock_1 = _take(_clock_0, _rows91)
-        _extent_1 = _take(_extent_0, _rows91)
-        _p_gravity_1 = _take(_p_gravity_0, _rows91)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows91)
-        _position_error_1 = _take(_position_error_0, _rows91)
-        _speed_1 = _take(_speed_0, _rows91)
-        _through_1 = _take(_through_0, _rows91)
-        _uncertain_1 = _take(_uncertain_0, _rows91)
-        _velocity_error_1 = _take(_velocity_error_0, _rows91)
-        _vx_1 = _take(_vx_0, _rows91)
-        _vy_1 = _take(_vy_0, _rows91)
-        _vz_1 = _take(_vz_0, _rows91)
-        _when_1 = _take(_when_0, _rows91)
-        _x_1 = _take(_x_0, _rows91)
-        _y_1 = _take(_y_0, _rows91)
-        _z_1 = _take(_z_0, _rows91)
-        _room_1 = room(_count92)
+    _rows93, _count94 = _rows(_moves_0, shots)
+    if _count94:
+        _clock_1 = _take(_clock_0, _rows93)
+        _extent_1 = _take(_extent_0, _rows93)
+        _p_gravity_1 = _take(_p_gravity_0, _rows93)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows93)
+        _position_error_1 = _take(_position_error_0, _rows93)
+        _speed_1 = _take(_speed_0, _rows93)
+        _through_1 = _take(_through_0, _rows93)
+        _uncertain_1 = _take(_uncertain_0, _rows93)
+        _velocity_error_1 = _take(_velocity_error_0, _rows93)
+        _vx_1 = _take(_vx_0, _rows93)
+        _vy_1 = _take(_vy_0, _rows93)
+        _vz_1 = _take(_vz_0, _rows93)
+        _when_1 = _take(_when_0, _rows93)
+        _x_1 = _take(_x_0, _rows93)
+        _y_1 = _take(_y_0, _rows93)
+        _z_1 = _take(_z_0, _rows93)
+        _room_1 = room(_count94)
         _unsure_1, = passing_doubt(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _uncertain_1, = undecided(_uncertain_1, _unsure_1)
         _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _clock_1, = ticked(_clock_1, _when_1)
-        _clock_0 = _put(_clock_0, _rows91, _clock_1, shots)
-        _through_0 = _put(_through_0, _rows91, _through_1, shots)
-        _uncertain_0 = _put(_uncertain_0, _rows91, _uncertain_1, shots)
-        _vx_0 = _put(_vx_0, _rows91, _vx_1, shots)
-        _vy_0 = _put(_vy_0, _rows91, _vy_1, shots)
-        _vz_0 = _put(_vz_0, _rows91, _vz_1, shots)
-        _x_0 = _put(_x_0, _rows91, _x_1, shots)
-        _y_0 = _put(_y_0, _rows91, _y_1, shots)
-        _z_0 = _put(_z_0, _rows91, _z_1, shots)
-    _rows93, _count94 = _rows(_limited_0, shots)
-    if _count94:
-        _body_1 = _take(_body_0, _rows93)
-        _clock_1 = _take(_clock_0, _rows93)
-        _ends_1 = _take(_ends_0, _rows93)
-        _reached_1 = _take(_reached_0, _rows93)
-        _time_limit_1 = _take(_time_limit_0, _rows93)
-        _which_1 = _take(_which_0, _rows93)
-        _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows93, _body_1, shots)
         _clock_0 = _put(_clock_0, _rows93, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows93, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows93, _reached_1, shots)
-    _hopped_0, = unhopped()
-    _rows95, _count96 = _rows(_kept_0, shots)
+        _through_0 = _put(_through_0, _rows93, _through_1, shots)
+        _uncertain_0 = _put(_uncertain_0, _rows93, _uncertain_1, shots)
+        _vx_0 = _put(_vx_0, _rows93, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows93, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows93, _vz_1, shots)
+        _x_0 = _put(_x_0, _rows93, _x_1, shots)
+        _y_0 = _put(_y_0, _rows93, _y_1, shots)
+        _z_0 = _put(_z_0, _rows93, _z_1, shots)
+    _rows95, _count96 = _rows(_limited_0, shots)
     if _count96:
-        _began_1 = _take(_began_0, _rows95)
         _body_1 = _take(_body_0, _rows95)
         _clock_1 = _take(_clock_0, _rows95)
-        _doubt_1 = _take(_doubt_0, _rows95)
         _ends_1 = _take(_ends_0, _rows95)
-        _held_1 = _take(_held_0, _rows95)
-        _last_1 = _take(_last_0, _rows95)
         _reached_1 = _take(_reached_0, _rows95)
-        _rests_1 = _take(_rests_0, _rows95)
-        _rolling_1 = _take(_rolling_0, _rows95)
+        _time_limit_1 = _take(_time_limit_0, _rows95)
         _which_1 = _take(_which_0, _rows95)
-        _room_1 = room(_count96)
-        _body_1, _reached_1, _doubt_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1 = kept_on(_began_1, _body_1, _clock_1, _doubt_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _which_1, _room_1)
+        _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
         _body_0 = _put(_body_0, _rows95, _body_1, shots)
-        _doubt_0 = _put(_doubt_0, _rows95, _doubt_1, shots)
+        _clock_0 = _put(_clock_0, _rows95, _clock_1, shots)
         _ends_0 = _put(_ends_0, _rows95, _ends_1, shots)
-        _held_0 = _put(_held_0, _rows95, _held_1, shots)
-        _hopped_0 = _put(_hopped_0, _rows95, _hopped_1, shots)
-        _last_0 = _put(_last_0, _rows95, _last_1, shots)
-        _mode_0 = _put(_mode_0, _rows95, _mode_1, shots)
         _reached_0 = _put(_reached_0, _rows95, _reached_1, shots)
+    _hopped_0, = unhopped()
+    _rows97, _count98 = _rows(_kept_0, shots)
+    if _count98:
+        _began_1 = _take(_began_0, _rows97)
+        _body_1 = _take(_body_0, _rows97)
+        _clock_1 = _take(_clock_0, _rows97)
+        _doubt_1 = _take(_doubt_0, _rows97)
+        _ends_1 = _take(_ends_0, _rows97)
+        _held_1 = _take(_held_0, _rows97)
+        _last_1 = _take(_last_0, _rows97)
+        _reached_1 = _take(_reached_0, _rows97)
+        _rests_1 = _take(_rests_0, _rows97)
+        _rolling_1 = _take(_rolling_0, _rows97)
+        _rolls_1 = _take(_rolls_0, _rows97)
+        _which_1 = _take(_which_0, _rows97)
+        _room_1 = room(_count98)
+        _body_1, _reached_1, _doubt_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1, _rolls_1 = kept_on(_began_1, _body_1, _clock_1, _doubt_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1, _room_1)
+        _body_0 = _put(_body_0, _rows97, _body_1, shots)
+        _doubt_0 = _put(_doubt_0, _rows97, _doubt_1, shots)
+        _ends_0 = _put(_ends_0, _rows97, _ends_1, shots)
+        _held_0 = _put(_held_0, _rows97, _held_1, shots)
+        _hopped_0 = _put(_hopped_0, _rows97, _hopped_1, shots)
+        _last_0 = _put(_last_0, _rows97, _last_1, shots)
+        _mode_0 = _put(_mode_0, _rows97, _mode_1, shots)
+        _reached_0 = _put(_reached_0, _rows97, _reached_1, shots)
+        _rolls_0 = _put(_rolls_0, _rows97, _rolls_1, shots)
     _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
@@ -7865,6 +8241,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     columns["dy"] = _dy_0
     columns["dz"] = _dz_0
     columns["ends"] = _ends_0
+    columns["grip_lost"] = _grip_lost_0
     columns["held"] = _held_0
     columns["hopped"] = _hopped_0
     columns["last"] = _last_0
@@ -7872,6 +8249,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     columns["limited"] = _limited_0
     columns["mode"] = _mode_0
     columns["outcome"] = _outcome_0
+    columns["rolls"] = _rolls_0
+    columns["taut"] = _taut_0
+    columns["taut_clock"] = _taut_clock_0
+    columns["taut_rate"] = _taut_rate_0
     columns["through"] = _through_0
     columns["touches"] = _touches_0
     columns["uncertain"] = _uncertain_0
@@ -7939,6 +8320,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_tangential_restitution_0 = columns["p_tangential_restitution"]
     _p_wire_radius_0 = columns["p_wire_radius"]
     _position_claim_0 = columns["position_claim"]
+    _slip_left_0 = columns["slip_left"]
     _spin_claim_0 = columns["spin_claim"]
     _time_claim_0 = columns["time_claim"]
     _touches_0 = columns["touches"]
@@ -8004,6 +8386,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _p_ring_restitution_1 = _take(_p_ring_restitution_0, _rows1)
         _p_tangential_restitution_1 = _take(_p_tangential_restitution_0, _rows1)
         _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _slip_left_1 = _take(_slip_left_0, _rows1)
         _touches_1 = _take(_touches_0, _rows1)
         _uncertain_1 = _take(_uncertain_0, _rows1)
         _velocity_error_1 = _take(_velocity_error_0, _rows1)
@@ -8169,6 +8552,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows7)
             _p_ring_restitution_2 = _take(_p_ring_restitution_1, _rows7)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows7)
+            _slip_left_2 = _take(_slip_left_1, _rows7)
             _uncertain_2 = _take(_uncertain_1, _rows7)
             _velocity_error_2 = _take(_velocity_error_1, _rows7)
             _vx_2 = _take(_vx_1, _rows7)
@@ -8210,6 +8594,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _p_ring_radius_3 = _take(_p_ring_radius_2, _rows9)
                 _p_ring_restitution_3 = _take(_p_ring_restitution_2, _rows9)
                 _p_wire_radius_3 = _take(_p_wire_radius_2, _rows9)
+                _slip_left_3 = _take(_slip_left_2, _rows9)
                 _uncertain_3 = _take(_uncertain_2, _rows9)
                 _velocity_error_3 = _take(_velocity_error_2, _rows9)
                 _vx_3 = _take(_vx_2, _rows9)
@@ -8263,19 +8648,22 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _z_4 = _take(_z_3, _rows11)
                     _room_4 = room(_count12)
                     _turning_x_4, _turning_y_4, _turning_z_4 = ring_turning(_p_ball_radius_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _room_4)
-                    _nearest_4, = alone()
-                    _gap_4, *_ = backboard_beside(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
-                    _gap_4, *_ = bridge_beside(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _nearest_4, _wedge_4 = alone()
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = backboard_closing(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = bridge_closing(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
                     _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
                     _nearest_4, = neared(_gap_4, _nearest_4)
-                    _settles_4, _lodges_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _p_ring_friction_4, _p_ring_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, _uncertain_4 = settled(0.0, _lodges_4, _outcome_4, _settles_4, _uncertain_4, _unsure_4)
+                    _lift_4, *_ = ring_parting(_p_gravity_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _settles_4, _lodges_4, _slides_4, _parts_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_ring_friction_4, _p_ring_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, _uncertain_4 = settled(0.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, _uncertain_4, _unsure_4)
                     _assured_3 = _put(_assured_3, _rows11, _assured_4, _count10)
                     _held_3 = _put(_held_3, _rows11, _held_4, _count10)
                     _mode_3 = _put(_mode_3, _rows11, _mode_4, _count10)
                     _outcome_3 = _put(_outcome_3, _rows11, _outcome_4, _count10)
+                    _slip_left_3 = _put(_slip_left_3, _rows11, _slip_left_4, _count10)
                     _uncertain_3 = _put(_uncertain_3, _rows11, _uncertain_4, _count10)
                 _here_3, = here(1.0, _which_3)
                 _rows13, _count14 = _rows(_here_3, _count10)
@@ -8316,19 +8704,22 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _z_4 = _take(_z_3, _rows13)
                     _room_4 = room(_count14)
                     _turning_x_4, _turning_y_4, _turning_z_4 = backboard_turning(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = alone()
-                    _gap_4, *_ = ring_beside(_p_ball_radius_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
-                    _gap_4, *_ = bridge_beside(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _nearest_4, _wedge_4 = alone()
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = ring_closing(_p_ball_radius_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = bridge_closing(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
                     _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
                     _nearest_4, = neared(_gap_4, _nearest_4)
-                    _settles_4, _lodges_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _p_backboard_friction_4, _p_backboard_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, _uncertain_4 = settled(1.0, _lodges_4, _outcome_4, _settles_4, _uncertain_4, _unsure_4)
+                    _lift_4, *_ = backboard_parting(_p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _p_gravity_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _settles_4, _lodges_4, _slides_4, _parts_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_backboard_friction_4, _p_backboard_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, _uncertain_4 = settled(1.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, _uncertain_4, _unsure_4)
                     _assured_3 = _put(_assured_3, _rows13, _assured_4, _count10)
                     _held_3 = _put(_held_3, _rows13, _held_4, _count10)
                     _mode_3 = _put(_mode_3, _rows13, _mode_4, _count10)
                     _outcome_3 = _put(_outcome_3, _rows13, _outcome_4, _count10)
+                    _slip_left_3 = _put(_slip_left_3, _rows13, _slip_left_4, _count10)
                     _uncertain_3 = _put(_uncertain_3, _rows13, _uncertain_4, _count10)
                 _here_3, = here(2.0, _which_3)
                 _rows15, _count16 = _rows(_here_3, _count10)
@@ -8369,29 +8760,34 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _z_4 = _take(_z_3, _rows15)
                     _room_4 = room(_count16)
                     _turning_x_4, _turning_y_4, _turning_z_4 = bridge_turning(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = alone()
-                    _gap_4, *_ = ring_beside(_p_ball_radius_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
-                    _gap_4, *_ = backboard_beside(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _nearest_4, _wedge_4 = alone()
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = ring_closing(_p_ball_radius_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = backboard_closing(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
                     _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
                     _nearest_4, = neared(_gap_4, _nearest_4)
-                    _settles_4, _lodges_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _p_bridge_friction_4, _p_bridge_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, _uncertain_4 = settled(2.0, _lodges_4, _outcome_4, _settles_4, _uncertain_4, _unsure_4)
+                    _lift_4, *_ = bridge_parting(_p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_gravity_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _settles_4, _lodges_4, _slides_4, _parts_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_bridge_friction_4, _p_bridge_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, _uncertain_4 = settled(2.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, _uncertain_4, _unsure_4)
                     _assured_3 = _put(_assured_3, _rows15, _assured_4, _count10)
                     _held_3 = _put(_held_3, _rows15, _held_4, _count10)
                     _mode_3 = _put(_mode_3, _rows15, _mode_4, _count10)
                     _outcome_3 = _put(_outcome_3, _rows15, _outcome_4, _count10)
+                    _slip_left_3 = _put(_slip_left_3, _rows15, _slip_left_4, _count10)
                     _uncertain_3 = _put(_uncertain_3, _rows15, _uncertain_4, _count10)
                 _assured_2 = _put(_assured_2, _rows9, _assured_3, _count8)
                 _held_2 = _put(_held_2, _rows9, _held_3, _count8)
                 _mode_2 = _put(_mode_2, _rows9, _mode_3, _count8)
                 _outcome_2 = _put(_outcome_2, _rows9, _outcome_3, _count8)
+                _slip_left_2 = _put(_slip_left_2, _rows9, _slip_left_3, _count8)
                 _uncertain_2 = _put(_uncertain_2, _rows9, _uncertain_3, _count8)
             _assured_1 = _put(_assured_1, _rows7, _assured_2, _count2)
             _held_1 = _put(_held_1, _rows7, _held_2, _count2)
             _mode_1 = _put(_mode_1, _rows7, _mode_2, _count2)
             _outcome_1 = _put(_outcome_1, _rows7, _outcome_2, _count2)
+            _slip_left_1 = _put(_slip_left_1, _rows7, _slip_left_2, _count2)
             _uncertain_1 = _put(_uncertain_1, _rows7, _uncertain_2, _count2)
         _assured_0 = _put(_assured_0, _rows1, _assured_1, shots)
         _clock_error_0 = _put(_clock_error_0, _rows1, _clock_error_1, shots)
@@ -8412,6 +8808,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _last_0 = _put(_last_0, _rows1, _last_1, shots)
         _mode_0 = _put(_mode_0, _rows1, _mode_1, shots)
         _outcome_0 = _put(_outcome_0, _rows1, _outcome_1, shots)
+        _slip_left_0 = _put(_slip_left_0, _rows1, _slip_left_1, shots)
         _uncertain_0 = _put(_uncertain_0, _rows1, _uncertain_1, shots)
         _vx_0 = _put(_vx_0, _rows1, _vx_1, shots)
         _vy_0 = _put(_vy_0, _rows1, _vy_1, shots)
@@ -8520,6 +8917,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     columns["mode"] = _mode_0
     columns["outcome"] = _outcome_0
     columns["position_claim"] = _position_claim_0
+    columns["slip_left"] = _slip_left_0
     columns["spin_claim"] = _spin_claim_0
     columns["time_claim"] = _time_claim_0
     columns["uncertain"] = _uncertain_0

@@ -162,6 +162,8 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
     said = outcome.name.lower()
     if not shots.scene.has_hoop:
         return f"{said}, after {shots.time[0]:.3f} s"
+    if outcome == hoopgen.Outcome.CAPPED and shots.scene.rolls and shots.slip_left[0]:
+        return f"{said}: its bounces end after {shots.time[0]:.3f} s, and slip is left"
     if outcome == hoopgen.Outcome.CAPPED:
         return f"{said}: {counted(shots.contacts[0], 'contact')}, and not yet at the end plane"
     if outcome == hoopgen.Outcome.SHORT:
@@ -202,6 +204,11 @@ def _record(
         "contacts": int(shots.contacts[0]),
         "counts": dict(zip(shots.surfaces, shots.counts[0].tolist(), strict=True)),
         "first": surface_name(first, shots.surfaces) if first >= 0 else None,
+        **(
+            {"rolls": int(shots.rolls[0]), "slip_left": bool(shots.slip_left[0])}
+            if shots.scene.rolls
+            else {}
+        ),
         "time": float(shots.time[0]),
         "state": shots.state[0].tolist(),
         "release": state.tolist(),

@@ -177,6 +177,7 @@ def _environment() -> jinja2.Environment:
     )
     environment.filters |= FILTERS
     environment.filters["number"] = lambda value: constant(float(value), NUMPY)
+    environment.filters["c_number"] = lambda value: constant(float(value), C)
     environment.filters["local"] = lambda name: local(name, 0)
     environment.filters["rows"] = lambda many: ", ".join([*(f"_r{k}" for k in range(many)), "*_"])
     environment.filters["annotated"] = lambda name: f"{name}: Any"

@@ -129,6 +129,8 @@ class Certificate:
         uint8 (n,), an `Outcome`, or `UNDECIDED`.
     contacts, counts, first
         As in `Shots`; of an undecided shot, as far as it is proved.
+    rolls, slip_left, grip_lost
+        As in `Shots`: the judge bounces on, so that no ball rolls or ends with slip left.
     time, time_radius
         float64 (n,), s: the doubles nearest to the proved times, and how far the truth can be from
         those. NaN where undecided or invalid.
@@ -152,6 +154,10 @@ class Certificate:
         self.contacts: NDArray[np.int32] = self.counts.sum(axis=1, dtype=np.int32)
         first = [p.surfaces[0] if p.surfaces else -1 for p in proofs]
         self.first = np.array([-1 if k == bodies else k for k in first], np.int8)
+        # What the judge has proved to an end has bounced all the way.
+        self.rolls = np.zeros(shots, np.int32)
+        self.slip_left = np.zeros(shots, np.bool_)
+        self.grip_lost = np.full(shots, np.inf)
         self.time: NDArray[np.float64] = np.array([p.time for p in proofs], float)
         self.time_radius: NDArray[np.float64] = np.array([p.time_radius for p in proofs], float)
         states = [p.state for p in proofs], [p.state_radii for p in proofs]
@@ -169,8 +175,9 @@ class Certificate:
         -------
         ndarray
             bool (n,): the same surfaces in the same order, and the same outcome; or uncertain. Of
-            an undecided proof, that it is uncertain. The judge bounces on where a ball rolls: such
-            a shot agrees if its contacts until then are those proved, as far as the proof goes.
+            an undecided proof, that it is uncertain. The judge bounces on where a ball rolls, or
+            its bounces have ended with slip left: such a shot agrees if its contacts until then
+            are those proved, as far as the proof goes.
 
         Raises
         ------
@@ -189,8 +196,11 @@ class Certificate:
         same = [list(one["surface"]) == own for one, own in zip(found, proved, strict=True)]
         right = self.decided & (shots.outcome == self.outcome) & np.array(same, np.bool_)
         capped = int(shots.scene.outcomes["CAPPED"])
+        slipping = getattr(shots, "slip_left", np.zeros(len(self), np.bool_))
         for shot, (one, own) in enumerate(zip(found, proved, strict=True)):
             begun = np.flatnonzero(one["kind"] == Event.ROLL)
+            if not len(begun) and slipping[shot]:
+                begun = np.array([len(one)])
             if len(begun) and (not self.decided[shot] or self.outcome[shot] == capped):
                 until = min(int(begun[0]), len(own))
                 right[shot] = list(one["surface"][:until]) == own[:until]

@@ -77,6 +77,10 @@ class Estimate(Said):
         ball rolls.
     measured
         How measures are spread, by their names: those that were asked for.
+    rolled
+        Shots that rolled, whatever became of them.
+    slip_left
+        Capped ones whose bounces ended with slip left, which friction could not stop.
     """
 
     probability: float
@@ -99,6 +103,8 @@ class Estimate(Said):
     lodged: int = 0
     endless: int = 0
     measured: Mapping[str, Spread] = field(default_factory=dict)
+    rolled: int = 0
+    slip_left: int = 0
 
     @property
     def shares(self) -> dict[str, float]:
@@ -121,6 +127,19 @@ class Estimate(Said):
         """Half the width of the interval."""
         return 0.5 * (self.high - self.low)
 
+    @property
+    def rolled_share(self) -> float:
+        """Share of the shots that rolled; the invalid ones are no trials."""
+        valid = self.shots - self.invalid
+        return self.rolled / valid if valid else nan
+
+    def _rolled(self) -> str:
+        return f"{percent(self.rolled_share, 2)}: {self.rolled:,} of the shots"
+
+    def _capped(self, digits: int) -> str:
+        slipping = f"; {self.slip_left:,} of them with slip left" if self.slip_left else ""
+        return f"{percent(self.with_capped, digits)} if made{slipping}"
+
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; None for what is not a number."""
         more: dict[str, Any] = {"with_capped": self.with_capped, "shares": self.shares}
@@ -140,7 +159,8 @@ class Estimate(Said):
             f"{interval(self.low, self.high, digits)} "
             f"(Wilson's {percent(self.confidence, None)} interval)",
             f"shots    {self.shots:,}: {', '.join(counts)}",
-            *([f"capped   {percent(self.with_capped, digits)} if made"] if self.capped else []),
+            *([f"rolled   {self._rolled()}"] if self.scene.rolls else []),
+            *([f"capped   {self._capped(digits)}"] if self.capped else []),
             "",
             "kind         share  of it made",
         ]
@@ -308,6 +328,8 @@ def _estimated(
         **ended,
         uncertain=int(tally.uncertain),
         uncertain_capped=int(tally.uncertain_capped),
+        rolled=int(tally.rolled),
+        slip_left=int(tally.slip_left),
         kinds=dict(zip(names, tally.of_kind().tolist(), strict=True)),
         kinds_made=dict(zip(names, tally.table[:, Outcome.MADE].tolist(), strict=True)),
         seed=work.seed,

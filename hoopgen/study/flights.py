@@ -118,6 +118,7 @@ def _ends(shots: Shots) -> dict[str, Any]:
             for name, column in zip(scene.surfaces, shots.counts.T, strict=True)
         },
         "first": _words(shots.first, scene.surfaces),
+        **({"rolls": shots.rolls, "slip_left": shots.slip_left} if scene.rolls else {}),
         **{f"end_{name}": np.where(ended, column, np.nan) for name, column in end},
         "uncertain": shots.uncertain,
     }

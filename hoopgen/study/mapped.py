@@ -110,6 +110,7 @@ def _shares(work: Work, numbers: Counts, level: float) -> dict[str, xr.Variable]
     said = f"of its {percent(level, None)} interval (Wilson)"
     shared = {
         "shots": tally.shots,
+        **_rolling(tally),
         "uncertain": tally.uncertain,
         "uncertain_capped": tally.uncertain_capped,
     }
@@ -134,6 +135,7 @@ def _probabilities(work: Work, numbers: Counts, level: float) -> dict[str, xr.Va
     counts = {
         "shots": tally.shots,
         **{one: tally.ended(Outcome[one.upper()]) for one in _counted(work.scene)},
+        **_rolling(tally),
         "uncertain": tally.uncertain,
         "uncertain_capped": tally.uncertain_capped,
     }
@@ -144,6 +146,11 @@ def _probabilities(work: Work, numbers: Counts, level: float) -> dict[str, xr.Va
         "share": _variable((*dims, "kind"), share, "share of the shots that are of a kind"),
         **{name: _variable(dims, n, _LABELS[name]) for name, n in counts.items()},
     }
+
+
+def _rolling(tally: Tally) -> dict[str, Counts]:
+    """Return the numbers of a map where balls roll."""
+    return {"rolled": tally.rolled, "slip_left": tally.slip_left} if tally.scene.rolls else {}
 
 
 def _counted(scene: Engine) -> tuple[str, ...]:
@@ -159,6 +166,8 @@ _LABELS = {
     "lodged": "shots that come to rest on the hoop",
     "endless": "shots still on their way at the time limit",
     "invalid": "shots that cannot be simulated, and are no trials",
+    "rolled": "shots that rolled",
+    "slip_left": "capped shots whose bounces ended with slip left",
     "uncertain": "shots with a decision within its rounding-error bound",
     "uncertain_capped": "those of them that were given up",
 }

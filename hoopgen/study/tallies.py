@@ -19,7 +19,7 @@ from hoopgen.results import Shots
 
 __all__ = [
     "BLOCK",
-    "FIELDS",
+    "fields_of",
     "Tally",
     "blocks",
     "check_scene",
@@ -28,14 +28,21 @@ __all__ = [
     "contacts_of",
 ]
 
-FIELDS = ("outcome", "counts", "first", "uncertain")
-"""Results that a tally needs of a shot."""
+_FIELDS = ("outcome", "counts", "first", "uncertain")
+_ROLLING = ("rolls", "slip_left")
 
 BLOCK = 1 << 14
 """Shots drawn and simulated at a time; their states fit a processor's cache."""
 
-_SHARED = 2
-"""Numbers of a tally beside its table."""
+
+def fields_of(scene: Engine) -> tuple[str, ...]:
+    """Return the results that a tally needs of a shot."""
+    return (*_FIELDS, *(_ROLLING if scene.rolls else ()))
+
+
+def _shared(scene: Engine) -> int:
+    """Return how many numbers of a tally there are beside its table."""
+    return 4 if scene.rolls else 2
 
 
 def _shape(scene: Engine) -> tuple[int, int]:
@@ -45,7 +52,7 @@ def _shape(scene: Engine) -> tuple[int, int]:
 
 def width_of(scene: Engine) -> int:
     """Return how many columns a row of numbers of a `Tally` has."""
-    return prod(_shape(scene)) + _SHARED
+    return prod(_shape(scene)) + _shared(scene)
 
 
 def blocks(start: int, stop: int) -> Iterator[tuple[int, int]]:
@@ -66,6 +73,8 @@ class Tally:
         int64 (...), shots with a decision within its rounding-error bound.
     uncertain_capped
         int64 (...), those of them that are capped.
+    rolled, slip_left
+        int64 (...), shots that rolled, and those that ended with slip left: 0 where none can.
     scene
         Whose kinds and outcomes they are; without a hoop there is one kind.
     """
@@ -73,6 +82,8 @@ class Tally:
     table: NDArray[np.int64]
     uncertain: NDArray[np.int64]
     uncertain_capped: NDArray[np.int64]
+    rolled: NDArray[np.int64]
+    slip_left: NDArray[np.int64]
     scene: Engine
 
     @classmethod
@@ -93,24 +104,35 @@ class Tally:
         counted = np.bincount(cell, minlength=settings * cells)
         doubt = shots.uncertain.reshape(settings, -1)
         capped = (shots.outcome == scene.outcomes["CAPPED"]).reshape(settings, -1)
+        there = (
+            [getattr(shots, name) > 0 for name in _ROLLING] if scene.rolls else [~doubt & doubt] * 2
+        )
+        rolled, slipping = (np.count_nonzero(t.reshape(settings, -1), axis=1) for t in there)
         return cls(
             counted.reshape(settings, *shape),
             np.count_nonzero(doubt, axis=1),
             np.count_nonzero(doubt & capped, axis=1),
+            rolled,
+            slipping,
             scene,
         )
 
     @classmethod
     def read(cls, row: NDArray[np.int64], scene: Engine) -> Tally:
         """Return what `row` gave, (..., columns)."""
-        table = row[..., :-_SHARED].reshape(*row.shape[:-1], *_shape(scene))
-        return cls(table, row[..., -2], row[..., -1], scene)
+        shared = _shared(scene)
+        table = row[..., :-shared].reshape(*row.shape[:-1], *_shape(scene))
+        numbers = [row[..., k - shared] for k in range(shared)]
+        numbers += [np.zeros_like(numbers[0])] * (4 - shared)
+        uncertain, capped, rolled, slip_left = numbers
+        return cls(table, uncertain, capped, rolled, slip_left, scene)
 
     def row(self) -> NDArray[np.int64]:
         """Return all numbers side by side, (..., columns)."""
         flat = self.table.reshape(*self.uncertain.shape, prod(_shape(self.scene)))
-        doubt = np.stack([self.uncertain, self.uncertain_capped], axis=-1)
-        return np.concatenate([flat, doubt], axis=-1)
+        numbers = [self.uncertain, self.uncertain_capped, self.rolled, self.slip_left]
+        shared = np.stack(numbers[: _shared(self.scene)], axis=-1)
+        return np.concatenate([flat, shared], axis=-1)
 
     def __add__(self, other: Tally) -> Tally:
         return Tally.read(self.row() + other.row(), self.scene)

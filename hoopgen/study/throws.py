@@ -32,7 +32,7 @@ from .rebounds import CATCHING_HEIGHT, caught_at
 from .resample import Resample
 from .scatter import Scatter
 from .spread import counts_of
-from .tallies import FIELDS, Tally, blocks, check_scene, check_share, width_of
+from .tallies import Tally, blocks, check_scene, check_share, fields_of, width_of
 
 __all__ = [
     "CHUNK",
@@ -193,7 +193,7 @@ def flown(
     measures: Sequence[str] = (),
 ) -> Shots:
     """Simulate releases, as far as a tally and measures need it; the chunks have the threads."""
-    needed = {*FIELDS, *(field for name in measures for field in MEASURES[name].fields)}
+    needed = {*fields_of(scene), *(field for name in measures for field in MEASURES[name].fields)}
     return simulate(
         releases.states,
         releases.parameters,
