@@ -10,7 +10,7 @@ from .contact.frame import contact_frame
 from .contact.law import Law
 from .contact.rolling import impact_through_frame
 from .errors import tangent
-from .follow import decisions, settling
+from .follow import circling, decisions, settling
 from .follow import kinds as of_kinds
 from .follow.fields import Result, fields, results
 from .follow.kinds import Contact
@@ -332,13 +332,16 @@ def _surface_kernels(
     }
     if scene.rolls:
         kernels |= settling.of_surface(surface, scene.flight)
+        kernels |= circling.on_ring(surface, scene.flight, scene.ball_radius)
+        kernels |= circling.aside(surface)
     return SurfaceKernels(surface, found, kernels | found.decisions)
 
 
 def _in_contact(scene: Scene) -> dict[str, Kernel]:
     codes = settling.Codes(len(scene.surfaces) + len(scene.gates), len(scene.bodies))
-    lodged, capped = (scene.outcomes[name] for name in ("lodged", "capped"))
-    return settling.kernels(scene.flight, scene.ball_radius, scene.faces, codes, lodged, capped)
+    return circling.kernels(codes) | settling.kernels(
+        scene.flight, scene.ball_radius, scene.faces, codes, scene.outcomes
+    )
 
 
 def _shared(scene: Scene) -> set[sp.Symbol]:

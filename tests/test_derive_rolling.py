@@ -29,7 +29,7 @@ def test_rolling_takes_what_a_contact_that_grips_takes() -> None:
 
 
 def test_a_ball_begins_to_roll_as_the_article_s_contact_without_restitution_leaves_it() -> None:
-    made = kernels(COURT.flight, RADIUS, (0,), Codes(1, 1), 0, 0)
+    made = kernels(COURT.flight, RADIUS, (0,), Codes(1, 1), COURT.outcomes)
     gripped = dict(made["gripped"].outputs)
     rolled = [valued(gripped[f"rolled_{axis}"]) for axis in "xyz"]
     after, turned = impact(NORMAL, *STATE, RADIUS, sp.Integer(0))
@@ -69,9 +69,8 @@ def test_the_first_terms_are_newton_s_and_euler_s_with_the_contact_point_at_rest
         rolling.term(name, 0): value for name, value in zip(("vx", "vy", "vz"), v, strict=True)
     }
     terms |= {rolling.term(f"n{axis}", 0): n for axis, n in zip("xyz", NORMAL, strict=True)}
-    terms |= {rolling.term("turn_rate", 0): s, rolling.per_reach: 1 / reach, rolling.ring: 0}
+    terms |= {rolling.term("turn_rate", 0): s, rolling.per_reach: 1 / reach}
     terms |= dict.fromkeys(rolling.bent, sp.Integer(1))
-    terms |= {rolling.term("cos", 0): 1, rolling.term("sin", 0): 0, rolling.term("near", 0): 1}
     first = {k: release(e).subs(terms) for k, e in rolling.following(0, tuple(FALL)).items()}
     assert [first[f"v{axis}_1"] for axis in "xyz"] == [solution[d] for d in dv]
     spin_rate = (dw.dot(NORMAL) + w.dot(bending)).subs(solution)

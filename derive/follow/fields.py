@@ -84,6 +84,7 @@ def fields(bodies: Sequence[str], rolls: bool = False, passage: bool = False) ->
     kept = (
         Field("held", NONE, "surface that it stays in contact with, -1: none"),
         Field("mode", 0.0, "0: in flight; 1, 2, 3: contact begins, goes on, ends"),
+        Field("circled", 0.0, "1: it rolls on a ring, and does not leave since a turning point"),
         Field("assured", 0.0, "1: its bounces on the surface it touched last end there", True),
     )
     state = (Field(s.name, None, "of the state") for s in STATE)

@@ -11,17 +11,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 
-from ..flight import rolling
-from ..ground.symbols import STATE
+from ..flight import circling, rolling
+from ..ground.symbols import STATE, normal
 from ..ground.tree import Do, Guard, Node, Repeat, given_as
 from ..search.search import Parts
 from .kinds import Contact
 
-LIMIT = 1 << 6
+LIMIT = 1 << 4
 """Steps of a ball in contact in one turn of the loop; it goes on in the next. What rolls longer
 than most do waits for others that do, and so keeps lanes busy."""
 
-_FAR = {s.name: f"far_{s.name}" for s in STATE}
+_FAR = {s.name: f"far_{s.name}" for s in (*STATE, *normal)} | {"gap": "far_gap"}
+"""What a neighbouring motion calls its own: what it shared, a motion without one would wait for."""
 
 
 def in_contact(
@@ -29,6 +30,8 @@ def in_contact(
 ) -> Iterator[Node]:
     """Find the next event of balls in contact, and take them there."""
     holders = [surface for surface in contacts if "tube" in surface.parts]
+    rings = [surface for surface in holders if "round_start" in surface.parts]
+    others = [surface for surface in holders if surface not in rings]
     yield Do(common["resumed"])
     begun = (
         *_each(common, holders, "normal"),
@@ -43,7 +46,12 @@ def in_contact(
         Do(common["beginning_contact"]),
     )
     yield Guard("begins", begun, rare=True)
-    yield Repeat("rolling", LIMIT, tuple(_step(common, holders, contacts, gates)))
+    for ring in rings:
+        yield Do(common["circles"], {"index": ring.index})
+    yield Repeat("rolling", LIMIT, tuple(_step(common, others, contacts, gates)))
+    for ring in rings:
+        yield Repeat("circling", LIMIT, tuple(_round(common, ring, contacts, gates)))
+        yield Do(common["rejoined"])
     parted = (
         Do(common["error_bounds"]),
         *_each(common, holders, "tube", "parting"),
@@ -86,11 +94,8 @@ def _step(
     yield Do(common["leaving_force"])
     for surface in contacts:
         yield Do(common["beside"], {"index": surface.index})
-        met = (_part(surface, "beside"), Do(common["beside_body"], {"index": surface.index}))
-        yield Guard("beside", met)
-    for gate in gates:
-        yield _part(gate, "beside")
-        yield Do(common["beside_gate"], {"index": gate.index})
+        yield Guard("beside", tuple(_beside(common, surface)))
+    yield from _beside_gates(common, gates)
     for surface in holders:
         seams = [part for part in surface.parts if part.startswith("seam")]
         if seams:
@@ -108,6 +113,65 @@ def _step(
     yield from _moved_beside(common, holders)
     yield Do(common["compared"])
     yield Do(common["rolled_on"])
+
+
+def _beside(common: Parts, surface: Contact) -> Iterator[Node]:
+    yield _part(surface, "beside")
+    yield Do(common["beside_body"], {"index": surface.index})
+
+
+def _beside_gates(common: Parts, gates: Sequence[Contact]) -> Iterator[Node]:
+    for gate in gates:
+        yield _part(gate, "beside")
+        yield Do(common["beside_gate"], {"index": gate.index})
+
+
+def _round(
+    common: Parts, ring: Contact, contacts: Sequence[Contact], gates: Sequence[Contact]
+) -> Iterator[Node]:
+    """Take a step on a ring, in its own coordinates."""
+    others = [surface for surface in contacts if surface is not ring]
+    around = [surface for surface in (*others, *gates) if "around" in surface.parts]
+    bounded = len(around) == len(others) + len(gates)
+
+    def series(names: Mapping[str, str]) -> Iterator[Node]:
+        yield _part(ring, "round_start", names)
+        for k in range(circling.ORDER):
+            yield _part(ring, f"round_{k}", names)
+
+    def berth(leap: str) -> Iterator[Node]:
+        for surface in around:
+            yield _part(surface, "around")
+            yield Do(common["cleared"], {"leap": leap})
+
+    yield Do(common["error_bounds"])
+    yield _part(ring, "tube")
+    yield from series({})
+    yield _part(ring, "round_pace")
+    yield Do(common["leaving_force"])
+    for surface in others:
+        yield from _beside(common, surface)
+    yield from _beside_gates(common, gates)
+    yield Do(common["beside_time"])
+    yield Do(common["apart"])
+    yield Do(common["neighbour"])
+    if "passing" in common:
+        yield Do(common["passing_from"])
+    if bounded:
+        yield Do(common["alone"], {}, {"nearest": "berth"})
+        yield Do(common["leaps"])
+        yield from berth("forth")
+    yield given_as(_part(ring, "round_moved"), {"t": "stride"})
+    if "passing" in common:
+        yield Do(common["passing_in_contact"])
+    if bounded:
+        yield from berth("back")
+        yield _part(ring, "swung")
+        yield Do(common["for_ever"])
+    yield from series(_FAR)
+    yield given_as(_part(ring, "round_moved", _FAR), {"t": "stride"})
+    yield Do(common["compared"])
+    yield Do(common["rolled_on"], {}, {"rolling": "circling"})
 
 
 def _series(common: Parts) -> Iterator[Node]:

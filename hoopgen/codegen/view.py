@@ -10,7 +10,7 @@ from hoopgen.derive.follow.loop import Loop
 from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.ground.tree import Node, live_before, needed, reads, writes
 
-from .lists import CLists, Frame, Note
+from .lists import Apart, CLists, Frame, Note
 from .loop import CLoop
 from .numpy_loop import NumPyLoop, local
 from .printers import NUMPY, C
@@ -32,6 +32,8 @@ class LoopView:
         The lines of C: `permit`, `admit`, and `follow`, which is what comes after those two.
     c_columns
         The columns that those need beside the fields.
+    c_apart
+        What they do in functions of their own.
     numpy
         The lines of each stage.
     columns
@@ -43,6 +45,7 @@ class LoopView:
     fields: tuple[Field, ...]
     c: dict[str, list[str]]
     c_columns: list[str]
+    c_apart: list[Apart]
     numpy: dict[str, list[str]]
     columns: dict[str, tuple[list[str], dict[str, str]]]
 
@@ -54,11 +57,12 @@ def loop_view(
     names = [field.name for field in loop.fields]
     available = {*names, *loop.parameters, *loop.job}
     stages = _after(loop, names)
+    name = "bounded" if bounds else "plain"
     view = LoopView(
-        "bounded" if bounds else "plain",
+        name,
         bounds,
         loop.fields,
-        *_in_c(prefix, costs, loop, stages),
+        *_in_c(prefix, name, costs, loop, stages),
         {},
         {},
     )
@@ -75,9 +79,9 @@ def loop_view(
 
 
 def _in_c(
-    prefix: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage]
-) -> tuple[dict[str, list[str]], list[str]]:
-    """Return the lines of C, and the columns that they need beside the fields."""
+    prefix: str, variant: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage]
+) -> tuple[dict[str, list[str]], list[str], list[Apart]]:
+    """Return the lines of C, the columns that they need beside the fields, and functions."""
     fields = dict.fromkeys((field.name for field in loop.fields), False)
     permit = CLoop(prefix, costs, C)
     permit.stage(stages["permit"][0], dict.fromkeys(loop.parameters, False), "", {"permitted"})
@@ -112,12 +116,13 @@ def _in_c(
         counter=admit.counter,
         parameters=loop.parameters,
         job=loop.job,
+        variant=variant,
     )
     follow.beside = f"LANES({prefix}_ahead)(job, begun + i);"
     follow.passes((*reach, *meet), Frame("", dict(fields)), set(fields), before)
     columns = [name for name in (*admit.columns, *follow.columns) if name not in fields]
     lines = {"permit": permit.lines, "admit": admit.lines, "follow": follow.lines}
-    return lines, ["body", *dict.fromkeys(columns)]
+    return lines, ["body", *dict.fromkeys(columns)], follow.apart
 
 
 Stage = tuple[tuple[Node, ...], set[str]]

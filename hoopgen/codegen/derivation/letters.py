@@ -139,7 +139,6 @@ IN_CONTACT = {
     "bent_y": Letter("b_y", "the same of y"),
     "bent_z": Letter("b_z", "the same of z"),
     "per_reach": Letter("R^{-1}", "of the tube that the centre stays on, negative on its inside"),
-    "ring": Letter("R_c", "radius of that tube's circle, 0 if it has none"),
     "turn_rate": Letter("s", "spin about the normal, times the ball's radius"),
     "rolled_x": Letter(r"v^\circ_x", "velocity that a contact which grips would leave, along x"),
     "rolled_y": Letter(r"v^\circ_y", "along y"),
@@ -169,20 +168,33 @@ IN_CONTACT = {
     "began": Letter("t_b", "time since the release at which a turn in contact began"),
     "over": Letter(r"\text{over}", "the ball is not below the ring's disc"),
     "rests": Letter(r"\text{rests}", "nothing moves"),
+    "circled": Letter(r"\kappa", "1: since a turning point on a ring it certainly stays there"),
+    "climb": Letter("A", "rate of the angle around the wire"),
+    "leap": Letter("h/2", "half a step, back from its end below 0"),
+    "swerve": Letter("A_2", "bound on the acceleration in the ring's section within the step"),
+    "berth": Letter("d_2", "distance to what is next to the ball, at any azimuth"),
+    "circling": Letter(r"\text{circling}", "the ball goes on in contact with a ring"),
+    "endless": Letter(r"\text{endless}", "it does so for ever"),
 }
 """Of a ball that stays in contact; the last are truths."""
 
 SERIES = {
     **{f"{vector}{axis}": f"{vector}_{axis}" for vector in "vn" for axis in AXES},
     "turn_rate": "s",
+    "lift": "L",
+    **{f"t{axis}": f"m_{axis}" for axis in AXES},
+    "cosine": "C",
+    "sine": "S",
+    "climb": "A",
+    "along": "P",
     "cos": "c",
     "sin": "d",
     "near": r"\rho^{-1}",
-    "across": "P",
-    "widened": r"\rho",
-    "round": r"\Omega",
-    "lift": "L",
-    **{f"t{axis}": f"m_{axis}" for axis in AXES},
+    "omega": r"\Omega",
+    "around": r"(A\Omega)",
+    "tilted": r"(PS - \beta sC)",
+    "pressed": "(PC)",
+    "force": "N",
 }
 """Of the series of a ball that rolls: its coefficients have their order in brackets."""
 
