@@ -47,7 +47,7 @@ from ..ground.symbols import (
     velocity,
 )
 from ..search.approach import first_root
-from ..search.decisions import doubt, index, last, when, which
+from ..search.decisions import clear, doubt, index, last, when, which
 from ..surfaces import Surface
 from .fields import IN_FLIGHT, NONE
 
@@ -472,6 +472,12 @@ def _events(faces: Sequence[int], codes: Codes, outcomes: Mapping[str, int]) -> 
                 "began": 0,
             },
             "Where a ball is in contact: no flight to search.",
+            "Table 1",
+        ),
+        made(
+            "opens_in_flight",
+            {"open": every(Not(Less(0, clear)), Not(Truth("kept")))},
+            "Where a surface is not certainly missed by a ball in flight.",
             "Table 1",
         ),
         made(

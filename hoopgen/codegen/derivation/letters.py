@@ -164,6 +164,7 @@ IN_CONTACT = {
     "apart": Letter(r"\lambda", "how many times its errors a neighbouring motion is away"),
     "settles": Letter(r"\text{settles}", "the ball stays on the surface"),
     "lodges": Letter(r"\text{lodges}", "it would, but for another surface next to it"),
+    "kept": Letter(r"\text{kept}", "the ball is in contact"),
     "rolling": Letter(r"\text{rolling}", "the ball goes on in contact"),
     "began": Letter("t_b", "time since the release at which a turn in contact began"),
     "over": Letter(r"\text{over}", "the ball is not below the ring's disc"),
