@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation c01b3673c4fe8978,
+   Generated from templates/c/engine.h.j2, scene court, derivation 74ae990688e3b854,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -11,7 +11,7 @@
 #include "court_kernels.h"
 
 /* A column, with room for a whole row of lanes behind its end. */
-typedef double LANES(court_column)[LANES_SHOTS + LANES_WIDTH];
+typedef double LANES(court_column)[LANES_SHOTS + LANES_SHOTS / 2 + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on. */
 LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot)
@@ -39,7 +39,7 @@ LANES_INLINE M LANES(court_permit)(V p_ball_radius, V p_ring_radius, V p_wire_ra
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[LANES_SHOTS];
+    _Alignas(64) size_t shot[LANES_SHOTS + LANES_SHOTS / 2];
     LANES(court_column) x; /* of the state */
     LANES(court_column) y; /* of the state */
     LANES(court_column) z; /* of the state */
@@ -62,7 +62,8 @@ typedef struct {
     LANES(court_column) through; /* 1: it has fallen through the ring, -1: it came up through it */
     LANES(court_column) outcome; /* how it ended, -1: in flight */
     LANES(court_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth, p_ring_restitution, p_backboard_restitution, p_bridge_restitution, p_ring_friction, p_backboard_friction, p_bridge_friction, p_tangential_restitution, p_restitution_speed;
-    /* Shots whose balls stay in contact: they wait for one another. */
+    /* Shots whose balls stay in contact: they wait for one another, and then have rows of their
+       own behind those of the others, so that all lanes work. */
     size_t waiting;
     size_t waiting_shot[LANES_SHOTS];
     LANES(court_column) waiting_x;
@@ -476,7 +477,7 @@ LANES_INLINE void LANES(court_plain_wait)(LANES(court_plain_lists) *lists, size_
 /* Put shots that have waited into rows from one on; return how many. */
 LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, size_t row, const court_job *job)
 {
-    const size_t room = LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t room = LANES_SHOTS + LANES_SHOTS / 2 - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
@@ -2035,7 +2036,7 @@ static void LANES(court_plain)(const court_job *job)
             following = 0;
         }
         const size_t fresh = shots;
-        if (begun < job->shots) {
+        if (begun < job->shots && shots < LANES_SHOTS) {
             const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
             shots += left < room ? left : room;
             LANES(court_plain_begin)(lists, fresh, shots - fresh, job, begun);
@@ -2171,8 +2172,8 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_ring_clear_out) _o17 =
                 LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V clear = _o17.clear;
-            const LANES(court_opens_out) _o18 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o18 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o18.open;
             lanes_store(lists->began + i, began);
             lanes_store(lists->extent + i, extent);
@@ -2523,6 +2524,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V extent = lanes_load(lists->extent + i);
+            M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
@@ -2546,8 +2548,8 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_backboard_clear_out) _o43 =
                 LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
             V clear = _o43.clear;
-            const LANES(court_opens_out) _o44 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o44 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o44.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
@@ -2890,6 +2892,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V extent = lanes_load(lists->extent + i);
+            M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
@@ -2913,8 +2916,8 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_bridge_clear_out) _o69 =
                 LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
             V clear = _o69.clear;
-            const LANES(court_opens_out) _o70 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o70 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o70.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
@@ -3792,7 +3795,7 @@ static void LANES(court_plain)(const court_job *job)
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[LANES_SHOTS];
+    _Alignas(64) size_t shot[LANES_SHOTS + LANES_SHOTS / 2];
     LANES(court_column) x; /* of the state */
     LANES(court_column) y; /* of the state */
     LANES(court_column) z; /* of the state */
@@ -3831,7 +3834,8 @@ typedef struct {
     LANES(court_column) time_claim; /* bound on the error at the end */
     LANES(court_column) outcome; /* how it ended, -1: in flight */
     LANES(court_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth, p_ring_restitution, p_backboard_restitution, p_bridge_restitution, p_ring_friction, p_backboard_friction, p_bridge_friction, p_tangential_restitution, p_restitution_speed;
-    /* Shots whose balls stay in contact: they wait for one another. */
+    /* Shots whose balls stay in contact: they wait for one another, and then have rows of their
+       own behind those of the others, so that all lanes work. */
     size_t waiting;
     size_t waiting_shot[LANES_SHOTS];
     LANES(court_column) waiting_x;
@@ -4372,7 +4376,7 @@ LANES_INLINE void LANES(court_bounded_wait)(LANES(court_bounded_lists) *lists, s
 /* Put shots that have waited into rows from one on; return how many. */
 LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *lists, size_t row, const court_job *job)
 {
-    const size_t room = LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t room = LANES_SHOTS + LANES_SHOTS / 2 - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
@@ -6663,7 +6667,7 @@ static void LANES(court_bounded)(const court_job *job)
             following = 0;
         }
         const size_t fresh = shots;
-        if (begun < job->shots) {
+        if (begun < job->shots && shots < LANES_SHOTS) {
             const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
             shots += left < room ? left : room;
             LANES(court_bounded_begin)(lists, fresh, shots - fresh, job, begun);
@@ -6841,8 +6845,8 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_ring_clear_out) _o23 =
                 LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V clear = _o23.clear;
-            const LANES(court_opens_out) _o24 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o24 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o24.open;
             lanes_store(lists->began + i, began);
             lanes_store(lists->doubt + i, doubt);
@@ -7278,6 +7282,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M rows = lanes_first(shots - i);
             V doubt = lanes_load(lists->doubt + i);
             V extent = lanes_load(lists->extent + i);
+            M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
             V late = lanes_load(lists->late + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
@@ -7305,8 +7310,8 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_backboard_clear_out) _o57 =
                 LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
             V clear = _o57.clear;
-            const LANES(court_opens_out) _o58 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o58 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o58.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
@@ -7730,6 +7735,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M rows = lanes_first(shots - i);
             V doubt = lanes_load(lists->doubt + i);
             V extent = lanes_load(lists->extent + i);
+            M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
             V late = lanes_load(lists->late + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
@@ -7757,8 +7763,8 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_bridge_clear_out) _o91 =
                 LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
             V clear = _o91.clear;
-            const LANES(court_opens_out) _o92 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o92 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o92.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation c01b3673c4fe8978,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 74ae990688e3b854,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -561,18 +561,6 @@ LANES(court_sooner)(M arrives, V index, V time, V when, V which)
 {
     const M _s0 = lanes_both(arrives, lanes_less(time, when));
     return (LANES(court_sooner_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
-}
-
-/* Where a surface is not certainly missed.
-   Table 1. 2 operations: 1 comparison, 1 complement. */
-typedef struct {
-    M open;
-} LANES(court_opens_out);
-
-LANES_INLINE LANES(court_opens_out)
-LANES(court_opens)(V clear)
-{
-    return (LANES(court_opens_out)){ lanes_not(lanes_less(K(0.0), clear)) };
 }
 
 /* How a search begins: with the errors that it allows for, and nothing found.
@@ -2005,6 +1993,18 @@ LANES(court_kept)(V mode, V when)
 {
     const M _s0 = lanes_less(K(0.0), mode);
     return (LANES(court_kept_out)){ _s0, lanes_select(_s0, K(0.0), when), lanes_nowhere(), lanes_nowhere(), K(0.0) };
+}
+
+/* Where a surface is not certainly missed by a ball in flight.
+   Table 1. 4 operations: 1 comparison, 1 conjunction, 2 complements. */
+typedef struct {
+    M open;
+} LANES(court_opens_in_flight_out);
+
+LANES_INLINE LANES(court_opens_in_flight_out)
+LANES(court_opens_in_flight)(V clear, M kept)
+{
+    return (LANES(court_opens_in_flight_out)){ lanes_both(lanes_not(lanes_less(K(0.0), clear)), lanes_not(kept)) };
 }
 
 /* No event yet, of a ball in contact.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation c01b3673c4fe8978,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 74ae990688e3b854,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -247,7 +247,6 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "crossed": ("arrives", "clearance", "doubt", "time",),
     "tied": ("arrives", "delay", "doubt", "late", "time", "when",),
     "sooner": ("arrives", "index", "time", "when", "which",),
-    "opens": ("clear",),
     "beginning": (),
     "beyond": ("doubt", "excess", "late", "lost", "pad",),
     "nearby": ("flat", "index", "last", "t", "tilt",),
@@ -318,6 +317,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "compared": ("apart", "p_ball_radius", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz", "far_x", "far_y", "far_z", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
     "carry_hop": ("dvx", "dvy", "dvz", "dx", "dy", "dz", "vx", "vy", "vz", "when", "x", "y", "z",),
     "kept": ("mode", "when",),
+    "opens_in_flight": ("clear", "kept",),
     "resumed": ("clock", "mode", "position_error", "velocity_error",),
     "doubted_in_contact": ("assured", "doubt", "edge", "last", "late", "uncertain", "when", "which",),
     "holding": ("held", "index",),
@@ -462,7 +462,6 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "crossed": ("doubt",),
     "tied": ("doubt", "late",),
     "sooner": ("when", "which",),
-    "opens": ("open",),
     "beginning": ("share", "arrival", "certain",),
     "beyond": ("doubt",),
     "nearby": ("leaving", "margin",),
@@ -533,6 +532,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "compared": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "carry_hop": ("dx", "dy", "dz",),
     "kept": ("kept", "when", "rests", "rolling", "began",),
+    "opens_in_flight": ("open",),
     "resumed": ("which", "late", "began", "doubt", "begins", "rolling", "leaves", "nx", "ny", "nz", "gap", "bent_x", "bent_y", "bent_z", "lift", "surge", "snap", "per_reach",),
     "doubted_in_contact": ("uncertain",),
     "holding": ("here",),
@@ -1198,15 +1198,6 @@ def sooner(arrives: Any, index: Any, time: Any, when: Any, which: Any) -> tuple[
     """
     _s0 = _logical_and(arrives, (time < when))
     return _where(_s0, time, when), _where(_s0, index, which)
-
-
-def opens(clear: Any) -> tuple[Any, ...]:
-    """Where a surface is not certainly missed.
-
-    Table 1. 2 operations: 1 comparison, 1 complement.
-    Returns open.
-    """
-    return _logical_not((0.0 < clear)),
 
 
 def beginning() -> tuple[Any, ...]:
@@ -2263,6 +2254,15 @@ def kept(mode: Any, when: Any) -> tuple[Any, ...]:
     """
     _s0 = 0.0 < mode
     return _s0, _where(_s0, 0.0, when), False, False, 0.0
+
+
+def opens_in_flight(clear: Any, kept: Any) -> tuple[Any, ...]:
+    """Where a surface is not certainly missed by a ball in flight.
+
+    Table 1. 4 operations: 1 comparison, 1 conjunction, 2 complements.
+    Returns open.
+    """
+    return _logical_and(_logical_not((0.0 < clear)), _logical_not(kept)),
 
 
 def resumed(clock: Any, mode: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
@@ -4895,7 +4895,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _which_0 = _choose(_possible_0, _which_1, _which_0)
     _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows1, _count2 = _rows(_open_0, shots)
     if _count2:
         _extent_1 = _take(_extent_0, _rows1)
@@ -5042,7 +5042,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _which_0 = _put(_which_0, _rows1, _which_1, shots)
     _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = backboard_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows10, _count11 = _rows(_open_0, shots)
     if _count11:
         _extent_1 = _take(_extent_0, _rows10)
@@ -5193,7 +5193,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _which_0 = _put(_which_0, _rows10, _which_1, shots)
     _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = bridge_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows19, _count20 = _rows(_open_0, shots)
     if _count20:
         _extent_1 = _take(_extent_0, _rows19)
@@ -6768,7 +6768,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _which_0 = _choose(_possible_0, _which_1, _which_0)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows1, _count2 = _rows(_open_0, shots)
     if _count2:
         _doubt_1 = _take(_doubt_0, _rows1)
@@ -6946,7 +6946,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _which_0 = _put(_which_0, _rows1, _which_1, shots)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = backboard_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows10, _count11 = _rows(_open_0, shots)
     if _count11:
         _doubt_1 = _take(_doubt_0, _rows10)
@@ -7128,7 +7128,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _which_0 = _put(_which_0, _rows10, _which_1, shots)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = bridge_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows19, _count20 = _rows(_open_0, shots)
     if _count20:
         _doubt_1 = _take(_doubt_0, _rows19)
