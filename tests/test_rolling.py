@@ -262,6 +262,74 @@ def test_no_free_throw_with_grip_is_capped(restitution: float, count: int) -> No
     assert not np.any(shots.outcome == COURT.outcomes["INVALID"])
 
 
+# Free throws that come to swirl inside the ring: their numbers.
+FOR_EVER = (12, 6933, 23443)
+
+
+@needs_library
+def test_a_ball_that_rolls_for_ever_ends_as_soon_as_that_is_certain() -> None:
+    states = free_throw(FOR_EVER[-1] + 1)[[*FOR_EVER]]
+    shots = hoopgen.simulate(states, scene=COURT, record=True, parameters=PAPER_COURT)
+    assert np.all(shots.outcome == COURT.outcomes["ENDLESS"])
+    assert np.all(shots.time < 4)
+    assert not np.any(shots.uncertain)
+    ends = shots.events[shots.events["kind"] == Event.END]
+    assert np.array_equal(ends["time"], shots.time)
+    # It ends there as it would at a time limit; and a second formulation rolls on.
+    for k, state in enumerate(states):
+        limit = float(shots.time[k])
+        limited = hoopgen.simulate(state, scene=COURT, time_limit=limit, parameters=PAPER_COURT)
+        assert np.array_equal(limited.state[0], shots.state[k])
+    roll = ring_roll.Roll(shots.state[0], PAPER_COURT)
+    assert roll.until(3.0)[0] == ring_roll.TIME
+
+
+def _proved(ball: Rolling, berth: float) -> bool:
+    """Return whether a second of rolling is certain not to end, with so much room beside it."""
+    ball.values |= {"circled": 0.0, "berth": berth, "which": -1.0, "doubt": math.inf}
+    ball.values |= {"position_error": 1e-13, "velocity_error": 1e-13}
+    while ball.clock < 2.0:
+        ball.expand()
+        ball.step(math.inf)
+        ball.call("ring_swung")
+        if ball.values["endless"]:
+            return math.isinf(ball["doubt"])
+    return False
+
+
+def test_rolling_for_ever_takes_two_turning_points_room_and_being_pressed_on() -> None:
+    swirl = (140.0, -0.4, 1.0, -0.2)
+    assert _proved(Rolling(*swirl), 0.01)
+    assert not _proved(Rolling(*swirl), 1e-5)
+    # A steady roll turns nowhere; one that falls off is not pressed on.
+    assert not _proved(Rolling(135.0, 0.0, 0.9236, 0.0), 0.01)
+    assert not _proved(Rolling(95.0, 0.0, 0.5, 0.0), 0.01)
+
+
+def test_no_place_at_any_azimuth_is_nearer_than_the_bound_says() -> None:
+    random = np.random.default_rng(5)
+    names = [court.VARIABLES[name] for name in court.PARAMETERS]
+    values: dict[str, Any] = dict(zip(names, PAPER_COURT.values(), strict=True))
+    rho, z = random.uniform(0.05, 0.5, 400), random.uniform(-0.3, 0.4, 400)
+    round_ = np.linspace(0, 2 * np.pi, 2001)[:, np.newaxis]
+    for body in ("backboard", "bridge"):
+        there = {"x": rho * np.cos(round_), "y": rho * np.sin(round_), "z": z + 0 * round_}
+        there |= {f"v{axis}": 0.0 * round_ for axis in "xyz"}
+        given = values | there
+        with np.errstate(invalid="ignore"):
+            off, around = (
+                getattr(court, f"{body}_{name}")(
+                    *(given[a] for a in court.ARGUMENTS[f"{body}_{name}"])
+                )
+                for name in ("off", "around")
+            )
+        nearest = np.min(off[0], axis=0)
+        assert np.all(around[0][0] <= nearest + 1e-15)
+        # In front of it, it is the distance in the court's middle.
+        front = rho < PAPER_COURT["ring_radius"]
+        assert np.allclose(around[0][0][front], nearest[front], rtol=0, atol=1e-6)
+
+
 # ----------------------------------------------------------------------------------- odd cases
 
 

@@ -205,7 +205,7 @@ def _put(common: Parts, holders: Sequence[Contact], names: Mapping[str, str]) ->
     yield _on(Do(common["roll_placed"]), names)
 
 
-def _part(surface: Contact, part: str, names: Mapping[str, str] = MappingProxyType({})) -> Node:
+def _part(surface: Contact, part: str, names: Mapping[str, str] = MappingProxyType({})) -> Do:
     """Return the evaluation of a kernel of a surface, for a motion whose state has such names."""
     return given_as(_on(Do(surface.parts[part]), names), surface.sizes)
 
