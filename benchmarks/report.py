@@ -166,6 +166,12 @@ def _calls(results: Results) -> list[str]:
                 for size in sizes
             ],
         ),
+        "## Bounces that accumulate, and rolls",
+        "",
+        "What `HOOP` gives up after 40 contacts `COURT` follows to its end: on one thread such a",
+        f"free throw takes {_times(results.settled)}, a million of them",
+        f"{_time(1e6 * results.settled.median)}.",
+        "",
         "## One shot",
         "",
         "Through the Python interface, all fields, in a warm process; and the first in a new one.",

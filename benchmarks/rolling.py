@@ -113,7 +113,8 @@ def _again(
     expected = _ended(rest, shots.outcome[shot])
     begun, over = rest[0], float(rest[1]["time"])
     roll = Roll(begun["after"], scene, float(begun["time"]))
-    limit = time_limit if expected == TIME else min(over + 1e-3, time_limit)
+    # One that rolls for ever ends where that is certain.
+    limit = over if expected == TIME else min(over + 1e-3, time_limit)
     what, when = roll.until(limit)
     if what != expected:
         return f"{NAMES[what]}, not {NAMES[expected]}", np.zeros(4), np.zeros(4), 0.0

@@ -4,6 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
+import numpy as np
+
 import hoopgen
 from benchmarks.contenders import CORES, RESULTS, contenders
 from benchmarks.errors import Errors, errors
@@ -12,7 +14,7 @@ from benchmarks.operations import Counts, operations
 from benchmarks.peers import LEFT_OUT, PEERS
 from benchmarks.timing import Rates, Spread, first_call, per_shot, rounds, runs, seconds
 from benchmarks.workloads import TABLE_3, WORKLOADS, States, free_throw, swish_shot
-from hoopgen import PAPER
+from hoopgen import COURT, PAPER, PAPER_COURT
 
 
 @dataclass(frozen=True)
@@ -77,6 +79,8 @@ class Results:
     """Seconds a shot, by threads and number of shots, W2."""
     single: dict[str, Spread]
     """Seconds a call for one shot in a warm process, by backend and shot."""
+    settled: Spread
+    """Seconds a shot of those that `HOOP` gives up, about the whole hoop, one thread."""
     first: dict[str, Spread]
     table_4: dict[str, dict[str, Runs]]
     """By method and shot."""
@@ -97,6 +101,17 @@ def _flatness(settings: Settings) -> dict[int, dict[int, Spread]]:
         )
         for threads in sorted({1, CORES})
     }
+
+
+def _settled(settings: Settings) -> Spread:
+    """Free throws that `HOOP` gives up: their bounces accumulate, and most of them roll."""
+    throws = free_throw((1 << 20) // settings.share)
+    capped = hoopgen.simulate(throws, PAPER).outcome == hoopgen.Outcome.CAPPED
+    states = np.resize(throws[capped], ((1 << 17) // settings.share, throws.shape[1]))
+    call = partial(
+        hoopgen.simulate, states, PAPER_COURT, scene=COURT, backend="c", threads=1, fields=RESULTS
+    )
+    return Spread.of(seconds(call) / len(states) for _ in range(settings.repeats))
 
 
 def _single(settings: Settings) -> dict[str, Spread]:
@@ -165,6 +180,7 @@ def run(settings: Settings) -> Results:
     judge, wrong = errors(settings.judged, medians, settings.judging)
     say("number of shots, single shots, new processes")
     flatness, single = _flatness(settings), _single(settings)
+    settled = _settled(settings)
     first = first_call(settings.processes)
     say("Table 4")
     table_4 = _table_4(settings)
@@ -175,6 +191,7 @@ def run(settings: Settings) -> Results:
         work,
         flatness,
         single,
+        settled,
         first,
         table_4,
         limits(settings.repeats),

@@ -12,7 +12,7 @@ from .contact.frame import contact_frame
 from .contact.law import Law
 from .contact.rolling import impact_through_frame
 from .errors import tangent
-from .follow import decisions, gripping, settling
+from .follow import circling, decisions, gripping, settling
 from .follow import kinds as of_kinds
 from .follow.fields import Result, fields, results
 from .follow.kinds import Contact
@@ -374,6 +374,8 @@ def _surface_kernels(
         )
     if scene.rolls:
         kernels |= settling.of_surface(surface, scene.flight)
+        kernels |= circling.on_ring(surface, scene.flight, scene.ball_radius)
+        kernels |= circling.aside(surface)
     return SurfaceKernels(surface, found, kernels | found.decisions)
 
 
@@ -404,10 +406,9 @@ def _usual_box(surface: Surface, usual: Mapping[sp.Symbol, sp.Expr]) -> groups.B
 
 def _in_contact(scene: Scene) -> dict[str, Kernel]:
     codes = settling.Codes(len(scene.surfaces) + len(scene.gates), len(scene.bodies))
-    lodged, capped = (scene.outcomes[name] for name in ("lodged", "capped"))
     watch = {kernel.name: kernel for kernel in gripping.kernels(scene.flight.acceleration)}
-    own = settling.kernels(scene.flight, scene.ball_radius, scene.faces, codes, lodged, capped)
-    return own | watch
+    own = settling.kernels(scene.flight, scene.ball_radius, scene.faces, codes, scene.outcomes)
+    return circling.kernels(codes) | own | watch
 
 
 def _shared(scene: Scene) -> set[sp.Symbol]:

@@ -166,7 +166,8 @@ def simulate(
         "certify". A true tie, an exact touch or an exact edge stays uncertain.
     time_limit
         s since the release, of flight and contact: a shot that has not ended then ends as ENDLESS,
-        with its state at that time. None: no limit in the hoop, elsewhere 60. A shot that can never
+        with its state at that time; so does one that is certain to roll for ever, as soon as that
+        is. None: no limit in the hoop, elsewhere 60. A shot that can never
         reach the end plane is SHORT all the same, unless the limit comes before its last contact.
 
     Returns

@@ -5,10 +5,12 @@ from __future__ import annotations
 import sympy as sp
 from hoopgen.derive.contact.rolling import INERTIA_FACTOR, impact
 from hoopgen.derive.contact.slipping import gripping
-from hoopgen.derive.flight import rolling
+from hoopgen.derive.flight import circling, rolling
 from hoopgen.derive.follow.settling import Codes, kernels
 from hoopgen.derive.ground.choice import release
 from hoopgen.derive.ground.symbols import normal, spin, velocity
+from hoopgen.derive.ground.tree import writes
+from hoopgen.derive.model import build
 from hoopgen.derive.scenes import COURT
 
 RADIUS = sp.Rational(3, 25)
@@ -29,7 +31,7 @@ def test_rolling_takes_what_a_contact_that_grips_takes() -> None:
 
 
 def test_a_ball_begins_to_roll_as_the_article_s_contact_without_restitution_leaves_it() -> None:
-    made = kernels(COURT.flight, RADIUS, (0,), Codes(1, 1), 0, 0)
+    made = kernels(COURT.flight, RADIUS, (0,), Codes(1, 1), COURT.outcomes)
     gripped = dict(made["gripped"].outputs)
     rolled = [valued(gripped[f"rolled_{axis}"]) for axis in "xyz"]
     after, turned = impact(NORMAL, *STATE, RADIUS, sp.Integer(0))
@@ -69,12 +71,51 @@ def test_the_first_terms_are_newton_s_and_euler_s_with_the_contact_point_at_rest
         rolling.term(name, 0): value for name, value in zip(("vx", "vy", "vz"), v, strict=True)
     }
     terms |= {rolling.term(f"n{axis}", 0): n for axis, n in zip("xyz", NORMAL, strict=True)}
-    terms |= {rolling.term("turn_rate", 0): s, rolling.per_reach: 1 / reach, rolling.ring: 0}
+    terms |= {rolling.term("turn_rate", 0): s, rolling.per_reach: 1 / reach}
     terms |= dict.fromkeys(rolling.bent, sp.Integer(1))
-    terms |= {rolling.term("cos", 0): 1, rolling.term("sin", 0): 0, rolling.term("near", 0): 1}
     first = {k: release(e).subs(terms) for k, e in rolling.following(0, tuple(FALL)).items()}
     assert [first[f"v{axis}_1"] for axis in "xyz"] == [solution[d] for d in dv]
     spin_rate = (dw.dot(NORMAL) + w.dot(bending)).subs(solution)
     assert sp.simplify(first["turn_rate_1"] - RADIUS * spin_rate) == 0
     lifted = first["lift_0"] - rolling.SHARE * FALL.dot(NORMAL)
     assert sp.simplify(lifted - sp.Matrix([solution[p] for p in push]).dot(NORMAL)) == 0
+
+
+def test_on_a_ring_they_are_too_in_its_own_coordinates() -> None:
+    """With rational sines: v' = a + N n + F, and s' from the way that the normal turns."""
+    wide, reach = sp.Rational(23, 100), sp.Rational(13, 100)
+    ring = circling.Circling(wide, reach, RADIUS, -FALL[2])
+    values = dict(
+        zip(
+            circling.COORDINATES,
+            (
+                *(sp.Rational(3, 5), sp.Rational(4, 5), sp.Rational(7, 2), sp.Rational(9, 10)),
+                *(sp.Rational(-2, 5), sp.Rational(5, 13), sp.Rational(12, 13)),
+            ),
+            strict=True,
+        )
+    )
+    c, s, a, along, spun, cos, sin = values.values()
+    rho = wide + reach * c
+    terms = {rolling.term(name, 0): value for name, value in values.items()}
+    terms[rolling.term("near", 0)] = 1 / rho
+    first = {k: release(e).subs(terms) for k, e in ring.following(0).items()}
+    named = {sp.Symbol(name, real=True): value for name, value in first.items()}
+    pace = {k: release(e).subs(named | terms) for k, e in ring.pace().items() if k.endswith("_1")}
+    e, over, up = sp.Matrix([cos, sin, 0]), sp.Matrix([-sin, cos, 0]), sp.Matrix([0, 0, 1])
+    n, v = c * e + s * up, reach * a * (c * up - s * e) + along * over
+    turning = (v - wide * along / rho * over) / reach
+    friction = rolling.SHARE * (spun * n.cross(turning) - (FALL - FALL.dot(n) * n))
+    pressed = -FALL.dot(n) - v.dot(turning)
+    assert first["force_0"] == pressed
+    expected = FALL + pressed * n + friction
+    assert [pace[f"v{axis}_1"] for axis in "xyz"] == [sp.nsimplify(p) for p in expected]
+    assert sp.simplify(first["turn_rate_1"] + v.dot(n.cross(turning))) == 0
+
+
+def test_nothing_follows_a_neighbouring_motion_where_no_errors_are_asked_for() -> None:
+    loop = build(COURT).loop
+    followed = {name for stage in loop.stages.values() for name in writes(stage)}
+    assert "far_x" in followed
+    plain = {name for stage in loop.plain().stages.values() for name in writes(stage)}
+    assert not [name for name in plain if name.startswith("far_")]

@@ -12,10 +12,10 @@ at rest. With s = R_B (w·n) and beta = kappa/(1 + kappa) that leaves
     L = -(1 - beta) a·n - v·n',   s' = -v·(n × n'),
 
 quadratic or cubic in what moves, so that each coefficient of the series follows from those before
-it by sums of products. The surface is a tube about a point, a line or a circle around z
-(`surfaces/tube.py`): n' = (v - R_H e')/R across its line, with e towards the centre of the circle's
-section. The series is taken anew at each step, and what it makes of position, velocity and spin is
-put back onto the surface: the differential equation alone would leave it exponentially.
+it by sums of products. The surface is a tube about a point or a line (`surfaces/tube.py`), or a
+plane: n' = v/R across its line. Rings have coordinates of their own (`circling.py`). The series is
+taken anew at each step, and what it makes of position, velocity and spin is put back onto the
+surface: the differential equation alone would leave it exponentially.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from ..contact.rolling import INERTIA_FACTOR
-from ..ground.choice import IfLess, hold, largest, size, smallest
+from ..ground.choice import hold, largest, size, smallest
 from ..ground.polynomials import horner
 from ..ground.symbols import UNIT_ROUNDOFF, normal, position, spin, t, velocity
 
@@ -38,15 +38,15 @@ SHARE = INERTIA_FACTOR / (1 + INERTIA_FACTOR)
 
 bent = sp.symbols("bent_x bent_y bent_z", real=True)
 """1 along the axes across which the surface is curved, else 0."""
-per_reach, ring = sp.symbols("per_reach ring", real=True)
-"""1/R of the tube, negative on its inside, 0 of a plane; R_H of its circle, 0 if there is none."""
+per_reach = sp.Symbol("per_reach", real=True)
+"""1/R of the tube, negative on its inside, 0 of a plane."""
 gap = sp.Symbol("gap", real=True)
 """How far the ball is off the surface."""
 
-SERIES = ("vx", "vy", "vz", "nx", "ny", "nz", "turn_rate", "cos", "sin", "near")
-"""What moves: velocity, normal, s, the direction in the plane of the circle, 1/rho."""
-WITHIN = ("round", "lift", "tx", "ty", "tz")
-"""What is made of them: the circle's angular velocity, L, and n × n'."""
+SERIES = ("vx", "vy", "vz", "nx", "ny", "nz", "turn_rate")
+"""What moves: velocity, normal, s."""
+WITHIN = ("lift", "tx", "ty", "tz")
+"""What is made of them: L, and n × n'."""
 
 
 def term(name: str, order: int) -> sp.Symbol:
@@ -70,29 +70,16 @@ def product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
 
 def start(ball_radius: sp.Expr) -> dict[str, sp.Expr]:
     """Return the constant terms, of a ball at its place on the surface."""
-    x, y, _ = position
-    near = hold(1 / sp.sqrt(hold(x**2 + y**2)))
-    on_ring = {"cos": x * near, "sin": y * near, "near": near}
-    elsewhere = {"cos": 1, "sin": 0, "near": 1}
     moving = dict(zip(("vx", "vy", "vz", "nx", "ny", "nz"), (*velocity, *normal), strict=True))
     outputs = moving | {"turn_rate": ball_radius * hold(spin.dot(normal))}
-    outputs |= {name: IfLess(0, ring, on_ring[name], elsewhere[name]) for name in on_ring}
     return {f"{name}_0": value for name, value in outputs.items()}
 
 
 def following(order: int, acceleration: Sequence[sp.Expr]) -> dict[str, sp.Expr]:
     """Return the terms of the next order, given those up to this one."""
     v, n = _rows(SERIES[:3], order), _rows(SERIES[3:6], order)
-    s, cos, sin, near = _rows(SERIES[6:], order)
-    across = product(cos, v[1]) - product(sin, v[0])
-    earlier = [hold(term("across", k)) for k in range(order)]
-    around = hold(product([*earlier, hold(across)], near)) if order else hold(across * near[0])
-    rounds = [*_row("round", order)[:-1], around]
-    lateral = (hold(-product(rounds, sin)), hold(product(rounds, cos)), sp.Integer(0))
-    turned = [
-        hold((b * own[order] - ring * e) * per_reach)
-        for b, own, e in zip(bent, v, lateral, strict=True)
-    ]
+    s = _row(SERIES[6], order)
+    turned = [hold(b * own[order] * per_reach) for b, own in zip(bent, v, strict=True)]
     turning = [
         [*(k * n_i[k] for k in range(1, order + 1)), new]
         for n_i, new in zip(n, turned, strict=True)
@@ -109,12 +96,8 @@ def following(order: int, acceleration: Sequence[sp.Expr]) -> dict[str, sp.Expr]
         [*_row(name, order)[:-1], new] for name, new in zip(("tx", "ty", "tz"), twists, strict=True)
     ]
     scale = sp.Rational(1, order + 1)
-    outputs: dict[str, sp.Expr] = {
-        f"across_{order}": across,
-        f"round_{order}": around,
-        f"lift_{order}": own,
-    }
-    outputs |= {f"{w}_{order}": new for w, new in zip(WITHIN[2:], twists, strict=True)}
+    outputs: dict[str, sp.Expr] = {f"lift_{order}": own}
+    outputs |= {f"{w}_{order}": new for w, new in zip(WITHIN[1:], twists, strict=True)}
     for name, a, n_i, m_i in zip(SERIES[:3], acceleration, n, twisted, strict=True):
         pushed = product(lifts, n_i) + SHARE * product(s, m_i)
         fallen = (1 - SHARE) * a if order == 0 else 0
@@ -123,12 +106,6 @@ def following(order: int, acceleration: Sequence[sp.Expr]) -> dict[str, sp.Expr]
         outputs[f"{name}_{order + 1}"] = new * scale
     spun = sum(product(a, b) for a, b in zip(v, twisted, strict=True))
     outputs[f"turn_rate_{order + 1}"] = -hold(spun) * scale
-    outputs[f"cos_{order + 1}"], outputs[f"sin_{order + 1}"] = (e * scale for e in lateral[:2])
-    # 1/rho by rho · 1/rho = 1, with rho' along the direction in the plane.
-    widened = hold(product(cos, v[0]) + product(sin, v[1])) * scale
-    outputs[f"widened_{order + 1}"] = widened
-    widenings = [*(term("widened", k) for k in range(1, order + 1)), hold(widened)]
-    outputs[f"near_{order + 1}"] = -near[0] * product(widenings, near)
     return outputs
 
 
@@ -180,7 +157,7 @@ def pace(acceleration: Sequence[sp.Expr], strength: sp.Expr) -> dict[str, sp.Exp
     rate = hold(speed * size(per_reach) + sp.sqrt(hold(strength * size(per_reach))))
     scale = hold(speed + strength * sp.Rational(1, 2**6))
     last = hold(largest(hold(sizes[ORDER] + rate * sizes[ORDER - 1]), hold(scale * ways[ORDER])))
-    most = sp.Rational(1, 2**4)
+    most = sp.Integer(1)
     ratio = hold(UNIT_ROUNDOFF * scale / last)
     root = ratio
     for _ in range(ORDER.bit_length() - 1):

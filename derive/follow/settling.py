@@ -47,7 +47,7 @@ from ..ground.symbols import (
     velocity,
 )
 from ..search.approach import first_root
-from ..search.decisions import doubt, index, last, when, which
+from ..search.decisions import clear, doubt, index, last, when, which
 from ..surfaces import Surface
 from .fields import IN_FLIGHT, NONE
 
@@ -97,6 +97,7 @@ class Codes:
     def __init__(self, surfaces: int, bodies: int) -> None:
         self.time = surfaces
         self.begins, self.leaves, self.hops = surfaces + 1, surfaces + 2, surfaces + 3
+        self.endless = surfaces + 4
         self.bodies = bodies
 
     def row(self, own: sp.Expr, leaves: bool) -> sp.Expr:
@@ -229,8 +230,7 @@ def kernels(
     ball_radius: sp.Expr,
     faces: Sequence[int],
     codes: Codes,
-    lodged: int,
-    capped: int,
+    outcomes: Mapping[str, int],
 ) -> dict[str, Kernel]:
     """Return what all surfaces share."""
     strength = hold(flight.strength)
@@ -265,7 +265,7 @@ def kernels(
         *_stepping(strength, ball_radius, codes),
         *_parting(strength),
         *_neighbour(ball_radius),
-        *_events(faces, codes, lodged, capped),
+        *_events(faces, codes, outcomes),
     )
     return {kernel.name: kernel for kernel in (*series, *others)}
 
@@ -519,6 +519,7 @@ def _neighbour(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     states = (*position, *velocity, *spin)
     errors = (*dx, *dv, *dw)
     far = {f"far_{s}": s + apart * d for s, d in zip(states, errors, strict=True)}
+    far |= {f"far_{s}": sp.Integer(0) for s in (*normal, gap)}
     place = hold(4 * UNIT_ROUNDOFF * hold(sum(map(size, position)) + ball_radius))
     pace = hold(
         4
@@ -544,12 +545,13 @@ def _neighbour(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     )
 
 
-def _events(faces: Sequence[int], codes: Codes, lodged: int, capped: int) -> tuple[Kernel, ...]:
+def _events(faces: Sequence[int], codes: Codes, outcomes: Mapping[str, int]) -> tuple[Kernel, ...]:
+    lodged, capped = outcomes["lodged"], outcomes["capped"]
     own: sp.Expr = sp.Integer(NONE)
     for face, of in enumerate(faces):
         own = Choose(Equal(held, face), of, own)
     begins, leaves, hops = (Equal(which, code) for code in (codes.begins, codes.leaves, codes.hops))
-    beyond = Less(codes.time, which)
+    beyond, for_ever = Less(codes.time, which), Equal(which, codes.endless)
     bounded = every(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
     stuck = every(goes_on, AtMost(clock - began, sp.Rational(1, 2**24)))
     following = Choose(Either(begins, goes_on), ROLLS, Choose(leaves, LEAVES, 0))
@@ -568,6 +570,12 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int, capped: int) -> tup
             "Table 1",
         ),
         made(
+            "opens_in_flight",
+            {"open": every(Not(Less(0, clear)), Not(Truth("kept")))},
+            "Where a surface is not certainly missed by a ball in flight.",
+            "Table 1",
+        ),
+        made(
             "resumed",
             {
                 "which": NONE,
@@ -578,7 +586,7 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int, capped: int) -> tup
                 "rolling": Equal(mode, ROLLS),
                 "leaves": Equal(mode, LEAVES),
                 **{str(s): 0 for s in (*normal, gap, *rolling.bent, lift, surge, snap)},
-                **{str(s): 0 for s in (rolling.per_reach, rolling.ring)},
+                str(rolling.per_reach): 0,
             },
             "No event yet, of a ball in contact.",
             "Table 1",
@@ -601,7 +609,12 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int, capped: int) -> tup
         made("holding", {"here": Equal(held, index)}, "Whether it stays on this.", "Table 1"),
         made("beside", {"beside": Not(Equal(held, index))}, "Whether it does not.", "Table 1"),
         made("unhopped", {"hopped": Nowhere()}, "A ball in flight.", "Table 1"),
-        made("beginning_contact", {"which": codes.begins}, "The contact begins.", "Table 1"),
+        made(
+            "beginning_contact",
+            {"which": codes.begins, "circled": 0},
+            "The contact begins.",
+            "Table 1",
+        ),
         made("hopping", {"which": codes.hops}, "The ball is off.", "Table 1"),
         made(
             "kept_on",
@@ -609,12 +622,20 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int, capped: int) -> tup
                 "body": Choose(
                     begins,
                     codes.row(own, False),
-                    Choose(leaves, codes.row(own, True), Choose(hops, NONE, body)),
+                    Choose(
+                        leaves,
+                        codes.row(own, True),
+                        Choose(hops, NONE, Choose(for_ever, codes.bodies, body)),
+                    ),
                 ),
                 "reached": Choose(
                     stuck,
                     capped,
-                    Choose(rests, lodged, Choose(Either(beyond, goes_on), IN_FLIGHT, reached)),
+                    Choose(
+                        for_ever,
+                        outcomes["endless"],
+                        Choose(rests, lodged, Choose(Either(beyond, goes_on), IN_FLIGHT, reached)),
+                    ),
                 ),
                 "doubt": Choose(stuck, 0, doubt),
                 "ends": every(ends, Not(beyond)),
@@ -690,7 +711,7 @@ def of_surface(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
         "off": made(f"{name}_off", {"gap": surface.distance}, "The distance.", "Table 2"),
         "tube": made(
             f"{name}_tube",
-            sizes | {"per_reach": tube.per_reach, "ring": tube.ring},
+            sizes | {"per_reach": tube.per_reach},
             "What a ball that stays on it rolls on.",
             "Table 2",
         ),

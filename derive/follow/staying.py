@@ -11,17 +11,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 
-from ..flight import rolling
-from ..ground.symbols import STATE
+from ..flight import circling, rolling
+from ..ground.symbols import STATE, normal
 from ..ground.tree import Do, Guard, Node, Repeat, given_as
 from ..search.search import Parts
 from .kinds import Contact
 
-LIMIT = 1 << 6
+LIMIT = 1 << 4
 """Steps of a ball in contact in one turn of the loop; it goes on in the next. What rolls longer
 than most do waits for others that do, and so keeps lanes busy."""
 
-_FAR = {s.name: f"far_{s.name}" for s in STATE}
+_FAR = {s.name: f"far_{s.name}" for s in (*STATE, *normal)} | {"gap": "far_gap"}
+"""What a neighbouring motion calls its own: what it shared, a motion without one would wait for."""
 
 
 def in_contact(
@@ -29,6 +30,8 @@ def in_contact(
 ) -> Iterator[Node]:
     """Find the next event of balls in contact, and take them there."""
     holders = [surface for surface in contacts if "tube" in surface.parts]
+    rings = [surface for surface in holders if "round_start" in surface.parts]
+    others = [surface for surface in holders if surface not in rings]
     yield Do(common["resumed"])
     begun = (
         *_each(common, holders, "normal"),
@@ -44,7 +47,12 @@ def in_contact(
         Do(common["beginning_contact"]),
     )
     yield Guard("begins", begun, rare=True)
-    yield Repeat("rolling", LIMIT, tuple(_step(common, holders, contacts, gates)))
+    for ring in rings:
+        yield Do(common["circles"], {"index": ring.index})
+    yield Repeat("rolling", LIMIT, tuple(_step(common, others, contacts, gates)))
+    for ring in rings:
+        yield Repeat("circling", LIMIT, tuple(_round(common, ring, contacts, gates)))
+        yield Do(common["rejoined"])
     parted = (
         Do(common["error_bounds"]),
         *_each(common, holders, "tube", "parting"),
@@ -84,15 +92,12 @@ def _step(
     yield Do(common["roll_start"])
     yield from _series(common)
     yield Do(common["roll_pace"])
-    yield from _watched(common, holders)
+    yield from _watched(common, tuple(_pulled(common, holders)))
     yield Do(common["leaving_force"])
     for surface in contacts:
         yield Do(common["beside"], {"index": surface.index})
-        met = (_part(surface, "beside"), Do(common["beside_body"], {"index": surface.index}))
-        yield Guard("beside", met)
-    for gate in gates:
-        yield _part(gate, "beside")
-        yield Do(common["beside_gate"], {"index": gate.index})
+        yield Guard("beside", tuple(_beside(common, surface)))
+    yield from _beside_gates(common, gates)
     for surface in holders:
         seams = [part for part in surface.parts if part.startswith("seam")]
         if seams:
@@ -112,15 +117,81 @@ def _step(
     yield Do(common["rolled_on"])
 
 
-def _watched(common: Parts, holders: Sequence[Contact]) -> Iterator[Node]:
-    """Look whether friction is enough, and when it first was not."""
+def _watched(common: Parts, asked: Sequence[Node]) -> Iterator[Node]:
+    """Look whether friction is enough for what is asked of it, and when it first was not."""
+    yield from asked
+    yield Do(common["losing"])
+    yield Guard("loses", (Do(common["lost_grip"]),), rare=True)
+    yield Do(common["tightened"])
+
+
+def _pulled(common: Parts, holders: Sequence[Contact]) -> Iterator[Node]:
+    """Take what friction is asked for on a surface, beside what it can do."""
     yield Do(common["pulled"])
     for surface in holders:
         yield Do(common["holding"], {"index": surface.index})
         yield Guard("here", (given_as(Do(surface.law["strained"]), surface.law_sizes),))
-    yield Do(common["losing"])
-    yield Guard("loses", (Do(common["lost_grip"]),), rare=True)
-    yield Do(common["tightened"])
+
+
+def _beside(common: Parts, surface: Contact) -> Iterator[Node]:
+    yield _part(surface, "beside")
+    yield Do(common["beside_body"], {"index": surface.index})
+
+
+def _beside_gates(common: Parts, gates: Sequence[Contact]) -> Iterator[Node]:
+    for gate in gates:
+        yield _part(gate, "beside")
+        yield Do(common["beside_gate"], {"index": gate.index})
+
+
+def _round(
+    common: Parts, ring: Contact, contacts: Sequence[Contact], gates: Sequence[Contact]
+) -> Iterator[Node]:
+    """Take a step on a ring, in its own coordinates."""
+    others = [surface for surface in contacts if surface is not ring]
+    around = [surface for surface in (*others, *gates) if "around" in surface.parts]
+    bounded = len(around) == len(others) + len(gates)
+
+    def series(names: Mapping[str, str]) -> Iterator[Node]:
+        yield _part(ring, "round_start", names)
+        for k in range(circling.ORDER):
+            yield _part(ring, f"round_{k}", names)
+
+    def berth(leap: str) -> Iterator[Node]:
+        for surface in around:
+            yield _part(surface, "around")
+            yield Do(common["cleared"], {"leap": leap})
+
+    yield Do(common["error_bounds"])
+    yield _part(ring, "tube")
+    yield from series({})
+    yield _part(ring, "round_pace")
+    strained = given_as(Do(ring.law["strained"]), ring.law_sizes)
+    yield from _watched(common, (_part(ring, "round_pulled"), strained))
+    yield Do(common["leaving_force"])
+    for surface in others:
+        yield from _beside(common, surface)
+    yield from _beside_gates(common, gates)
+    yield Do(common["beside_time"])
+    yield Do(common["apart"])
+    yield Do(common["neighbour"])
+    if "passing" in common:
+        yield Do(common["passing_from"])
+    if bounded:
+        yield Do(common["alone"], {}, {"nearest": "berth"})
+        yield Do(common["leaps"])
+        yield from berth("forth")
+    yield given_as(_part(ring, "round_moved"), {"t": "stride"})
+    if "passing" in common:
+        yield Do(common["passing_in_contact"])
+    if bounded:
+        yield from berth("back")
+        yield _part(ring, "swung")
+        yield Do(common["for_ever"])
+    yield from series(_FAR)
+    yield given_as(_part(ring, "round_moved", _FAR), {"t": "stride"})
+    yield Do(common["compared"])
+    yield Do(common["rolled_on"], {}, {"rolling": "circling"})
 
 
 def _series(common: Parts) -> Iterator[Node]:
@@ -154,7 +225,7 @@ def _put(common: Parts, holders: Sequence[Contact], names: Mapping[str, str]) ->
     yield _on(Do(common["roll_placed"]), names)
 
 
-def _part(surface: Contact, part: str, names: Mapping[str, str] = MappingProxyType({})) -> Node:
+def _part(surface: Contact, part: str, names: Mapping[str, str] = MappingProxyType({})) -> Do:
     """Return the evaluation of a kernel of a surface, for a motion whose state has such names."""
     return given_as(_on(Do(surface.parts[part]), names), surface.sizes)
 

@@ -97,7 +97,7 @@ class CurvedSearch(Search):
         """Search the first arrival; what certainly misses the surface sits out."""
         yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
         yield given(own["clear"], horizon="until")
-        yield Do(KERNELS["opens"])
+        yield Do(common.get("opens_in_flight", KERNELS["opens"]))
         step = _bounded_step if self.surface.bounds else _step
         body = (
             given(own["prepare"], horizon="until"),

@@ -52,6 +52,18 @@ class Box(Surface):
         return sp.sqrt(hold(sp.Add(*(e**2 for e in self.excess)))) - self.radius
 
     @property
+    def around(self) -> sp.Expr:
+        """From the box to the circle around the z axis on which the ball's centre is.
+
+        In the plan the box begins at some distance from the axis, and the circle ends at another.
+        """
+        x, y, _ = POSITION
+        sides = list(zip(self.low, self.high, strict=True))[:2]
+        begins = sp.sqrt(hold(sp.Add(*(hold(largest(0, low, -high)) ** 2 for low, high in sides))))
+        beyond = hold(largest(0, hold(begins) - hold(sp.sqrt(hold(x**2 + y**2)))))
+        return sp.sqrt(hold(beyond**2 + self.excess[2] ** 2)) - self.radius
+
+    @property
     def condition(self) -> sp.Expr:
         """The squared distance from the box less R_B²."""
         return sp.Add(*(e**2 for e in self.excess), -(self.radius**2))

@@ -48,6 +48,11 @@ class Plane(Surface):
         return self.distance
 
     @property
+    def around(self) -> sp.Expr | None:
+        """The distance itself, of a level plane."""
+        return None if any(self.direction[:2]) else self.distance
+
+    @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds of the plate."""
         return tuple(map(length, self.limits))

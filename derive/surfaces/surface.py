@@ -116,6 +116,14 @@ class Surface(ABC):
         return sp.Integer(0)
 
     @property
+    def around(self) -> sp.Expr | None:
+        """Bound below the distance from every place at this height and distance from the z axis.
+
+        It is convex in these two; None: no such bound is known.
+        """
+        return None
+
+    @property
     @abstractmethod
     def inside(self) -> tuple[sp.Expr, ...]:
         """Expressions that are all negative exactly when the ball overlaps the body."""

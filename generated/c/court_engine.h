@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 47d312e35352038d,
+   Generated from templates/c/engine.h.j2, scene court, derivation 242f75b350b20aff,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -11,7 +11,7 @@
 #include "court_kernels.h"
 
 /* A column, with room for a whole row of lanes behind its end. */
-typedef double LANES(court_column)[LANES_SHOTS + LANES_WIDTH];
+typedef double LANES(court_column)[LANES_SHOTS + LANES_SHOTS / 2 + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on, and the places of
    their results: else each store waits for its line. */
@@ -77,7 +77,7 @@ LANES_INLINE M LANES(court_permit)(V p_ball_radius, V p_ring_radius, V p_wire_ra
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[LANES_SHOTS];
+    _Alignas(64) size_t shot[LANES_SHOTS + LANES_SHOTS / 2];
     LANES(court_column) x; /* of the state */
     LANES(court_column) y; /* of the state */
     LANES(court_column) z; /* of the state */
@@ -96,12 +96,14 @@ typedef struct {
     LANES(court_column) count_2; /* contacts with bridge */
     LANES(court_column) held; /* surface that it stays in contact with, -1: none */
     LANES(court_column) mode; /* 0: in flight; 1, 2, 3: contact begins, goes on, ends */
+    LANES(court_column) circled; /* 1: it rolls on a ring, and does not leave since a turning point */
     LANES(court_column) rolls; /* how many times it began to roll */
     LANES(court_column) slip_left; /* 1: its bounces ended with slip left, which friction cannot stop */
     LANES(court_column) through; /* 1: it has fallen through the ring, -1: it came up through it */
     LANES(court_column) outcome; /* how it ended, -1: in flight */
     LANES(court_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth, p_ring_restitution, p_backboard_restitution, p_bridge_restitution, p_ring_friction, p_backboard_friction, p_bridge_friction, p_tangential_restitution, p_restitution_speed;
-    /* Shots whose balls stay in contact: they wait for one another. */
+    /* Shots whose balls stay in contact: they wait for one another, and then have rows of their
+       own behind those of the others, so that all lanes work. */
     size_t waiting;
     size_t waiting_shot[LANES_SHOTS];
     LANES(court_column) waiting_x;
@@ -122,6 +124,7 @@ typedef struct {
     LANES(court_column) waiting_count_2;
     LANES(court_column) waiting_held;
     LANES(court_column) waiting_mode;
+    LANES(court_column) waiting_circled;
     LANES(court_column) waiting_rolls;
     LANES(court_column) waiting_slip_left;
     LANES(court_column) waiting_through;
@@ -210,6 +213,7 @@ typedef struct {
     LANES(court_column) open_searching_p_bridge_depth;
     LANES(court_column) open_searching_p_bridge_half_width;
     LANES(court_column) kept_row;
+    LANES(court_column) kept_circled;
     LANES(court_column) kept_clock;
     LANES(court_column) kept_held;
     LANES(court_column) kept_mode;
@@ -238,6 +242,7 @@ typedef struct {
     LANES(court_column) kept_y;
     LANES(court_column) kept_z;
     LANES(court_column) kept_began;
+    LANES(court_column) kept_circling;
     LANES(court_column) kept_leaves;
     LANES(court_column) kept_lift;
     LANES(court_column) kept_per_reach;
@@ -267,7 +272,6 @@ typedef struct {
     LANES(court_column) kept_rolling_p_ring_radius;
     LANES(court_column) kept_rolling_p_wire_radius;
     LANES(court_column) kept_rolling_per_reach;
-    LANES(court_column) kept_rolling_ring;
     LANES(court_column) kept_rolling_rolling;
     LANES(court_column) kept_rolling_through;
     LANES(court_column) kept_rolling_vx;
@@ -280,6 +284,33 @@ typedef struct {
     LANES(court_column) kept_rolling_x;
     LANES(court_column) kept_rolling_y;
     LANES(court_column) kept_rolling_z;
+    LANES(court_column) kept_circling_row;
+    LANES(court_column) kept_circling_circled;
+    LANES(court_column) kept_circling_circling;
+    LANES(court_column) kept_circling_clock;
+    LANES(court_column) kept_circling_p_ball_radius;
+    LANES(court_column) kept_circling_p_board_bottom;
+    LANES(court_column) kept_circling_p_board_distance;
+    LANES(court_column) kept_circling_p_board_half_width;
+    LANES(court_column) kept_circling_p_board_thickness;
+    LANES(court_column) kept_circling_p_board_top;
+    LANES(court_column) kept_circling_p_bridge_depth;
+    LANES(court_column) kept_circling_p_bridge_half_width;
+    LANES(court_column) kept_circling_p_end_depth;
+    LANES(court_column) kept_circling_p_gravity;
+    LANES(court_column) kept_circling_p_ring_radius;
+    LANES(court_column) kept_circling_p_wire_radius;
+    LANES(court_column) kept_circling_through;
+    LANES(court_column) kept_circling_vx;
+    LANES(court_column) kept_circling_vy;
+    LANES(court_column) kept_circling_vz;
+    LANES(court_column) kept_circling_which;
+    LANES(court_column) kept_circling_wx;
+    LANES(court_column) kept_circling_wy;
+    LANES(court_column) kept_circling_wz;
+    LANES(court_column) kept_circling_x;
+    LANES(court_column) kept_circling_y;
+    LANES(court_column) kept_circling_z;
 } LANES(court_plain_lists);
 
 /* Put the next shots into rows, from one on. */
@@ -346,6 +377,7 @@ LANES_INLINE void LANES(court_plain_begin)(LANES(court_plain_lists) *lists, size
         lanes_store(lists->count_2 + row + k, K(0.0));
         lanes_store(lists->held + row + k, K(-1.0));
         lanes_store(lists->mode + row + k, K(0.0));
+        lanes_store(lists->circled + row + k, K(0.0));
         lanes_store(lists->rolls + row + k, K(0.0));
         lanes_store(lists->slip_left + row + k, K(0.0));
         lanes_store(lists->through + row + k, K(0.0));
@@ -472,6 +504,7 @@ LANES_INLINE void LANES(court_plain_wait)(LANES(court_plain_lists) *lists, size_
     lanes_pack(lists->waiting_count_2 + lists->waiting, who, lanes_load(lists->count_2 + row));
     lanes_pack(lists->waiting_held + lists->waiting, who, lanes_load(lists->held + row));
     lanes_pack(lists->waiting_mode + lists->waiting, who, lanes_load(lists->mode + row));
+    lanes_pack(lists->waiting_circled + lists->waiting, who, lanes_load(lists->circled + row));
     lanes_pack(lists->waiting_rolls + lists->waiting, who, lanes_load(lists->rolls + row));
     lanes_pack(lists->waiting_slip_left + lists->waiting, who, lanes_load(lists->slip_left + row));
     lanes_pack(lists->waiting_through + lists->waiting, who, lanes_load(lists->through + row));
@@ -504,7 +537,7 @@ LANES_INLINE void LANES(court_plain_wait)(LANES(court_plain_lists) *lists, size_
 /* Put shots that have waited into rows from one on; return how many. */
 LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, size_t row, const court_job *job)
 {
-    const size_t room = LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t room = LANES_SHOTS + LANES_SHOTS / 2 - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
@@ -525,6 +558,7 @@ LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, s
     memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof(double));
     memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof(double));
     memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof(double));
+    memcpy(lists->circled + row, lists->waiting_circled + from, shots * sizeof(double));
     memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof(double));
     memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof(double));
     memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof(double));
@@ -591,6 +625,7 @@ LANES_INLINE size_t LANES(court_plain_leave)(LANES(court_plain_lists) *lists, si
             lanes_pack(lists->count_2 + kept, going, lanes_load(lists->count_2 + i));
             lanes_pack(lists->held + kept, going, lanes_load(lists->held + i));
             lanes_pack(lists->mode + kept, going, lanes_load(lists->mode + i));
+            lanes_pack(lists->circled + kept, going, lanes_load(lists->circled + i));
             lanes_pack(lists->rolls + kept, going, lanes_load(lists->rolls + i));
             lanes_pack(lists->slip_left + kept, going, lanes_load(lists->slip_left + i));
             lanes_pack(lists->through + kept, going, lanes_load(lists->through + i));
@@ -621,6 +656,1402 @@ LANES_INLINE size_t LANES(court_plain_leave)(LANES(court_plain_lists) *lists, si
         kept += lanes_many(going);
     }
     return kept;
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept_shots, size_t varying, V time_limit)
+{
+    {
+    size_t kept_rolling_shots = 0;
+    for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(kept_shots - i);
+        V circled = lanes_load(lists->kept_circled + i);
+        V clock = lanes_load(lists->kept_clock + i);
+        V held = lanes_load(lists->kept_held + i);
+        V mode = lanes_load(lists->kept_mode + i);
+        const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
+        const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
+        const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
+        const V p_board_half_width = lanes_load(varying ? lists->kept_p_board_half_width + i : lists->p_board_half_width);
+        const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
+        const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
+        const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
+        const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
+        const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
+        const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
+        const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
+        const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
+        V through = lanes_load(lists->kept_through + i);
+        V vx = lanes_load(lists->kept_vx + i);
+        V vy = lanes_load(lists->kept_vy + i);
+        V vz = lanes_load(lists->kept_vz + i);
+        V wx = lanes_load(lists->kept_wx + i);
+        V wy = lanes_load(lists->kept_wy + i);
+        V wz = lanes_load(lists->kept_wz + i);
+        V x = lanes_load(lists->kept_x + i);
+        V y = lanes_load(lists->kept_y + i);
+        V z = lanes_load(lists->kept_z + i);
+        const LANES(court_resumed_out) _o97 =
+            LANES(court_resumed)(clock, mode, K(0.0), K(0.0));
+        V which = _o97.which;
+        V began = _o97.began;
+        M begins = _o97.begins;
+        M rolling = _o97.rolling;
+        M leaves = _o97.leaves;
+        V nx = _o97.nx;
+        V ny = _o97.ny;
+        V nz = _o97.nz;
+        V gap = _o97.gap;
+        V bent_x = _o97.bent_x;
+        V bent_y = _o97.bent_y;
+        V bent_z = _o97.bent_z;
+        V lift = _o97.lift;
+        V surge = _o97.surge;
+        V snap = _o97.snap;
+        V per_reach = _o97.per_reach;
+        const M _m98 = lanes_both(rows, begins);
+        if (lanes_any(_m98)) {
+            const LANES(court_holding_out) _o99 =
+                LANES(court_holding)(held, K(0.0));
+            M here = _o99.here;
+            const M _m100 = lanes_both(_m98, here);
+            {
+                const LANES(court_ring_normal_out) _o101 =
+                    LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = lanes_select(_m100, _o101.nx, nx);
+                ny = lanes_select(_m100, _o101.ny, ny);
+                nz = lanes_select(_m100, _o101.nz, nz);
+            }
+            const LANES(court_holding_out) _o102 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o102.here;
+            const M _m103 = lanes_both(_m98, here);
+            {
+                const LANES(court_backboard_normal_out) _o104 =
+                    LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = lanes_select(_m103, _o104.nx, nx);
+                ny = lanes_select(_m103, _o104.ny, ny);
+                nz = lanes_select(_m103, _o104.nz, nz);
+            }
+            const LANES(court_holding_out) _o105 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o105.here;
+            const M _m106 = lanes_both(_m98, here);
+            {
+                const LANES(court_bridge_normal_out) _o107 =
+                    LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = lanes_select(_m106, _o107.nx, nx);
+                ny = lanes_select(_m106, _o107.ny, ny);
+                nz = lanes_select(_m106, _o107.nz, nz);
+            }
+            const LANES(court_roll_turn_rate_out) _o108 =
+                LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
+            V turn_rate = _o108.turn_rate;
+            const LANES(court_gripped_out) _o109 =
+                LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            V rolled_x = _o109.rolled_x;
+            V rolled_y = _o109.rolled_y;
+            V rolled_z = _o109.rolled_z;
+            const LANES(court_holding_out) _o110 =
+                LANES(court_holding)(held, K(0.0));
+            here = _o110.here;
+            const M _m111 = lanes_both(_m98, here);
+            {
+                const LANES(court_ring_off_out) _o112 =
+                    LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                gap = lanes_select(_m111, _o112.gap, gap);
+            }
+            const LANES(court_holding_out) _o113 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o113.here;
+            const M _m114 = lanes_both(_m98, here);
+            {
+                const LANES(court_backboard_off_out) _o115 =
+                    LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                gap = lanes_select(_m114, _o115.gap, gap);
+            }
+            const LANES(court_holding_out) _o116 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o116.here;
+            const M _m117 = lanes_both(_m98, here);
+            {
+                const LANES(court_bridge_off_out) _o118 =
+                    LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                gap = lanes_select(_m117, _o118.gap, gap);
+            }
+            const LANES(court_roll_placed_out) _o119 =
+                LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
+            x = lanes_select(_m98, _o119.x, x);
+            y = lanes_select(_m98, _o119.y, y);
+            z = lanes_select(_m98, _o119.z, z);
+            vx = lanes_select(_m98, _o119.vx, vx);
+            vy = lanes_select(_m98, _o119.vy, vy);
+            vz = lanes_select(_m98, _o119.vz, vz);
+            wx = lanes_select(_m98, _o119.wx, wx);
+            wy = lanes_select(_m98, _o119.wy, wy);
+            wz = lanes_select(_m98, _o119.wz, wz);
+            const LANES(court_beginning_contact_out) _o120 =
+                LANES(court_beginning_contact)();
+            which = lanes_select(_m98, _o120.which, which);
+            circled = lanes_select(_m98, _o120.circled, circled);
+        }
+        const LANES(court_circles_out) _o121 =
+            LANES(court_circles)(held, K(0.0), rolling);
+        M circling = _o121.circling;
+        rolling = _o121.rolling;
+        lanes_store(lists->kept_began + i, began);
+        lanes_store(lists->kept_circled + i, circled);
+        lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
+        lanes_store(lists->kept_leaves + i, lanes_select(leaves, K(1.0), K(0.0)));
+        lanes_store(lists->kept_lift + i, lift);
+        lanes_store(lists->kept_per_reach + i, per_reach);
+        lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
+        lanes_store(lists->kept_snap + i, snap);
+        lanes_store(lists->kept_surge + i, surge);
+        lanes_store(lists->kept_vx + i, vx);
+        lanes_store(lists->kept_vy + i, vy);
+        lanes_store(lists->kept_vz + i, vz);
+        lanes_store(lists->kept_which + i, which);
+        lanes_store(lists->kept_wx + i, wx);
+        lanes_store(lists->kept_wy + i, wy);
+        lanes_store(lists->kept_wz + i, wz);
+        lanes_store(lists->kept_x + i, x);
+        lanes_store(lists->kept_y + i, y);
+        lanes_store(lists->kept_z + i, z);
+        const M packed = lanes_both(rows, rolling);
+        if (lanes_any(packed)) {
+            lanes_pack(lists->kept_rolling_row + kept_rolling_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+            lanes_pack(lists->kept_rolling_bent_x + kept_rolling_shots, packed, bent_x);
+            lanes_pack(lists->kept_rolling_bent_y + kept_rolling_shots, packed, bent_y);
+            lanes_pack(lists->kept_rolling_bent_z + kept_rolling_shots, packed, bent_z);
+            lanes_pack(lists->kept_rolling_clock + kept_rolling_shots, packed, clock);
+            lanes_pack(lists->kept_rolling_held + kept_rolling_shots, packed, held);
+            lanes_pack(lists->kept_rolling_nx + kept_rolling_shots, packed, nx);
+            lanes_pack(lists->kept_rolling_ny + kept_rolling_shots, packed, ny);
+            lanes_pack(lists->kept_rolling_nz + kept_rolling_shots, packed, nz);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_ball_radius + kept_rolling_shots, packed, p_ball_radius);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_board_bottom + kept_rolling_shots, packed, p_board_bottom);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_board_distance + kept_rolling_shots, packed, p_board_distance);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_board_half_width + kept_rolling_shots, packed, p_board_half_width);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_board_thickness + kept_rolling_shots, packed, p_board_thickness);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_board_top + kept_rolling_shots, packed, p_board_top);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_bridge_depth + kept_rolling_shots, packed, p_bridge_depth);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_bridge_half_width + kept_rolling_shots, packed, p_bridge_half_width);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_end_depth + kept_rolling_shots, packed, p_end_depth);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_gravity + kept_rolling_shots, packed, p_gravity);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_ring_radius + kept_rolling_shots, packed, p_ring_radius);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_wire_radius + kept_rolling_shots, packed, p_wire_radius);
+            lanes_pack(lists->kept_rolling_per_reach + kept_rolling_shots, packed, per_reach);
+            lanes_pack(lists->kept_rolling_through + kept_rolling_shots, packed, through);
+            lanes_pack(lists->kept_rolling_vx + kept_rolling_shots, packed, vx);
+            lanes_pack(lists->kept_rolling_vy + kept_rolling_shots, packed, vy);
+            lanes_pack(lists->kept_rolling_vz + kept_rolling_shots, packed, vz);
+            lanes_pack(lists->kept_rolling_which + kept_rolling_shots, packed, which);
+            lanes_pack(lists->kept_rolling_wx + kept_rolling_shots, packed, wx);
+            lanes_pack(lists->kept_rolling_wy + kept_rolling_shots, packed, wy);
+            lanes_pack(lists->kept_rolling_wz + kept_rolling_shots, packed, wz);
+            lanes_pack(lists->kept_rolling_x + kept_rolling_shots, packed, x);
+            lanes_pack(lists->kept_rolling_y + kept_rolling_shots, packed, y);
+            lanes_pack(lists->kept_rolling_z + kept_rolling_shots, packed, z);
+            kept_rolling_shots += lanes_many(packed);
+        }
+    }
+    {
+        size_t taken = 0, busy = 0;
+        M active = lanes_nowhere();
+        V row = K(0.0), turns = K(0.0);
+        V p_ball_radius = lanes_load(lists->p_ball_radius);
+        V p_board_bottom = lanes_load(lists->p_board_bottom);
+        V p_board_distance = lanes_load(lists->p_board_distance);
+        V p_board_half_width = lanes_load(lists->p_board_half_width);
+        V p_board_thickness = lanes_load(lists->p_board_thickness);
+        V p_board_top = lanes_load(lists->p_board_top);
+        V p_bridge_depth = lanes_load(lists->p_bridge_depth);
+        V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
+        V p_end_depth = lanes_load(lists->p_end_depth);
+        V p_gravity = lanes_load(lists->p_gravity);
+        V p_ring_radius = lanes_load(lists->p_ring_radius);
+        V p_wire_radius = lanes_load(lists->p_wire_radius);
+        V bent_x = K(0.0);
+        V bent_y = K(0.0);
+        V bent_z = K(0.0);
+        V clock = K(0.0);
+        V held = K(0.0);
+        V nx = K(0.0);
+        V ny = K(0.0);
+        V nz = K(0.0);
+        V per_reach = K(0.0);
+        V through = K(0.0);
+        V vx = K(0.0);
+        V vy = K(0.0);
+        V vz = K(0.0);
+        V which = K(0.0);
+        V wx = K(0.0);
+        V wy = K(0.0);
+        V wz = K(0.0);
+        V x = K(0.0);
+        V y = K(0.0);
+        V z = K(0.0);
+        for (;;) {
+            if (taken < kept_rolling_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                const M idle = lanes_not(active);
+                row = lanes_expand(lists->kept_rolling_row + taken, idle, row);
+                turns = lanes_select(idle, K(0.0), turns);
+                bent_x = lanes_expand(lists->kept_rolling_bent_x + taken, idle, bent_x);
+                bent_y = lanes_expand(lists->kept_rolling_bent_y + taken, idle, bent_y);
+                bent_z = lanes_expand(lists->kept_rolling_bent_z + taken, idle, bent_z);
+                clock = lanes_expand(lists->kept_rolling_clock + taken, idle, clock);
+                held = lanes_expand(lists->kept_rolling_held + taken, idle, held);
+                nx = lanes_expand(lists->kept_rolling_nx + taken, idle, nx);
+                ny = lanes_expand(lists->kept_rolling_ny + taken, idle, ny);
+                nz = lanes_expand(lists->kept_rolling_nz + taken, idle, nz);
+                per_reach = lanes_expand(lists->kept_rolling_per_reach + taken, idle, per_reach);
+                through = lanes_expand(lists->kept_rolling_through + taken, idle, through);
+                vx = lanes_expand(lists->kept_rolling_vx + taken, idle, vx);
+                vy = lanes_expand(lists->kept_rolling_vy + taken, idle, vy);
+                vz = lanes_expand(lists->kept_rolling_vz + taken, idle, vz);
+                which = lanes_expand(lists->kept_rolling_which + taken, idle, which);
+                wx = lanes_expand(lists->kept_rolling_wx + taken, idle, wx);
+                wy = lanes_expand(lists->kept_rolling_wy + taken, idle, wy);
+                wz = lanes_expand(lists->kept_rolling_wz + taken, idle, wz);
+                x = lanes_expand(lists->kept_rolling_x + taken, idle, x);
+                y = lanes_expand(lists->kept_rolling_y + taken, idle, y);
+                z = lanes_expand(lists->kept_rolling_z + taken, idle, z);
+                if (varying) {
+                    p_ball_radius = lanes_expand(lists->kept_rolling_p_ball_radius + taken, idle, p_ball_radius);
+                    p_board_bottom = lanes_expand(lists->kept_rolling_p_board_bottom + taken, idle, p_board_bottom);
+                    p_board_distance = lanes_expand(lists->kept_rolling_p_board_distance + taken, idle, p_board_distance);
+                    p_board_half_width = lanes_expand(lists->kept_rolling_p_board_half_width + taken, idle, p_board_half_width);
+                    p_board_thickness = lanes_expand(lists->kept_rolling_p_board_thickness + taken, idle, p_board_thickness);
+                    p_board_top = lanes_expand(lists->kept_rolling_p_board_top + taken, idle, p_board_top);
+                    p_bridge_depth = lanes_expand(lists->kept_rolling_p_bridge_depth + taken, idle, p_bridge_depth);
+                    p_bridge_half_width = lanes_expand(lists->kept_rolling_p_bridge_half_width + taken, idle, p_bridge_half_width);
+                    p_end_depth = lanes_expand(lists->kept_rolling_p_end_depth + taken, idle, p_end_depth);
+                    p_gravity = lanes_expand(lists->kept_rolling_p_gravity + taken, idle, p_gravity);
+                    p_ring_radius = lanes_expand(lists->kept_rolling_p_ring_radius + taken, idle, p_ring_radius);
+                    p_wire_radius = lanes_expand(lists->kept_rolling_p_wire_radius + taken, idle, p_wire_radius);
+                }
+                const size_t room = LANES_WIDTH - busy, left = kept_rolling_shots - taken;
+                active = lanes_leading(idle, left, active);
+                taken += left < room ? left : room;
+                busy += left < room ? left : room;
+            }
+            if (busy == 0)
+                break;
+            M rolling = active;
+            const LANES(court_holding_out) _o122 =
+                LANES(court_holding)(held, K(1.0));
+            M here = _o122.here;
+            const M _m123 = lanes_both(active, here);
+            if (lanes_any(_m123)) {
+                const LANES(court_backboard_normal_out) _o124 =
+                    LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = lanes_select(_m123, _o124.nx, nx);
+                ny = lanes_select(_m123, _o124.ny, ny);
+                nz = lanes_select(_m123, _o124.nz, nz);
+                const LANES(court_backboard_tube_out) _o125 =
+                    LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                bent_x = lanes_select(_m123, _o125.bent_x, bent_x);
+                bent_y = lanes_select(_m123, _o125.bent_y, bent_y);
+                bent_z = lanes_select(_m123, _o125.bent_z, bent_z);
+                per_reach = lanes_select(_m123, _o125.per_reach, per_reach);
+            }
+            const LANES(court_holding_out) _o126 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o126.here;
+            const M _m127 = lanes_both(active, here);
+            if (lanes_any(_m127)) {
+                const LANES(court_bridge_normal_out) _o128 =
+                    LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = lanes_select(_m127, _o128.nx, nx);
+                ny = lanes_select(_m127, _o128.ny, ny);
+                nz = lanes_select(_m127, _o128.nz, nz);
+                const LANES(court_bridge_tube_out) _o129 =
+                    LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                bent_x = lanes_select(_m127, _o129.bent_x, bent_x);
+                bent_y = lanes_select(_m127, _o129.bent_y, bent_y);
+                bent_z = lanes_select(_m127, _o129.bent_z, bent_z);
+                per_reach = lanes_select(_m127, _o129.per_reach, per_reach);
+            }
+            const LANES(court_roll_start_out) _o130 =
+                LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            V vx_0 = _o130.vx_0;
+            V vy_0 = _o130.vy_0;
+            V vz_0 = _o130.vz_0;
+            V nx_0 = _o130.nx_0;
+            V ny_0 = _o130.ny_0;
+            V nz_0 = _o130.nz_0;
+            V turn_rate_0 = _o130.turn_rate_0;
+            const LANES(court_roll_0_out) _o131 =
+                LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
+            V lift_0 = _o131.lift_0;
+            V tx_0 = _o131.tx_0;
+            V ty_0 = _o131.ty_0;
+            V tz_0 = _o131.tz_0;
+            V vx_1 = _o131.vx_1;
+            V vy_1 = _o131.vy_1;
+            V vz_1 = _o131.vz_1;
+            V nx_1 = _o131.nx_1;
+            V ny_1 = _o131.ny_1;
+            V nz_1 = _o131.nz_1;
+            V turn_rate_1 = _o131.turn_rate_1;
+            const LANES(court_roll_1_out) _o132 =
+                LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
+            V lift_1 = _o132.lift_1;
+            V tx_1 = _o132.tx_1;
+            V ty_1 = _o132.ty_1;
+            V tz_1 = _o132.tz_1;
+            V vx_2 = _o132.vx_2;
+            V vy_2 = _o132.vy_2;
+            V vz_2 = _o132.vz_2;
+            V nx_2 = _o132.nx_2;
+            V ny_2 = _o132.ny_2;
+            V nz_2 = _o132.nz_2;
+            V turn_rate_2 = _o132.turn_rate_2;
+            const LANES(court_roll_2_out) _o133 =
+                LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
+            V lift_2 = _o133.lift_2;
+            V tx_2 = _o133.tx_2;
+            V ty_2 = _o133.ty_2;
+            V tz_2 = _o133.tz_2;
+            V vx_3 = _o133.vx_3;
+            V vy_3 = _o133.vy_3;
+            V vz_3 = _o133.vz_3;
+            V nx_3 = _o133.nx_3;
+            V ny_3 = _o133.ny_3;
+            V nz_3 = _o133.nz_3;
+            V turn_rate_3 = _o133.turn_rate_3;
+            const LANES(court_roll_3_out) _o134 =
+                LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
+            V lift_3 = _o134.lift_3;
+            V tx_3 = _o134.tx_3;
+            V ty_3 = _o134.ty_3;
+            V tz_3 = _o134.tz_3;
+            V vx_4 = _o134.vx_4;
+            V vy_4 = _o134.vy_4;
+            V vz_4 = _o134.vz_4;
+            V nx_4 = _o134.nx_4;
+            V ny_4 = _o134.ny_4;
+            V nz_4 = _o134.nz_4;
+            V turn_rate_4 = _o134.turn_rate_4;
+            const LANES(court_roll_4_out) _o135 =
+                LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
+            V lift_4 = _o135.lift_4;
+            V tx_4 = _o135.tx_4;
+            V ty_4 = _o135.ty_4;
+            V tz_4 = _o135.tz_4;
+            V vx_5 = _o135.vx_5;
+            V vy_5 = _o135.vy_5;
+            V vz_5 = _o135.vz_5;
+            V nx_5 = _o135.nx_5;
+            V ny_5 = _o135.ny_5;
+            V nz_5 = _o135.nz_5;
+            V turn_rate_5 = _o135.turn_rate_5;
+            const LANES(court_roll_5_out) _o136 =
+                LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
+            V lift_5 = _o136.lift_5;
+            V tx_5 = _o136.tx_5;
+            V ty_5 = _o136.ty_5;
+            V tz_5 = _o136.tz_5;
+            V vx_6 = _o136.vx_6;
+            V vy_6 = _o136.vy_6;
+            V vz_6 = _o136.vz_6;
+            V nx_6 = _o136.nx_6;
+            V ny_6 = _o136.ny_6;
+            V nz_6 = _o136.nz_6;
+            V turn_rate_6 = _o136.turn_rate_6;
+            const LANES(court_roll_6_out) _o137 =
+                LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
+            V lift_6 = _o137.lift_6;
+            V tx_6 = _o137.tx_6;
+            V ty_6 = _o137.ty_6;
+            V tz_6 = _o137.tz_6;
+            V vx_7 = _o137.vx_7;
+            V vy_7 = _o137.vy_7;
+            V vz_7 = _o137.vz_7;
+            V nx_7 = _o137.nx_7;
+            V ny_7 = _o137.ny_7;
+            V nz_7 = _o137.nz_7;
+            V turn_rate_7 = _o137.turn_rate_7;
+            const LANES(court_roll_7_out) _o138 =
+                LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
+            V lift_7 = _o138.lift_7;
+            V vx_8 = _o138.vx_8;
+            V vy_8 = _o138.vy_8;
+            V vz_8 = _o138.vz_8;
+            V nx_8 = _o138.nx_8;
+            V ny_8 = _o138.ny_8;
+            V nz_8 = _o138.nz_8;
+            V turn_rate_8 = _o138.turn_rate_8;
+            const LANES(court_roll_pace_out) _o139 =
+                LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
+            V stride = _o139.stride;
+            V strongest = _o139.strongest;
+            V fastest = _o139.fastest;
+            V force = _o139.force;
+            V force_rate = _o139.force_rate;
+            V force_bend = _o139.force_bend;
+            const LANES(court_leaving_force_out) _o140 =
+                LANES(court_leaving_force)(p_ball_radius, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
+            stride = _o140.stride;
+            which = _o140.which;
+            M rests = _o140.rests;
+            const LANES(court_beside_out) _o141 =
+                LANES(court_beside)(held, K(0.0));
+            M beside = _o141.beside;
+            const M _m142 = lanes_both(active, beside);
+            if (lanes_any(_m142)) {
+                const LANES(court_ring_beside_out) _o143 =
+                    LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o143.gap;
+                V nearing = _o143.nearing;
+                V dent = _o143.dent;
+                const LANES(court_beside_body_out) _o144 =
+                    LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(0.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+                stride = lanes_select(_m142, _o144.stride, stride);
+                which = lanes_select(_m142, _o144.which, which);
+            }
+            const LANES(court_beside_out) _o145 =
+                LANES(court_beside)(held, K(1.0));
+            beside = _o145.beside;
+            const M _m146 = lanes_both(active, beside);
+            if (lanes_any(_m146)) {
+                const LANES(court_backboard_beside_out) _o147 =
+                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                V gap = _o147.gap;
+                V nearing = _o147.nearing;
+                V dent = _o147.dent;
+                const LANES(court_beside_body_out) _o148 =
+                    LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+                stride = lanes_select(_m146, _o148.stride, stride);
+                which = lanes_select(_m146, _o148.which, which);
+            }
+            const LANES(court_beside_out) _o149 =
+                LANES(court_beside)(held, K(2.0));
+            beside = _o149.beside;
+            const M _m150 = lanes_both(active, beside);
+            if (lanes_any(_m150)) {
+                const LANES(court_bridge_beside_out) _o151 =
+                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o151.gap;
+                V nearing = _o151.nearing;
+                V dent = _o151.dent;
+                const LANES(court_beside_body_out) _o152 =
+                    LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+                stride = lanes_select(_m150, _o152.stride, stride);
+                which = lanes_select(_m150, _o152.which, which);
+            }
+            const LANES(court_end_beside_out) _o153 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            V gap = _o153.gap;
+            V nearing = _o153.nearing;
+            V dent = _o153.dent;
+            const LANES(court_beside_gate_out) _o154 =
+                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o154.stride;
+            which = _o154.which;
+            const LANES(court_holding_out) _o155 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o155.here;
+            const M _m156 = lanes_both(active, here);
+            if (lanes_any(_m156)) {
+                const LANES(court_backboard_seam0_out) _o157 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m156, _o157.gap, gap);
+                V nearing = _o157.nearing;
+                V near = _o157.near;
+                const LANES(court_beside_seam_out) _o158 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m156, _o158.stride, stride);
+                const LANES(court_backboard_seam1_out) _o159 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m156, _o159.gap, gap);
+                nearing = _o159.nearing;
+                near = _o159.near;
+                const LANES(court_beside_seam_out) _o160 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m156, _o160.stride, stride);
+                const LANES(court_backboard_seam2_out) _o161 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m156, _o161.gap, gap);
+                nearing = _o161.nearing;
+                near = _o161.near;
+                const LANES(court_beside_seam_out) _o162 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m156, _o162.stride, stride);
+                const LANES(court_backboard_seam3_out) _o163 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m156, _o163.gap, gap);
+                nearing = _o163.nearing;
+                near = _o163.near;
+                const LANES(court_beside_seam_out) _o164 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m156, _o164.stride, stride);
+                const LANES(court_backboard_seam4_out) _o165 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m156, _o165.gap, gap);
+                nearing = _o165.nearing;
+                near = _o165.near;
+                const LANES(court_beside_seam_out) _o166 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m156, _o166.stride, stride);
+                const LANES(court_backboard_seam5_out) _o167 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m156, _o167.gap, gap);
+                nearing = _o167.nearing;
+                near = _o167.near;
+                const LANES(court_beside_seam_out) _o168 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m156, _o168.stride, stride);
+            }
+            const LANES(court_holding_out) _o169 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o169.here;
+            const M _m170 = lanes_both(active, here);
+            if (lanes_any(_m170)) {
+                const LANES(court_bridge_seam0_out) _o171 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m170, _o171.gap, gap);
+                V nearing = _o171.nearing;
+                V near = _o171.near;
+                const LANES(court_beside_seam_out) _o172 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m170, _o172.stride, stride);
+                const LANES(court_bridge_seam1_out) _o173 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m170, _o173.gap, gap);
+                nearing = _o173.nearing;
+                near = _o173.near;
+                const LANES(court_beside_seam_out) _o174 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m170, _o174.stride, stride);
+                const LANES(court_bridge_seam2_out) _o175 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m170, _o175.gap, gap);
+                nearing = _o175.nearing;
+                near = _o175.near;
+                const LANES(court_beside_seam_out) _o176 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m170, _o176.stride, stride);
+                const LANES(court_bridge_seam3_out) _o177 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m170, _o177.gap, gap);
+                nearing = _o177.nearing;
+                near = _o177.near;
+                const LANES(court_beside_seam_out) _o178 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m170, _o178.stride, stride);
+                const LANES(court_bridge_seam4_out) _o179 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m170, _o179.gap, gap);
+                nearing = _o179.nearing;
+                near = _o179.near;
+                const LANES(court_beside_seam_out) _o180 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m170, _o180.stride, stride);
+                const LANES(court_bridge_seam5_out) _o181 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m170, _o181.gap, gap);
+                nearing = _o181.nearing;
+                near = _o181.near;
+                const LANES(court_beside_seam_out) _o182 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m170, _o182.stride, stride);
+            }
+            const LANES(court_beside_time_out) _o183 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o183.stride;
+            which = _o183.which;
+            const LANES(court_passing_from_out) _o184 =
+                LANES(court_passing_from)(z);
+            M over = _o184.over;
+            const LANES(court_roll_moved_out) _o185 =
+                LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
+            x = _o185.x;
+            vx = _o185.vx;
+            y = _o185.y;
+            vy = _o185.vy;
+            z = _o185.z;
+            vz = _o185.vz;
+            V turn_rate = _o185.turn_rate;
+            const LANES(court_holding_out) _o186 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o186.here;
+            const M _m187 = lanes_both(active, here);
+            if (lanes_any(_m187)) {
+                const LANES(court_backboard_normal_out) _o188 =
+                    LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = lanes_select(_m187, _o188.nx, nx);
+                ny = lanes_select(_m187, _o188.ny, ny);
+                nz = lanes_select(_m187, _o188.nz, nz);
+                const LANES(court_backboard_off_out) _o189 =
+                    LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                gap = lanes_select(_m187, _o189.gap, gap);
+            }
+            const LANES(court_holding_out) _o190 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o190.here;
+            const M _m191 = lanes_both(active, here);
+            if (lanes_any(_m191)) {
+                const LANES(court_bridge_normal_out) _o192 =
+                    LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = lanes_select(_m191, _o192.nx, nx);
+                ny = lanes_select(_m191, _o192.ny, ny);
+                nz = lanes_select(_m191, _o192.nz, nz);
+                const LANES(court_bridge_off_out) _o193 =
+                    LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                gap = lanes_select(_m191, _o193.gap, gap);
+            }
+            const LANES(court_roll_placed_out) _o194 =
+                LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
+            x = _o194.x;
+            y = _o194.y;
+            z = _o194.z;
+            vx = _o194.vx;
+            vy = _o194.vy;
+            vz = _o194.vz;
+            wx = _o194.wx;
+            wy = _o194.wy;
+            wz = _o194.wz;
+            const LANES(court_passing_in_contact_out) _o195 =
+                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
+            through = _o195.through;
+            const LANES(court_rolled_on_out) _o196 =
+                LANES(court_rolled_on)(clock, rests, stride, which);
+            clock = _o196.clock;
+            rolling = _o196.rolling;
+            turns = lanes_add(turns, K(1.0));
+            const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
+            if (lanes_any(ended)) {
+                double ended_row[LANES_WIDTH];
+                lanes_store(ended_row, row);
+                double ended_clock[LANES_WIDTH];
+                lanes_store(ended_clock, clock);
+                double ended_per_reach[LANES_WIDTH];
+                lanes_store(ended_per_reach, per_reach);
+                double ended_rests[LANES_WIDTH];
+                lanes_store(ended_rests, lanes_select(rests, K(1.0), K(0.0)));
+                double ended_rolling[LANES_WIDTH];
+                lanes_store(ended_rolling, lanes_select(rolling, K(1.0), K(0.0)));
+                double ended_through[LANES_WIDTH];
+                lanes_store(ended_through, through);
+                double ended_vx[LANES_WIDTH];
+                lanes_store(ended_vx, vx);
+                double ended_vy[LANES_WIDTH];
+                lanes_store(ended_vy, vy);
+                double ended_vz[LANES_WIDTH];
+                lanes_store(ended_vz, vz);
+                double ended_which[LANES_WIDTH];
+                lanes_store(ended_which, which);
+                double ended_wx[LANES_WIDTH];
+                lanes_store(ended_wx, wx);
+                double ended_wy[LANES_WIDTH];
+                lanes_store(ended_wy, wy);
+                double ended_wz[LANES_WIDTH];
+                lanes_store(ended_wz, wz);
+                double ended_x[LANES_WIDTH];
+                lanes_store(ended_x, x);
+                double ended_y[LANES_WIDTH];
+                lanes_store(ended_y, y);
+                double ended_z[LANES_WIDTH];
+                lanes_store(ended_z, z);
+                for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                    const int lane = LANES_LOWEST(bits);
+                    const size_t k = (size_t)ended_row[lane];
+                    lists->kept_clock[k] = ended_clock[lane];
+                    lists->kept_per_reach[k] = ended_per_reach[lane];
+                    lists->kept_rests[k] = ended_rests[lane];
+                    lists->kept_rolling[k] = ended_rolling[lane];
+                    lists->kept_through[k] = ended_through[lane];
+                    lists->kept_vx[k] = ended_vx[lane];
+                    lists->kept_vy[k] = ended_vy[lane];
+                    lists->kept_vz[k] = ended_vz[lane];
+                    lists->kept_which[k] = ended_which[lane];
+                    lists->kept_wx[k] = ended_wx[lane];
+                    lists->kept_wy[k] = ended_wy[lane];
+                    lists->kept_wz[k] = ended_wz[lane];
+                    lists->kept_x[k] = ended_x[lane];
+                    lists->kept_y[k] = ended_y[lane];
+                    lists->kept_z[k] = ended_z[lane];
+                }
+                busy -= lanes_many(ended);
+                active = lanes_both(active, lanes_not(ended));
+            }
+        }
+    }
+    }
+    {
+    size_t kept_circling_shots = 0;
+    for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(kept_shots - i);
+        V circled = lanes_load(lists->kept_circled + i);
+        M circling = lanes_less(K(0.0), lanes_load(lists->kept_circling + i));
+        V clock = lanes_load(lists->kept_clock + i);
+        const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
+        const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
+        const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
+        const V p_board_half_width = lanes_load(varying ? lists->kept_p_board_half_width + i : lists->p_board_half_width);
+        const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
+        const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
+        const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
+        const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
+        const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
+        const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
+        const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
+        const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
+        V through = lanes_load(lists->kept_through + i);
+        V vx = lanes_load(lists->kept_vx + i);
+        V vy = lanes_load(lists->kept_vy + i);
+        V vz = lanes_load(lists->kept_vz + i);
+        V which = lanes_load(lists->kept_which + i);
+        V wx = lanes_load(lists->kept_wx + i);
+        V wy = lanes_load(lists->kept_wy + i);
+        V wz = lanes_load(lists->kept_wz + i);
+        V x = lanes_load(lists->kept_x + i);
+        V y = lanes_load(lists->kept_y + i);
+        V z = lanes_load(lists->kept_z + i);
+        const M packed = lanes_both(rows, circling);
+        if (lanes_any(packed)) {
+            lanes_pack(lists->kept_circling_row + kept_circling_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+            lanes_pack(lists->kept_circling_circled + kept_circling_shots, packed, circled);
+            lanes_pack(lists->kept_circling_clock + kept_circling_shots, packed, clock);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_ball_radius + kept_circling_shots, packed, p_ball_radius);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_board_bottom + kept_circling_shots, packed, p_board_bottom);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_board_distance + kept_circling_shots, packed, p_board_distance);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_board_half_width + kept_circling_shots, packed, p_board_half_width);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_board_thickness + kept_circling_shots, packed, p_board_thickness);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_board_top + kept_circling_shots, packed, p_board_top);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_bridge_depth + kept_circling_shots, packed, p_bridge_depth);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_bridge_half_width + kept_circling_shots, packed, p_bridge_half_width);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_end_depth + kept_circling_shots, packed, p_end_depth);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_gravity + kept_circling_shots, packed, p_gravity);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_ring_radius + kept_circling_shots, packed, p_ring_radius);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_wire_radius + kept_circling_shots, packed, p_wire_radius);
+            lanes_pack(lists->kept_circling_through + kept_circling_shots, packed, through);
+            lanes_pack(lists->kept_circling_vx + kept_circling_shots, packed, vx);
+            lanes_pack(lists->kept_circling_vy + kept_circling_shots, packed, vy);
+            lanes_pack(lists->kept_circling_vz + kept_circling_shots, packed, vz);
+            lanes_pack(lists->kept_circling_which + kept_circling_shots, packed, which);
+            lanes_pack(lists->kept_circling_wx + kept_circling_shots, packed, wx);
+            lanes_pack(lists->kept_circling_wy + kept_circling_shots, packed, wy);
+            lanes_pack(lists->kept_circling_wz + kept_circling_shots, packed, wz);
+            lanes_pack(lists->kept_circling_x + kept_circling_shots, packed, x);
+            lanes_pack(lists->kept_circling_y + kept_circling_shots, packed, y);
+            lanes_pack(lists->kept_circling_z + kept_circling_shots, packed, z);
+            kept_circling_shots += lanes_many(packed);
+        }
+    }
+    {
+        size_t taken = 0, busy = 0;
+        M active = lanes_nowhere();
+        V row = K(0.0), turns = K(0.0);
+        V p_ball_radius = lanes_load(lists->p_ball_radius);
+        V p_board_bottom = lanes_load(lists->p_board_bottom);
+        V p_board_distance = lanes_load(lists->p_board_distance);
+        V p_board_half_width = lanes_load(lists->p_board_half_width);
+        V p_board_thickness = lanes_load(lists->p_board_thickness);
+        V p_board_top = lanes_load(lists->p_board_top);
+        V p_bridge_depth = lanes_load(lists->p_bridge_depth);
+        V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
+        V p_end_depth = lanes_load(lists->p_end_depth);
+        V p_gravity = lanes_load(lists->p_gravity);
+        V p_ring_radius = lanes_load(lists->p_ring_radius);
+        V p_wire_radius = lanes_load(lists->p_wire_radius);
+        V circled = K(0.0);
+        V clock = K(0.0);
+        V through = K(0.0);
+        V vx = K(0.0);
+        V vy = K(0.0);
+        V vz = K(0.0);
+        V which = K(0.0);
+        V wx = K(0.0);
+        V wy = K(0.0);
+        V wz = K(0.0);
+        V x = K(0.0);
+        V y = K(0.0);
+        V z = K(0.0);
+        for (;;) {
+            if (taken < kept_circling_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                const M idle = lanes_not(active);
+                row = lanes_expand(lists->kept_circling_row + taken, idle, row);
+                turns = lanes_select(idle, K(0.0), turns);
+                circled = lanes_expand(lists->kept_circling_circled + taken, idle, circled);
+                clock = lanes_expand(lists->kept_circling_clock + taken, idle, clock);
+                through = lanes_expand(lists->kept_circling_through + taken, idle, through);
+                vx = lanes_expand(lists->kept_circling_vx + taken, idle, vx);
+                vy = lanes_expand(lists->kept_circling_vy + taken, idle, vy);
+                vz = lanes_expand(lists->kept_circling_vz + taken, idle, vz);
+                which = lanes_expand(lists->kept_circling_which + taken, idle, which);
+                wx = lanes_expand(lists->kept_circling_wx + taken, idle, wx);
+                wy = lanes_expand(lists->kept_circling_wy + taken, idle, wy);
+                wz = lanes_expand(lists->kept_circling_wz + taken, idle, wz);
+                x = lanes_expand(lists->kept_circling_x + taken, idle, x);
+                y = lanes_expand(lists->kept_circling_y + taken, idle, y);
+                z = lanes_expand(lists->kept_circling_z + taken, idle, z);
+                if (varying) {
+                    p_ball_radius = lanes_expand(lists->kept_circling_p_ball_radius + taken, idle, p_ball_radius);
+                    p_board_bottom = lanes_expand(lists->kept_circling_p_board_bottom + taken, idle, p_board_bottom);
+                    p_board_distance = lanes_expand(lists->kept_circling_p_board_distance + taken, idle, p_board_distance);
+                    p_board_half_width = lanes_expand(lists->kept_circling_p_board_half_width + taken, idle, p_board_half_width);
+                    p_board_thickness = lanes_expand(lists->kept_circling_p_board_thickness + taken, idle, p_board_thickness);
+                    p_board_top = lanes_expand(lists->kept_circling_p_board_top + taken, idle, p_board_top);
+                    p_bridge_depth = lanes_expand(lists->kept_circling_p_bridge_depth + taken, idle, p_bridge_depth);
+                    p_bridge_half_width = lanes_expand(lists->kept_circling_p_bridge_half_width + taken, idle, p_bridge_half_width);
+                    p_end_depth = lanes_expand(lists->kept_circling_p_end_depth + taken, idle, p_end_depth);
+                    p_gravity = lanes_expand(lists->kept_circling_p_gravity + taken, idle, p_gravity);
+                    p_ring_radius = lanes_expand(lists->kept_circling_p_ring_radius + taken, idle, p_ring_radius);
+                    p_wire_radius = lanes_expand(lists->kept_circling_p_wire_radius + taken, idle, p_wire_radius);
+                }
+                const size_t room = LANES_WIDTH - busy, left = kept_circling_shots - taken;
+                active = lanes_leading(idle, left, active);
+                taken += left < room ? left : room;
+                busy += left < room ? left : room;
+            }
+            if (busy == 0)
+                break;
+            M circling = active;
+            const LANES(court_ring_tube_out) _o197 =
+                LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
+            V per_reach = _o197.per_reach;
+            const LANES(court_ring_round_start_out) _o198 =
+                LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
+            V cosine_0 = _o198.cosine_0;
+            V sine_0 = _o198.sine_0;
+            V climb_0 = _o198.climb_0;
+            V along_0 = _o198.along_0;
+            V turn_rate_0 = _o198.turn_rate_0;
+            V cos_0 = _o198.cos_0;
+            V sin_0 = _o198.sin_0;
+            V near_0 = _o198.near_0;
+            const LANES(court_ring_round_0_out) _o199 =
+                LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
+            V omega_0 = _o199.omega_0;
+            V around_0 = _o199.around_0;
+            V tilted_0 = _o199.tilted_0;
+            V pressed_0 = _o199.pressed_0;
+            V force_0 = _o199.force_0;
+            V cosine_1 = _o199.cosine_1;
+            V sine_1 = _o199.sine_1;
+            V climb_1 = _o199.climb_1;
+            V along_1 = _o199.along_1;
+            V turn_rate_1 = _o199.turn_rate_1;
+            V cos_1 = _o199.cos_1;
+            V sin_1 = _o199.sin_1;
+            const LANES(court_ring_round_1_out) _o200 =
+                LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
+            V near_1 = _o200.near_1;
+            V omega_1 = _o200.omega_1;
+            V around_1 = _o200.around_1;
+            V tilted_1 = _o200.tilted_1;
+            V pressed_1 = _o200.pressed_1;
+            V force_1 = _o200.force_1;
+            V cosine_2 = _o200.cosine_2;
+            V sine_2 = _o200.sine_2;
+            V climb_2 = _o200.climb_2;
+            V along_2 = _o200.along_2;
+            V turn_rate_2 = _o200.turn_rate_2;
+            V cos_2 = _o200.cos_2;
+            V sin_2 = _o200.sin_2;
+            const LANES(court_ring_round_2_out) _o201 =
+                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
+            V near_2 = _o201.near_2;
+            V omega_2 = _o201.omega_2;
+            V around_2 = _o201.around_2;
+            V tilted_2 = _o201.tilted_2;
+            V pressed_2 = _o201.pressed_2;
+            V force_2 = _o201.force_2;
+            V cosine_3 = _o201.cosine_3;
+            V sine_3 = _o201.sine_3;
+            V climb_3 = _o201.climb_3;
+            V along_3 = _o201.along_3;
+            V turn_rate_3 = _o201.turn_rate_3;
+            V cos_3 = _o201.cos_3;
+            V sin_3 = _o201.sin_3;
+            const LANES(court_ring_round_3_out) _o202 =
+                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
+            V near_3 = _o202.near_3;
+            V omega_3 = _o202.omega_3;
+            V around_3 = _o202.around_3;
+            V tilted_3 = _o202.tilted_3;
+            V pressed_3 = _o202.pressed_3;
+            V force_3 = _o202.force_3;
+            V cosine_4 = _o202.cosine_4;
+            V sine_4 = _o202.sine_4;
+            V climb_4 = _o202.climb_4;
+            V along_4 = _o202.along_4;
+            V turn_rate_4 = _o202.turn_rate_4;
+            V cos_4 = _o202.cos_4;
+            V sin_4 = _o202.sin_4;
+            const LANES(court_ring_round_4_out) _o203 =
+                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
+            V near_4 = _o203.near_4;
+            V omega_4 = _o203.omega_4;
+            V around_4 = _o203.around_4;
+            V tilted_4 = _o203.tilted_4;
+            V pressed_4 = _o203.pressed_4;
+            V force_4 = _o203.force_4;
+            V cosine_5 = _o203.cosine_5;
+            V sine_5 = _o203.sine_5;
+            V climb_5 = _o203.climb_5;
+            V along_5 = _o203.along_5;
+            V turn_rate_5 = _o203.turn_rate_5;
+            V cos_5 = _o203.cos_5;
+            V sin_5 = _o203.sin_5;
+            const LANES(court_ring_round_5_out) _o204 =
+                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
+            V near_5 = _o204.near_5;
+            V omega_5 = _o204.omega_5;
+            V around_5 = _o204.around_5;
+            V tilted_5 = _o204.tilted_5;
+            V pressed_5 = _o204.pressed_5;
+            V force_5 = _o204.force_5;
+            V cosine_6 = _o204.cosine_6;
+            V sine_6 = _o204.sine_6;
+            V climb_6 = _o204.climb_6;
+            V along_6 = _o204.along_6;
+            V turn_rate_6 = _o204.turn_rate_6;
+            V cos_6 = _o204.cos_6;
+            V sin_6 = _o204.sin_6;
+            const LANES(court_ring_round_6_out) _o205 =
+                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
+            V near_6 = _o205.near_6;
+            V omega_6 = _o205.omega_6;
+            V around_6 = _o205.around_6;
+            V tilted_6 = _o205.tilted_6;
+            V pressed_6 = _o205.pressed_6;
+            V force_6 = _o205.force_6;
+            V cosine_7 = _o205.cosine_7;
+            V sine_7 = _o205.sine_7;
+            V climb_7 = _o205.climb_7;
+            V along_7 = _o205.along_7;
+            V turn_rate_7 = _o205.turn_rate_7;
+            V cos_7 = _o205.cos_7;
+            V sin_7 = _o205.sin_7;
+            const LANES(court_ring_round_7_out) _o206 =
+                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
+            V near_7 = _o206.near_7;
+            V omega_7 = _o206.omega_7;
+            V around_7 = _o206.around_7;
+            V tilted_7 = _o206.tilted_7;
+            V pressed_7 = _o206.pressed_7;
+            V force_7 = _o206.force_7;
+            V cosine_8 = _o206.cosine_8;
+            V sine_8 = _o206.sine_8;
+            V climb_8 = _o206.climb_8;
+            V along_8 = _o206.along_8;
+            V turn_rate_8 = _o206.turn_rate_8;
+            V cos_8 = _o206.cos_8;
+            V sin_8 = _o206.sin_8;
+            const LANES(court_ring_round_8_out) _o207 =
+                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
+            V near_8 = _o207.near_8;
+            V omega_8 = _o207.omega_8;
+            V around_8 = _o207.around_8;
+            V tilted_8 = _o207.tilted_8;
+            V pressed_8 = _o207.pressed_8;
+            V force_8 = _o207.force_8;
+            V cosine_9 = _o207.cosine_9;
+            V sine_9 = _o207.sine_9;
+            V climb_9 = _o207.climb_9;
+            V along_9 = _o207.along_9;
+            V turn_rate_9 = _o207.turn_rate_9;
+            V cos_9 = _o207.cos_9;
+            V sin_9 = _o207.sin_9;
+            const LANES(court_ring_round_9_out) _o208 =
+                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            V near_9 = _o208.near_9;
+            V omega_9 = _o208.omega_9;
+            V around_9 = _o208.around_9;
+            V tilted_9 = _o208.tilted_9;
+            V pressed_9 = _o208.pressed_9;
+            V force_9 = _o208.force_9;
+            V cosine_10 = _o208.cosine_10;
+            V sine_10 = _o208.sine_10;
+            V climb_10 = _o208.climb_10;
+            V along_10 = _o208.along_10;
+            V turn_rate_10 = _o208.turn_rate_10;
+            V cos_10 = _o208.cos_10;
+            V sin_10 = _o208.sin_10;
+            const LANES(court_ring_round_10_out) _o209 =
+                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            V near_10 = _o209.near_10;
+            V omega_10 = _o209.omega_10;
+            V around_10 = _o209.around_10;
+            V tilted_10 = _o209.tilted_10;
+            V pressed_10 = _o209.pressed_10;
+            V force_10 = _o209.force_10;
+            V cosine_11 = _o209.cosine_11;
+            V sine_11 = _o209.sine_11;
+            V climb_11 = _o209.climb_11;
+            V along_11 = _o209.along_11;
+            V turn_rate_11 = _o209.turn_rate_11;
+            V cos_11 = _o209.cos_11;
+            V sin_11 = _o209.sin_11;
+            const LANES(court_ring_round_11_out) _o210 =
+                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            V force_11 = _o210.force_11;
+            V cosine_12 = _o210.cosine_12;
+            V sine_12 = _o210.sine_12;
+            V climb_12 = _o210.climb_12;
+            V along_12 = _o210.along_12;
+            V turn_rate_12 = _o210.turn_rate_12;
+            V cos_12 = _o210.cos_12;
+            V sin_12 = _o210.sin_12;
+            const LANES(court_ring_round_pace_out) _o211 =
+                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            V stride = _o211.stride;
+            V strongest = _o211.strongest;
+            V fastest = _o211.fastest;
+            V sway = _o211.sway;
+            V force = _o211.force;
+            V force_rate = _o211.force_rate;
+            V force_bend = _o211.force_bend;
+            V vx_1 = _o211.vx_1;
+            V vy_1 = _o211.vy_1;
+            V vz_1 = _o211.vz_1;
+            const LANES(court_leaving_force_out) _o212 =
+                LANES(court_leaving_force)(p_ball_radius, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
+            stride = _o212.stride;
+            which = _o212.which;
+            M rests = _o212.rests;
+            const LANES(court_backboard_beside_out) _o213 =
+                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            V gap = _o213.gap;
+            V nearing = _o213.nearing;
+            V dent = _o213.dent;
+            const LANES(court_beside_body_out) _o214 =
+                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o214.stride;
+            which = _o214.which;
+            const LANES(court_bridge_beside_out) _o215 =
+                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o215.gap;
+            nearing = _o215.nearing;
+            dent = _o215.dent;
+            const LANES(court_beside_body_out) _o216 =
+                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o216.stride;
+            which = _o216.which;
+            const LANES(court_end_beside_out) _o217 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o217.gap;
+            nearing = _o217.nearing;
+            dent = _o217.dent;
+            const LANES(court_beside_gate_out) _o218 =
+                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o218.stride;
+            which = _o218.which;
+            const LANES(court_beside_time_out) _o219 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o219.stride;
+            which = _o219.which;
+            const LANES(court_passing_from_out) _o220 =
+                LANES(court_passing_from)(z);
+            M over = _o220.over;
+            const LANES(court_alone_out) _o221 =
+                LANES(court_alone)();
+            V berth = _o221.nearest;
+            const LANES(court_leaps_out) _o222 =
+                LANES(court_leaps)(stride);
+            V forth = _o222.forth;
+            V back = _o222.back;
+            const LANES(court_backboard_around_out) _o223 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o223.gap;
+            nearing = _o223.nearing;
+            const LANES(court_cleared_out) _o224 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o224.berth;
+            const LANES(court_bridge_around_out) _o225 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o225.gap;
+            nearing = _o225.nearing;
+            const LANES(court_cleared_out) _o226 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o226.berth;
+            const LANES(court_end_around_out) _o227 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o227.gap;
+            nearing = _o227.nearing;
+            const LANES(court_cleared_out) _o228 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o228.berth;
+            const LANES(court_ring_round_moved_out) _o229 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            x = _o229.x;
+            y = _o229.y;
+            z = _o229.z;
+            vx = _o229.vx;
+            vy = _o229.vy;
+            vz = _o229.vz;
+            wx = _o229.wx;
+            wy = _o229.wy;
+            wz = _o229.wz;
+            V climb = _o229.climb;
+            const LANES(court_passing_in_contact_out) _o230 =
+                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
+            through = _o230.through;
+            const LANES(court_backboard_around_out) _o231 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o231.gap;
+            nearing = _o231.nearing;
+            const LANES(court_cleared_out) _o232 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o232.berth;
+            const LANES(court_bridge_around_out) _o233 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o233.gap;
+            nearing = _o233.nearing;
+            const LANES(court_cleared_out) _o234 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o234.berth;
+            const LANES(court_end_around_out) _o235 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o235.gap;
+            nearing = _o235.nearing;
+            const LANES(court_cleared_out) _o236 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o236.berth;
+            const LANES(court_ring_swung_out) _o237 =
+                LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, K(0.0), stride, sway, K(0.0), which, p_wire_radius);
+            circled = _o237.circled;
+            M endless = _o237.endless;
+            const LANES(court_for_ever_out) _o238 =
+                LANES(court_for_ever)(endless, which);
+            which = _o238.which;
+            const LANES(court_rolled_on_out) _o239 =
+                LANES(court_rolled_on)(clock, rests, stride, which);
+            clock = _o239.clock;
+            circling = _o239.rolling;
+            turns = lanes_add(turns, K(1.0));
+            const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
+            if (lanes_any(ended)) {
+                double ended_row[LANES_WIDTH];
+                lanes_store(ended_row, row);
+                double ended_circled[LANES_WIDTH];
+                lanes_store(ended_circled, circled);
+                double ended_circling[LANES_WIDTH];
+                lanes_store(ended_circling, lanes_select(circling, K(1.0), K(0.0)));
+                double ended_clock[LANES_WIDTH];
+                lanes_store(ended_clock, clock);
+                double ended_per_reach[LANES_WIDTH];
+                lanes_store(ended_per_reach, per_reach);
+                double ended_rests[LANES_WIDTH];
+                lanes_store(ended_rests, lanes_select(rests, K(1.0), K(0.0)));
+                double ended_through[LANES_WIDTH];
+                lanes_store(ended_through, through);
+                double ended_vx[LANES_WIDTH];
+                lanes_store(ended_vx, vx);
+                double ended_vy[LANES_WIDTH];
+                lanes_store(ended_vy, vy);
+                double ended_vz[LANES_WIDTH];
+                lanes_store(ended_vz, vz);
+                double ended_which[LANES_WIDTH];
+                lanes_store(ended_which, which);
+                double ended_wx[LANES_WIDTH];
+                lanes_store(ended_wx, wx);
+                double ended_wy[LANES_WIDTH];
+                lanes_store(ended_wy, wy);
+                double ended_wz[LANES_WIDTH];
+                lanes_store(ended_wz, wz);
+                double ended_x[LANES_WIDTH];
+                lanes_store(ended_x, x);
+                double ended_y[LANES_WIDTH];
+                lanes_store(ended_y, y);
+                double ended_z[LANES_WIDTH];
+                lanes_store(ended_z, z);
+                for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                    const int lane = LANES_LOWEST(bits);
+                    const size_t k = (size_t)ended_row[lane];
+                    lists->kept_circled[k] = ended_circled[lane];
+                    lists->kept_circling[k] = ended_circling[lane];
+                    lists->kept_clock[k] = ended_clock[lane];
+                    lists->kept_per_reach[k] = ended_per_reach[lane];
+                    lists->kept_rests[k] = ended_rests[lane];
+                    lists->kept_through[k] = ended_through[lane];
+                    lists->kept_vx[k] = ended_vx[lane];
+                    lists->kept_vy[k] = ended_vy[lane];
+                    lists->kept_vz[k] = ended_vz[lane];
+                    lists->kept_which[k] = ended_which[lane];
+                    lists->kept_wx[k] = ended_wx[lane];
+                    lists->kept_wy[k] = ended_wy[lane];
+                    lists->kept_wz[k] = ended_wz[lane];
+                    lists->kept_x[k] = ended_x[lane];
+                    lists->kept_y[k] = ended_y[lane];
+                    lists->kept_z[k] = ended_z[lane];
+                }
+                busy -= lanes_many(ended);
+                active = lanes_both(active, lanes_not(ended));
+            }
+        }
+    }
+    }
+    for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(kept_shots - i);
+        M circling = lanes_less(K(0.0), lanes_load(lists->kept_circling + i));
+        V held = lanes_load(lists->kept_held + i);
+        M leaves = lanes_less(K(0.0), lanes_load(lists->kept_leaves + i));
+        V lift = lanes_load(lists->kept_lift + i);
+        const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
+        const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
+        const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
+        const V p_board_half_width = lanes_load(varying ? lists->kept_p_board_half_width + i : lists->p_board_half_width);
+        const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
+        const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
+        const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
+        const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
+        const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
+        const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
+        const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
+        const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
+        V per_reach = lanes_load(lists->kept_per_reach + i);
+        M rolling = lanes_less(K(0.0), lanes_load(lists->kept_rolling + i));
+        V snap = lanes_load(lists->kept_snap + i);
+        V surge = lanes_load(lists->kept_surge + i);
+        V vx = lanes_load(lists->kept_vx + i);
+        V vy = lanes_load(lists->kept_vy + i);
+        V vz = lanes_load(lists->kept_vz + i);
+        V when = lanes_load(lists->kept_when + i);
+        V which = lanes_load(lists->kept_which + i);
+        V x = lanes_load(lists->kept_x + i);
+        V y = lanes_load(lists->kept_y + i);
+        V z = lanes_load(lists->kept_z + i);
+        const LANES(court_rejoined_out) _o240 =
+            LANES(court_rejoined)(circling, rolling);
+        rolling = _o240.rolling;
+        const M _m241 = lanes_both(rows, leaves);
+        if (lanes_any(_m241)) {
+            const LANES(court_holding_out) _o242 =
+                LANES(court_holding)(held, K(0.0));
+            M here = _o242.here;
+            const M _m243 = lanes_both(_m241, here);
+            if (lanes_any(_m243)) {
+                const LANES(court_ring_tube_out) _o244 =
+                    LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
+                per_reach = lanes_select(_m243, _o244.per_reach, per_reach);
+                const LANES(court_ring_parting_out) _o245 =
+                    LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+                lift = lanes_select(_m243, _o245.lift, lift);
+                surge = lanes_select(_m243, _o245.surge, surge);
+                snap = lanes_select(_m243, _o245.snap, snap);
+            }
+            const LANES(court_holding_out) _o246 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o246.here;
+            const M _m247 = lanes_both(_m241, here);
+            if (lanes_any(_m247)) {
+                const LANES(court_backboard_tube_out) _o248 =
+                    LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                per_reach = lanes_select(_m247, _o248.per_reach, per_reach);
+                const LANES(court_backboard_parting_out) _o249 =
+                    LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                lift = lanes_select(_m247, _o249.lift, lift);
+                surge = lanes_select(_m247, _o249.surge, surge);
+                snap = lanes_select(_m247, _o249.snap, snap);
+            }
+            const LANES(court_holding_out) _o250 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o250.here;
+            const M _m251 = lanes_both(_m241, here);
+            if (lanes_any(_m251)) {
+                const LANES(court_bridge_tube_out) _o252 =
+                    LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                per_reach = lanes_select(_m251, _o252.per_reach, per_reach);
+                const LANES(court_bridge_parting_out) _o253 =
+                    LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                lift = lanes_select(_m251, _o253.lift, lift);
+                surge = lanes_select(_m251, _o253.surge, surge);
+                snap = lanes_select(_m251, _o253.snap, snap);
+            }
+            const LANES(court_alone_out) _o254 =
+                LANES(court_alone)();
+            V nearest = _o254.nearest;
+            const LANES(court_beside_out) _o255 =
+                LANES(court_beside)(held, K(0.0));
+            M beside = _o255.beside;
+            const M _m256 = lanes_both(_m241, beside);
+            if (lanes_any(_m256)) {
+                const LANES(court_ring_beside_out) _o257 =
+                    LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o257.gap;
+                const LANES(court_neared_out) _o258 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m256, _o258.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o259 =
+                LANES(court_beside)(held, K(1.0));
+            beside = _o259.beside;
+            const M _m260 = lanes_both(_m241, beside);
+            if (lanes_any(_m260)) {
+                const LANES(court_backboard_beside_out) _o261 =
+                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                V gap = _o261.gap;
+                const LANES(court_neared_out) _o262 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m260, _o262.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o263 =
+                LANES(court_beside)(held, K(2.0));
+            beside = _o263.beside;
+            const M _m264 = lanes_both(_m241, beside);
+            if (lanes_any(_m264)) {
+                const LANES(court_bridge_beside_out) _o265 =
+                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o265.gap;
+                const LANES(court_neared_out) _o266 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m264, _o266.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o267 =
+                LANES(court_beside)(held, K(3.0));
+            beside = _o267.beside;
+            const M _m268 = lanes_both(_m241, beside);
+            {
+                const LANES(court_end_beside_out) _o269 =
+                    LANES(court_end_beside)(p_end_depth, vz, z);
+                V gap = _o269.gap;
+                const LANES(court_neared_out) _o270 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m268, _o270.nearest, nearest);
+            }
+            const LANES(court_parted_out) _o271 =
+                LANES(court_parted)(K(INFINITY), p_gravity, lift, nearest, per_reach, K(0.0), snap, surge, K(0.0), vx, vy, vz);
+            when = lanes_select(_m241, _o271.when, when);
+            const LANES(court_hopping_out) _o272 =
+                LANES(court_hopping)();
+            which = lanes_select(_m241, _o272.which, which);
+        }
+        lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
+        lanes_store(lists->kept_when + i, when);
+        lanes_store(lists->kept_which + i, which);
+    }
 }
 
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
@@ -669,7 +2100,7 @@ static void LANES(court_plain)(const court_job *job)
             following = 0;
         }
         const size_t fresh = shots;
-        if (begun < job->shots) {
+        if (begun < job->shots && shots < LANES_SHOTS) {
             const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
             shots += left < room ? left : room;
             LANES(court_plain_begin)(lists, fresh, shots - fresh, job, begun);
@@ -805,8 +2236,8 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_ring_clear_out) _o17 =
                 LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V clear = _o17.clear;
-            const LANES(court_opens_out) _o18 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o18 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o18.open;
             lanes_store(lists->began + i, began);
             lanes_store(lists->extent + i, extent);
@@ -1157,6 +2588,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V extent = lanes_load(lists->extent + i);
+            M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
@@ -1180,8 +2612,8 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_backboard_clear_out) _o43 =
                 LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
             V clear = _o43.clear;
-            const LANES(court_opens_out) _o44 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o44 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o44.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
@@ -1524,6 +2956,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V extent = lanes_load(lists->extent + i);
+            M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
@@ -1547,8 +2980,8 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_bridge_clear_out) _o69 =
                 LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
             V clear = _o69.clear;
-            const LANES(court_opens_out) _o70 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o70 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o70.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
@@ -1890,6 +3323,7 @@ static void LANES(court_plain)(const court_job *job)
         size_t kept_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
+            V circled = lanes_load(lists->circled + i);
             V clock = lanes_load(lists->clock + i);
             V held = lanes_load(lists->held + i);
             M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
@@ -1937,6 +3371,7 @@ static void LANES(court_plain)(const court_job *job)
             const M packed = lanes_both(rows, kept);
             if (lanes_any(packed)) {
                 lanes_pack(lists->kept_row + kept_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->kept_circled + kept_shots, packed, circled);
                 lanes_pack(lists->kept_clock + kept_shots, packed, clock);
                 lanes_pack(lists->kept_held + kept_shots, packed, held);
                 lanes_pack(lists->kept_mode + kept_shots, packed, mode);
@@ -1979,1240 +3414,12 @@ static void LANES(court_plain)(const court_job *job)
                 kept_shots += lanes_many(packed);
             }
         }
-        {
-        size_t kept_rolling_shots = 0;
-        for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(kept_shots - i);
-            V clock = lanes_load(lists->kept_clock + i);
-            V held = lanes_load(lists->kept_held + i);
-            V mode = lanes_load(lists->kept_mode + i);
-            const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
-            const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
-            const V p_board_half_width = lanes_load(varying ? lists->kept_p_board_half_width + i : lists->p_board_half_width);
-            const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
-            const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
-            const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
-            const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
-            const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
-            const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
-            V through = lanes_load(lists->kept_through + i);
-            V vx = lanes_load(lists->kept_vx + i);
-            V vy = lanes_load(lists->kept_vy + i);
-            V vz = lanes_load(lists->kept_vz + i);
-            V wx = lanes_load(lists->kept_wx + i);
-            V wy = lanes_load(lists->kept_wy + i);
-            V wz = lanes_load(lists->kept_wz + i);
-            V x = lanes_load(lists->kept_x + i);
-            V y = lanes_load(lists->kept_y + i);
-            V z = lanes_load(lists->kept_z + i);
-            const LANES(court_resumed_out) _o97 =
-                LANES(court_resumed)(clock, mode, K(0.0), K(0.0));
-            V which = _o97.which;
-            V began = _o97.began;
-            M begins = _o97.begins;
-            M rolling = _o97.rolling;
-            M leaves = _o97.leaves;
-            V nx = _o97.nx;
-            V ny = _o97.ny;
-            V nz = _o97.nz;
-            V gap = _o97.gap;
-            V bent_x = _o97.bent_x;
-            V bent_y = _o97.bent_y;
-            V bent_z = _o97.bent_z;
-            V lift = _o97.lift;
-            V surge = _o97.surge;
-            V snap = _o97.snap;
-            V per_reach = _o97.per_reach;
-            V ring = _o97.ring;
-            const M _m98 = lanes_both(rows, begins);
-            if (lanes_any(_m98)) {
-                const LANES(court_holding_out) _o99 =
-                    LANES(court_holding)(held, K(0.0));
-                M here = _o99.here;
-                const M _m100 = lanes_both(_m98, here);
-                {
-                    const LANES(court_ring_normal_out) _o101 =
-                        LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m100, _o101.nx, nx);
-                    ny = lanes_select(_m100, _o101.ny, ny);
-                    nz = lanes_select(_m100, _o101.nz, nz);
-                }
-                const LANES(court_holding_out) _o102 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o102.here;
-                const M _m103 = lanes_both(_m98, here);
-                {
-                    const LANES(court_backboard_normal_out) _o104 =
-                        LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m103, _o104.nx, nx);
-                    ny = lanes_select(_m103, _o104.ny, ny);
-                    nz = lanes_select(_m103, _o104.nz, nz);
-                }
-                const LANES(court_holding_out) _o105 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o105.here;
-                const M _m106 = lanes_both(_m98, here);
-                {
-                    const LANES(court_bridge_normal_out) _o107 =
-                        LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m106, _o107.nx, nx);
-                    ny = lanes_select(_m106, _o107.ny, ny);
-                    nz = lanes_select(_m106, _o107.nz, nz);
-                }
-                const LANES(court_roll_turn_rate_out) _o108 =
-                    LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-                V turn_rate = _o108.turn_rate;
-                const LANES(court_gripped_out) _o109 =
-                    LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                V rolled_x = _o109.rolled_x;
-                V rolled_y = _o109.rolled_y;
-                V rolled_z = _o109.rolled_z;
-                const LANES(court_holding_out) _o110 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o110.here;
-                const M _m111 = lanes_both(_m98, here);
-                {
-                    const LANES(court_ring_off_out) _o112 =
-                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = lanes_select(_m111, _o112.gap, gap);
-                }
-                const LANES(court_holding_out) _o113 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o113.here;
-                const M _m114 = lanes_both(_m98, here);
-                {
-                    const LANES(court_backboard_off_out) _o115 =
-                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = lanes_select(_m114, _o115.gap, gap);
-                }
-                const LANES(court_holding_out) _o116 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o116.here;
-                const M _m117 = lanes_both(_m98, here);
-                {
-                    const LANES(court_bridge_off_out) _o118 =
-                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = lanes_select(_m117, _o118.gap, gap);
-                }
-                const LANES(court_roll_placed_out) _o119 =
-                    LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-                x = lanes_select(_m98, _o119.x, x);
-                y = lanes_select(_m98, _o119.y, y);
-                z = lanes_select(_m98, _o119.z, z);
-                vx = lanes_select(_m98, _o119.vx, vx);
-                vy = lanes_select(_m98, _o119.vy, vy);
-                vz = lanes_select(_m98, _o119.vz, vz);
-                wx = lanes_select(_m98, _o119.wx, wx);
-                wy = lanes_select(_m98, _o119.wy, wy);
-                wz = lanes_select(_m98, _o119.wz, wz);
-                const LANES(court_beginning_contact_out) _o120 =
-                    LANES(court_beginning_contact)();
-                which = lanes_select(_m98, _o120.which, which);
-            }
-            lanes_store(lists->kept_began + i, began);
-            lanes_store(lists->kept_leaves + i, lanes_select(leaves, K(1.0), K(0.0)));
-            lanes_store(lists->kept_lift + i, lift);
-            lanes_store(lists->kept_per_reach + i, per_reach);
-            lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
-            lanes_store(lists->kept_snap + i, snap);
-            lanes_store(lists->kept_surge + i, surge);
-            lanes_store(lists->kept_vx + i, vx);
-            lanes_store(lists->kept_vy + i, vy);
-            lanes_store(lists->kept_vz + i, vz);
-            lanes_store(lists->kept_which + i, which);
-            lanes_store(lists->kept_wx + i, wx);
-            lanes_store(lists->kept_wy + i, wy);
-            lanes_store(lists->kept_wz + i, wz);
-            lanes_store(lists->kept_x + i, x);
-            lanes_store(lists->kept_y + i, y);
-            lanes_store(lists->kept_z + i, z);
-            const M packed = lanes_both(rows, rolling);
-            if (lanes_any(packed)) {
-                lanes_pack(lists->kept_rolling_row + kept_rolling_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->kept_rolling_bent_x + kept_rolling_shots, packed, bent_x);
-                lanes_pack(lists->kept_rolling_bent_y + kept_rolling_shots, packed, bent_y);
-                lanes_pack(lists->kept_rolling_bent_z + kept_rolling_shots, packed, bent_z);
-                lanes_pack(lists->kept_rolling_clock + kept_rolling_shots, packed, clock);
-                lanes_pack(lists->kept_rolling_held + kept_rolling_shots, packed, held);
-                lanes_pack(lists->kept_rolling_nx + kept_rolling_shots, packed, nx);
-                lanes_pack(lists->kept_rolling_ny + kept_rolling_shots, packed, ny);
-                lanes_pack(lists->kept_rolling_nz + kept_rolling_shots, packed, nz);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_ball_radius + kept_rolling_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_board_bottom + kept_rolling_shots, packed, p_board_bottom);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_board_distance + kept_rolling_shots, packed, p_board_distance);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_board_half_width + kept_rolling_shots, packed, p_board_half_width);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_board_thickness + kept_rolling_shots, packed, p_board_thickness);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_board_top + kept_rolling_shots, packed, p_board_top);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_bridge_depth + kept_rolling_shots, packed, p_bridge_depth);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_bridge_half_width + kept_rolling_shots, packed, p_bridge_half_width);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_end_depth + kept_rolling_shots, packed, p_end_depth);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_gravity + kept_rolling_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_ring_radius + kept_rolling_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_wire_radius + kept_rolling_shots, packed, p_wire_radius);
-                lanes_pack(lists->kept_rolling_per_reach + kept_rolling_shots, packed, per_reach);
-                lanes_pack(lists->kept_rolling_ring + kept_rolling_shots, packed, ring);
-                lanes_pack(lists->kept_rolling_through + kept_rolling_shots, packed, through);
-                lanes_pack(lists->kept_rolling_vx + kept_rolling_shots, packed, vx);
-                lanes_pack(lists->kept_rolling_vy + kept_rolling_shots, packed, vy);
-                lanes_pack(lists->kept_rolling_vz + kept_rolling_shots, packed, vz);
-                lanes_pack(lists->kept_rolling_which + kept_rolling_shots, packed, which);
-                lanes_pack(lists->kept_rolling_wx + kept_rolling_shots, packed, wx);
-                lanes_pack(lists->kept_rolling_wy + kept_rolling_shots, packed, wy);
-                lanes_pack(lists->kept_rolling_wz + kept_rolling_shots, packed, wz);
-                lanes_pack(lists->kept_rolling_x + kept_rolling_shots, packed, x);
-                lanes_pack(lists->kept_rolling_y + kept_rolling_shots, packed, y);
-                lanes_pack(lists->kept_rolling_z + kept_rolling_shots, packed, z);
-                kept_rolling_shots += lanes_many(packed);
-            }
-        }
-        {
-            size_t taken = 0, busy = 0;
-            M active = lanes_nowhere();
-            V row = K(0.0), turns = K(0.0);
-            V p_ball_radius = lanes_load(lists->p_ball_radius);
-            V p_board_bottom = lanes_load(lists->p_board_bottom);
-            V p_board_distance = lanes_load(lists->p_board_distance);
-            V p_board_half_width = lanes_load(lists->p_board_half_width);
-            V p_board_thickness = lanes_load(lists->p_board_thickness);
-            V p_board_top = lanes_load(lists->p_board_top);
-            V p_bridge_depth = lanes_load(lists->p_bridge_depth);
-            V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
-            V p_end_depth = lanes_load(lists->p_end_depth);
-            V p_gravity = lanes_load(lists->p_gravity);
-            V p_ring_radius = lanes_load(lists->p_ring_radius);
-            V p_wire_radius = lanes_load(lists->p_wire_radius);
-            V bent_x = K(0.0);
-            V bent_y = K(0.0);
-            V bent_z = K(0.0);
-            V clock = K(0.0);
-            V held = K(0.0);
-            V nx = K(0.0);
-            V ny = K(0.0);
-            V nz = K(0.0);
-            V per_reach = K(0.0);
-            V ring = K(0.0);
-            V through = K(0.0);
-            V vx = K(0.0);
-            V vy = K(0.0);
-            V vz = K(0.0);
-            V which = K(0.0);
-            V wx = K(0.0);
-            V wy = K(0.0);
-            V wz = K(0.0);
-            V x = K(0.0);
-            V y = K(0.0);
-            V z = K(0.0);
-            for (;;) {
-                if (taken < kept_rolling_shots && busy + LANES_SPARE <= LANES_WIDTH) {
-                    const M idle = lanes_not(active);
-                    row = lanes_expand(lists->kept_rolling_row + taken, idle, row);
-                    turns = lanes_select(idle, K(0.0), turns);
-                    bent_x = lanes_expand(lists->kept_rolling_bent_x + taken, idle, bent_x);
-                    bent_y = lanes_expand(lists->kept_rolling_bent_y + taken, idle, bent_y);
-                    bent_z = lanes_expand(lists->kept_rolling_bent_z + taken, idle, bent_z);
-                    clock = lanes_expand(lists->kept_rolling_clock + taken, idle, clock);
-                    held = lanes_expand(lists->kept_rolling_held + taken, idle, held);
-                    nx = lanes_expand(lists->kept_rolling_nx + taken, idle, nx);
-                    ny = lanes_expand(lists->kept_rolling_ny + taken, idle, ny);
-                    nz = lanes_expand(lists->kept_rolling_nz + taken, idle, nz);
-                    per_reach = lanes_expand(lists->kept_rolling_per_reach + taken, idle, per_reach);
-                    ring = lanes_expand(lists->kept_rolling_ring + taken, idle, ring);
-                    through = lanes_expand(lists->kept_rolling_through + taken, idle, through);
-                    vx = lanes_expand(lists->kept_rolling_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->kept_rolling_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->kept_rolling_vz + taken, idle, vz);
-                    which = lanes_expand(lists->kept_rolling_which + taken, idle, which);
-                    wx = lanes_expand(lists->kept_rolling_wx + taken, idle, wx);
-                    wy = lanes_expand(lists->kept_rolling_wy + taken, idle, wy);
-                    wz = lanes_expand(lists->kept_rolling_wz + taken, idle, wz);
-                    x = lanes_expand(lists->kept_rolling_x + taken, idle, x);
-                    y = lanes_expand(lists->kept_rolling_y + taken, idle, y);
-                    z = lanes_expand(lists->kept_rolling_z + taken, idle, z);
-                    if (varying) {
-                        p_ball_radius = lanes_expand(lists->kept_rolling_p_ball_radius + taken, idle, p_ball_radius);
-                        p_board_bottom = lanes_expand(lists->kept_rolling_p_board_bottom + taken, idle, p_board_bottom);
-                        p_board_distance = lanes_expand(lists->kept_rolling_p_board_distance + taken, idle, p_board_distance);
-                        p_board_half_width = lanes_expand(lists->kept_rolling_p_board_half_width + taken, idle, p_board_half_width);
-                        p_board_thickness = lanes_expand(lists->kept_rolling_p_board_thickness + taken, idle, p_board_thickness);
-                        p_board_top = lanes_expand(lists->kept_rolling_p_board_top + taken, idle, p_board_top);
-                        p_bridge_depth = lanes_expand(lists->kept_rolling_p_bridge_depth + taken, idle, p_bridge_depth);
-                        p_bridge_half_width = lanes_expand(lists->kept_rolling_p_bridge_half_width + taken, idle, p_bridge_half_width);
-                        p_end_depth = lanes_expand(lists->kept_rolling_p_end_depth + taken, idle, p_end_depth);
-                        p_gravity = lanes_expand(lists->kept_rolling_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->kept_rolling_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->kept_rolling_p_wire_radius + taken, idle, p_wire_radius);
-                    }
-                    const size_t room = LANES_WIDTH - busy, left = kept_rolling_shots - taken;
-                    active = lanes_leading(idle, left, active);
-                    taken += left < room ? left : room;
-                    busy += left < room ? left : room;
-                }
-                if (busy == 0)
-                    break;
-                M rolling = active;
-                const LANES(court_holding_out) _o121 =
-                    LANES(court_holding)(held, K(0.0));
-                M here = _o121.here;
-                const M _m122 = lanes_both(active, here);
-                if (lanes_any(_m122)) {
-                    const LANES(court_ring_normal_out) _o123 =
-                        LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m122, _o123.nx, nx);
-                    ny = lanes_select(_m122, _o123.ny, ny);
-                    nz = lanes_select(_m122, _o123.nz, nz);
-                    const LANES(court_ring_tube_out) _o124 =
-                        LANES(court_ring_tube)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    bent_x = lanes_select(_m122, _o124.bent_x, bent_x);
-                    bent_y = lanes_select(_m122, _o124.bent_y, bent_y);
-                    bent_z = lanes_select(_m122, _o124.bent_z, bent_z);
-                    per_reach = lanes_select(_m122, _o124.per_reach, per_reach);
-                    ring = lanes_select(_m122, _o124.ring, ring);
-                }
-                const LANES(court_holding_out) _o125 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o125.here;
-                const M _m126 = lanes_both(active, here);
-                if (lanes_any(_m126)) {
-                    const LANES(court_backboard_normal_out) _o127 =
-                        LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m126, _o127.nx, nx);
-                    ny = lanes_select(_m126, _o127.ny, ny);
-                    nz = lanes_select(_m126, _o127.nz, nz);
-                    const LANES(court_backboard_tube_out) _o128 =
-                        LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    bent_x = lanes_select(_m126, _o128.bent_x, bent_x);
-                    bent_y = lanes_select(_m126, _o128.bent_y, bent_y);
-                    bent_z = lanes_select(_m126, _o128.bent_z, bent_z);
-                    per_reach = lanes_select(_m126, _o128.per_reach, per_reach);
-                    ring = lanes_select(_m126, _o128.ring, ring);
-                }
-                const LANES(court_holding_out) _o129 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o129.here;
-                const M _m130 = lanes_both(active, here);
-                if (lanes_any(_m130)) {
-                    const LANES(court_bridge_normal_out) _o131 =
-                        LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m130, _o131.nx, nx);
-                    ny = lanes_select(_m130, _o131.ny, ny);
-                    nz = lanes_select(_m130, _o131.nz, nz);
-                    const LANES(court_bridge_tube_out) _o132 =
-                        LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    bent_x = lanes_select(_m130, _o132.bent_x, bent_x);
-                    bent_y = lanes_select(_m130, _o132.bent_y, bent_y);
-                    bent_z = lanes_select(_m130, _o132.bent_z, bent_z);
-                    per_reach = lanes_select(_m130, _o132.per_reach, per_reach);
-                    ring = lanes_select(_m130, _o132.ring, ring);
-                }
-                const LANES(court_roll_start_out) _o133 =
-                    LANES(court_roll_start)(p_ball_radius, nx, ny, nz, ring, vx, vy, vz, wx, wy, wz, x, y);
-                V vx_0 = _o133.vx_0;
-                V vy_0 = _o133.vy_0;
-                V vz_0 = _o133.vz_0;
-                V nx_0 = _o133.nx_0;
-                V ny_0 = _o133.ny_0;
-                V nz_0 = _o133.nz_0;
-                V turn_rate_0 = _o133.turn_rate_0;
-                V cos_0 = _o133.cos_0;
-                V sin_0 = _o133.sin_0;
-                V near_0 = _o133.near_0;
-                const LANES(court_roll_0_out) _o134 =
-                    LANES(court_roll_0)(bent_x, bent_y, bent_z, cos_0, p_gravity, near_0, nx_0, ny_0, nz_0, per_reach, ring, sin_0, turn_rate_0, vx_0, vy_0, vz_0);
-                V across_0 = _o134.across_0;
-                V round_0 = _o134.round_0;
-                V lift_0 = _o134.lift_0;
-                V tx_0 = _o134.tx_0;
-                V ty_0 = _o134.ty_0;
-                V tz_0 = _o134.tz_0;
-                V vx_1 = _o134.vx_1;
-                V vy_1 = _o134.vy_1;
-                V vz_1 = _o134.vz_1;
-                V nx_1 = _o134.nx_1;
-                V ny_1 = _o134.ny_1;
-                V nz_1 = _o134.nz_1;
-                V turn_rate_1 = _o134.turn_rate_1;
-                V cos_1 = _o134.cos_1;
-                V sin_1 = _o134.sin_1;
-                V widened_1 = _o134.widened_1;
-                V near_1 = _o134.near_1;
-                const LANES(court_roll_1_out) _o135 =
-                    LANES(court_roll_1)(across_0, bent_x, bent_y, bent_z, cos_0, cos_1, p_gravity, lift_0, near_0, near_1, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, ring, round_0, sin_0, sin_1, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, widened_1);
-                V across_1 = _o135.across_1;
-                V round_1 = _o135.round_1;
-                V lift_1 = _o135.lift_1;
-                V tx_1 = _o135.tx_1;
-                V ty_1 = _o135.ty_1;
-                V tz_1 = _o135.tz_1;
-                V vx_2 = _o135.vx_2;
-                V vy_2 = _o135.vy_2;
-                V vz_2 = _o135.vz_2;
-                V nx_2 = _o135.nx_2;
-                V ny_2 = _o135.ny_2;
-                V nz_2 = _o135.nz_2;
-                V turn_rate_2 = _o135.turn_rate_2;
-                V cos_2 = _o135.cos_2;
-                V sin_2 = _o135.sin_2;
-                V widened_2 = _o135.widened_2;
-                V near_2 = _o135.near_2;
-                const LANES(court_roll_2_out) _o136 =
-                    LANES(court_roll_2)(across_0, across_1, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, p_gravity, lift_0, lift_1, near_0, near_1, near_2, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, ring, round_0, round_1, sin_0, sin_1, sin_2, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, widened_1, widened_2);
-                V across_2 = _o136.across_2;
-                V round_2 = _o136.round_2;
-                V lift_2 = _o136.lift_2;
-                V tx_2 = _o136.tx_2;
-                V ty_2 = _o136.ty_2;
-                V tz_2 = _o136.tz_2;
-                V vx_3 = _o136.vx_3;
-                V vy_3 = _o136.vy_3;
-                V vz_3 = _o136.vz_3;
-                V nx_3 = _o136.nx_3;
-                V ny_3 = _o136.ny_3;
-                V nz_3 = _o136.nz_3;
-                V turn_rate_3 = _o136.turn_rate_3;
-                V cos_3 = _o136.cos_3;
-                V sin_3 = _o136.sin_3;
-                V widened_3 = _o136.widened_3;
-                V near_3 = _o136.near_3;
-                const LANES(court_roll_3_out) _o137 =
-                    LANES(court_roll_3)(across_0, across_1, across_2, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, p_gravity, lift_0, lift_1, lift_2, near_0, near_1, near_2, near_3, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, ring, round_0, round_1, round_2, sin_0, sin_1, sin_2, sin_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, widened_1, widened_2, widened_3);
-                V across_3 = _o137.across_3;
-                V round_3 = _o137.round_3;
-                V lift_3 = _o137.lift_3;
-                V tx_3 = _o137.tx_3;
-                V ty_3 = _o137.ty_3;
-                V tz_3 = _o137.tz_3;
-                V vx_4 = _o137.vx_4;
-                V vy_4 = _o137.vy_4;
-                V vz_4 = _o137.vz_4;
-                V nx_4 = _o137.nx_4;
-                V ny_4 = _o137.ny_4;
-                V nz_4 = _o137.nz_4;
-                V turn_rate_4 = _o137.turn_rate_4;
-                V cos_4 = _o137.cos_4;
-                V sin_4 = _o137.sin_4;
-                V widened_4 = _o137.widened_4;
-                V near_4 = _o137.near_4;
-                const LANES(court_roll_4_out) _o138 =
-                    LANES(court_roll_4)(across_0, across_1, across_2, across_3, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, p_gravity, lift_0, lift_1, lift_2, lift_3, near_0, near_1, near_2, near_3, near_4, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, ring, round_0, round_1, round_2, round_3, sin_0, sin_1, sin_2, sin_3, sin_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, widened_1, widened_2, widened_3, widened_4);
-                V across_4 = _o138.across_4;
-                V round_4 = _o138.round_4;
-                V lift_4 = _o138.lift_4;
-                V tx_4 = _o138.tx_4;
-                V ty_4 = _o138.ty_4;
-                V tz_4 = _o138.tz_4;
-                V vx_5 = _o138.vx_5;
-                V vy_5 = _o138.vy_5;
-                V vz_5 = _o138.vz_5;
-                V nx_5 = _o138.nx_5;
-                V ny_5 = _o138.ny_5;
-                V nz_5 = _o138.nz_5;
-                V turn_rate_5 = _o138.turn_rate_5;
-                V cos_5 = _o138.cos_5;
-                V sin_5 = _o138.sin_5;
-                V widened_5 = _o138.widened_5;
-                V near_5 = _o138.near_5;
-                const LANES(court_roll_5_out) _o139 =
-                    LANES(court_roll_5)(across_0, across_1, across_2, across_3, across_4, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, near_0, near_1, near_2, near_3, near_4, near_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, ring, round_0, round_1, round_2, round_3, round_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, widened_1, widened_2, widened_3, widened_4, widened_5);
-                V across_5 = _o139.across_5;
-                V round_5 = _o139.round_5;
-                V lift_5 = _o139.lift_5;
-                V tx_5 = _o139.tx_5;
-                V ty_5 = _o139.ty_5;
-                V tz_5 = _o139.tz_5;
-                V vx_6 = _o139.vx_6;
-                V vy_6 = _o139.vy_6;
-                V vz_6 = _o139.vz_6;
-                V nx_6 = _o139.nx_6;
-                V ny_6 = _o139.ny_6;
-                V nz_6 = _o139.nz_6;
-                V turn_rate_6 = _o139.turn_rate_6;
-                V cos_6 = _o139.cos_6;
-                V sin_6 = _o139.sin_6;
-                V widened_6 = _o139.widened_6;
-                V near_6 = _o139.near_6;
-                const LANES(court_roll_6_out) _o140 =
-                    LANES(court_roll_6)(across_0, across_1, across_2, across_3, across_4, across_5, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, near_0, near_1, near_2, near_3, near_4, near_5, near_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6);
-                V across_6 = _o140.across_6;
-                V round_6 = _o140.round_6;
-                V lift_6 = _o140.lift_6;
-                V tx_6 = _o140.tx_6;
-                V ty_6 = _o140.ty_6;
-                V tz_6 = _o140.tz_6;
-                V vx_7 = _o140.vx_7;
-                V vy_7 = _o140.vy_7;
-                V vz_7 = _o140.vz_7;
-                V nx_7 = _o140.nx_7;
-                V ny_7 = _o140.ny_7;
-                V nz_7 = _o140.nz_7;
-                V turn_rate_7 = _o140.turn_rate_7;
-                V cos_7 = _o140.cos_7;
-                V sin_7 = _o140.sin_7;
-                V widened_7 = _o140.widened_7;
-                V near_7 = _o140.near_7;
-                const LANES(court_roll_7_out) _o141 =
-                    LANES(court_roll_7)(across_0, across_1, across_2, across_3, across_4, across_5, across_6, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, round_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6, widened_7);
-                V lift_7 = _o141.lift_7;
-                V vx_8 = _o141.vx_8;
-                V vy_8 = _o141.vy_8;
-                V vz_8 = _o141.vz_8;
-                V nx_8 = _o141.nx_8;
-                V ny_8 = _o141.ny_8;
-                V nz_8 = _o141.nz_8;
-                V turn_rate_8 = _o141.turn_rate_8;
-                const LANES(court_roll_pace_out) _o142 =
-                    LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-                V stride = _o142.stride;
-                V strongest = _o142.strongest;
-                V fastest = _o142.fastest;
-                V force = _o142.force;
-                V force_rate = _o142.force_rate;
-                V force_bend = _o142.force_bend;
-                const LANES(court_leaving_force_out) _o143 =
-                    LANES(court_leaving_force)(p_ball_radius, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-                stride = _o143.stride;
-                which = _o143.which;
-                M rests = _o143.rests;
-                const LANES(court_beside_out) _o144 =
-                    LANES(court_beside)(held, K(0.0));
-                M beside = _o144.beside;
-                const M _m145 = lanes_both(active, beside);
-                if (lanes_any(_m145)) {
-                    const LANES(court_ring_beside_out) _o146 =
-                        LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o146.gap;
-                    V nearing = _o146.nearing;
-                    V dent = _o146.dent;
-                    const LANES(court_beside_body_out) _o147 =
-                        LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(0.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                    stride = lanes_select(_m145, _o147.stride, stride);
-                    which = lanes_select(_m145, _o147.which, which);
-                }
-                const LANES(court_beside_out) _o148 =
-                    LANES(court_beside)(held, K(1.0));
-                beside = _o148.beside;
-                const M _m149 = lanes_both(active, beside);
-                if (lanes_any(_m149)) {
-                    const LANES(court_backboard_beside_out) _o150 =
-                        LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    V gap = _o150.gap;
-                    V nearing = _o150.nearing;
-                    V dent = _o150.dent;
-                    const LANES(court_beside_body_out) _o151 =
-                        LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                    stride = lanes_select(_m149, _o151.stride, stride);
-                    which = lanes_select(_m149, _o151.which, which);
-                }
-                const LANES(court_beside_out) _o152 =
-                    LANES(court_beside)(held, K(2.0));
-                beside = _o152.beside;
-                const M _m153 = lanes_both(active, beside);
-                if (lanes_any(_m153)) {
-                    const LANES(court_bridge_beside_out) _o154 =
-                        LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o154.gap;
-                    V nearing = _o154.nearing;
-                    V dent = _o154.dent;
-                    const LANES(court_beside_body_out) _o155 =
-                        LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                    stride = lanes_select(_m153, _o155.stride, stride);
-                    which = lanes_select(_m153, _o155.which, which);
-                }
-                const LANES(court_end_beside_out) _o156 =
-                    LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o156.gap;
-                V nearing = _o156.nearing;
-                V dent = _o156.dent;
-                const LANES(court_beside_gate_out) _o157 =
-                    LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = _o157.stride;
-                which = _o157.which;
-                const LANES(court_holding_out) _o158 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o158.here;
-                const M _m159 = lanes_both(active, here);
-                if (lanes_any(_m159)) {
-                    const LANES(court_backboard_seam0_out) _o160 =
-                        LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                    gap = lanes_select(_m159, _o160.gap, gap);
-                    V nearing = _o160.nearing;
-                    V near = _o160.near;
-                    const LANES(court_beside_seam_out) _o161 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m159, _o161.stride, stride);
-                    const LANES(court_backboard_seam1_out) _o162 =
-                        LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                    gap = lanes_select(_m159, _o162.gap, gap);
-                    nearing = _o162.nearing;
-                    near = _o162.near;
-                    const LANES(court_beside_seam_out) _o163 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m159, _o163.stride, stride);
-                    const LANES(court_backboard_seam2_out) _o164 =
-                        LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                    gap = lanes_select(_m159, _o164.gap, gap);
-                    nearing = _o164.nearing;
-                    near = _o164.near;
-                    const LANES(court_beside_seam_out) _o165 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m159, _o165.stride, stride);
-                    const LANES(court_backboard_seam3_out) _o166 =
-                        LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                    gap = lanes_select(_m159, _o166.gap, gap);
-                    nearing = _o166.nearing;
-                    near = _o166.near;
-                    const LANES(court_beside_seam_out) _o167 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m159, _o167.stride, stride);
-                    const LANES(court_backboard_seam4_out) _o168 =
-                        LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                    gap = lanes_select(_m159, _o168.gap, gap);
-                    nearing = _o168.nearing;
-                    near = _o168.near;
-                    const LANES(court_beside_seam_out) _o169 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m159, _o169.stride, stride);
-                    const LANES(court_backboard_seam5_out) _o170 =
-                        LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                    gap = lanes_select(_m159, _o170.gap, gap);
-                    nearing = _o170.nearing;
-                    near = _o170.near;
-                    const LANES(court_beside_seam_out) _o171 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m159, _o171.stride, stride);
-                }
-                const LANES(court_holding_out) _o172 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o172.here;
-                const M _m173 = lanes_both(active, here);
-                if (lanes_any(_m173)) {
-                    const LANES(court_bridge_seam0_out) _o174 =
-                        LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                    gap = lanes_select(_m173, _o174.gap, gap);
-                    V nearing = _o174.nearing;
-                    V near = _o174.near;
-                    const LANES(court_beside_seam_out) _o175 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m173, _o175.stride, stride);
-                    const LANES(court_bridge_seam1_out) _o176 =
-                        LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                    gap = lanes_select(_m173, _o176.gap, gap);
-                    nearing = _o176.nearing;
-                    near = _o176.near;
-                    const LANES(court_beside_seam_out) _o177 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m173, _o177.stride, stride);
-                    const LANES(court_bridge_seam2_out) _o178 =
-                        LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                    gap = lanes_select(_m173, _o178.gap, gap);
-                    nearing = _o178.nearing;
-                    near = _o178.near;
-                    const LANES(court_beside_seam_out) _o179 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m173, _o179.stride, stride);
-                    const LANES(court_bridge_seam3_out) _o180 =
-                        LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                    gap = lanes_select(_m173, _o180.gap, gap);
-                    nearing = _o180.nearing;
-                    near = _o180.near;
-                    const LANES(court_beside_seam_out) _o181 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m173, _o181.stride, stride);
-                    const LANES(court_bridge_seam4_out) _o182 =
-                        LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                    gap = lanes_select(_m173, _o182.gap, gap);
-                    nearing = _o182.nearing;
-                    near = _o182.near;
-                    const LANES(court_beside_seam_out) _o183 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m173, _o183.stride, stride);
-                    const LANES(court_bridge_seam5_out) _o184 =
-                        LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                    gap = lanes_select(_m173, _o184.gap, gap);
-                    nearing = _o184.nearing;
-                    near = _o184.near;
-                    const LANES(court_beside_seam_out) _o185 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m173, _o185.stride, stride);
-                }
-                const LANES(court_beside_time_out) _o186 =
-                    LANES(court_beside_time)(clock, stride, time_limit, which);
-                stride = _o186.stride;
-                which = _o186.which;
-                const LANES(court_apart_out) _o187 =
-                    LANES(court_apart)(p_ball_radius, K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
-                V apart = _o187.apart;
-                const LANES(court_neighbour_out) _o188 =
-                    LANES(court_neighbour)(apart, K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), vx, vy, vz, wx, wy, wz, x, y, z);
-                V far_x = _o188.far_x;
-                V far_y = _o188.far_y;
-                V far_z = _o188.far_z;
-                V far_vx = _o188.far_vx;
-                V far_vy = _o188.far_vy;
-                V far_vz = _o188.far_vz;
-                V far_wx = _o188.far_wx;
-                V far_wy = _o188.far_wy;
-                V far_wz = _o188.far_wz;
-                const LANES(court_passing_from_out) _o189 =
-                    LANES(court_passing_from)(z);
-                M over = _o189.over;
-                const LANES(court_roll_moved_out) _o190 =
-                    LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-                x = _o190.x;
-                vx = _o190.vx;
-                y = _o190.y;
-                vy = _o190.vy;
-                z = _o190.z;
-                vz = _o190.vz;
-                V turn_rate = _o190.turn_rate;
-                const LANES(court_holding_out) _o191 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o191.here;
-                const M _m192 = lanes_both(active, here);
-                if (lanes_any(_m192)) {
-                    const LANES(court_ring_normal_out) _o193 =
-                        LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m192, _o193.nx, nx);
-                    ny = lanes_select(_m192, _o193.ny, ny);
-                    nz = lanes_select(_m192, _o193.nz, nz);
-                    const LANES(court_ring_off_out) _o194 =
-                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = lanes_select(_m192, _o194.gap, gap);
-                }
-                const LANES(court_holding_out) _o195 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o195.here;
-                const M _m196 = lanes_both(active, here);
-                if (lanes_any(_m196)) {
-                    const LANES(court_backboard_normal_out) _o197 =
-                        LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m196, _o197.nx, nx);
-                    ny = lanes_select(_m196, _o197.ny, ny);
-                    nz = lanes_select(_m196, _o197.nz, nz);
-                    const LANES(court_backboard_off_out) _o198 =
-                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = lanes_select(_m196, _o198.gap, gap);
-                }
-                const LANES(court_holding_out) _o199 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o199.here;
-                const M _m200 = lanes_both(active, here);
-                if (lanes_any(_m200)) {
-                    const LANES(court_bridge_normal_out) _o201 =
-                        LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m200, _o201.nx, nx);
-                    ny = lanes_select(_m200, _o201.ny, ny);
-                    nz = lanes_select(_m200, _o201.nz, nz);
-                    const LANES(court_bridge_off_out) _o202 =
-                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = lanes_select(_m200, _o202.gap, gap);
-                }
-                const LANES(court_roll_placed_out) _o203 =
-                    LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-                x = _o203.x;
-                y = _o203.y;
-                z = _o203.z;
-                vx = _o203.vx;
-                vy = _o203.vy;
-                vz = _o203.vz;
-                wx = _o203.wx;
-                wy = _o203.wy;
-                wz = _o203.wz;
-                const LANES(court_passing_in_contact_out) _o204 =
-                    LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-                through = _o204.through;
-                const LANES(court_holding_out) _o205 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o205.here;
-                const M _m206 = lanes_both(active, here);
-                {
-                    const LANES(court_ring_normal_out) _o207 =
-                        LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m206, _o207.nx, nx);
-                    ny = lanes_select(_m206, _o207.ny, ny);
-                    nz = lanes_select(_m206, _o207.nz, nz);
-                }
-                const LANES(court_holding_out) _o208 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o208.here;
-                const M _m209 = lanes_both(active, here);
-                {
-                    const LANES(court_backboard_normal_out) _o210 =
-                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m209, _o210.nx, nx);
-                    ny = lanes_select(_m209, _o210.ny, ny);
-                    nz = lanes_select(_m209, _o210.nz, nz);
-                }
-                const LANES(court_holding_out) _o211 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o211.here;
-                const M _m212 = lanes_both(active, here);
-                {
-                    const LANES(court_bridge_normal_out) _o213 =
-                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m212, _o213.nx, nx);
-                    ny = lanes_select(_m212, _o213.ny, ny);
-                    nz = lanes_select(_m212, _o213.nz, nz);
-                }
-                const LANES(court_roll_turn_rate_out) _o214 =
-                    LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, far_wx, far_wy, far_wz);
-                turn_rate = _o214.turn_rate;
-                const LANES(court_holding_out) _o215 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o215.here;
-                const M _m216 = lanes_both(active, here);
-                if (lanes_any(_m216)) {
-                    const LANES(court_ring_normal_out) _o217 =
-                        LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m216, _o217.nx, nx);
-                    ny = lanes_select(_m216, _o217.ny, ny);
-                    nz = lanes_select(_m216, _o217.nz, nz);
-                    const LANES(court_ring_off_out) _o218 =
-                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    gap = lanes_select(_m216, _o218.gap, gap);
-                }
-                const LANES(court_holding_out) _o219 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o219.here;
-                const M _m220 = lanes_both(active, here);
-                if (lanes_any(_m220)) {
-                    const LANES(court_backboard_normal_out) _o221 =
-                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m220, _o221.nx, nx);
-                    ny = lanes_select(_m220, _o221.ny, ny);
-                    nz = lanes_select(_m220, _o221.nz, nz);
-                    const LANES(court_backboard_off_out) _o222 =
-                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                    gap = lanes_select(_m220, _o222.gap, gap);
-                }
-                const LANES(court_holding_out) _o223 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o223.here;
-                const M _m224 = lanes_both(active, here);
-                if (lanes_any(_m224)) {
-                    const LANES(court_bridge_normal_out) _o225 =
-                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m224, _o225.nx, nx);
-                    ny = lanes_select(_m224, _o225.ny, ny);
-                    nz = lanes_select(_m224, _o225.nz, nz);
-                    const LANES(court_bridge_off_out) _o226 =
-                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    gap = lanes_select(_m224, _o226.gap, gap);
-                }
-                const LANES(court_roll_placed_out) _o227 =
-                    LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-                far_x = _o227.x;
-                far_y = _o227.y;
-                far_z = _o227.z;
-                far_vx = _o227.vx;
-                far_vy = _o227.vy;
-                far_vz = _o227.vz;
-                far_wx = _o227.wx;
-                far_wy = _o227.wy;
-                far_wz = _o227.wz;
-                const LANES(court_roll_start_out) _o228 =
-                    LANES(court_roll_start)(p_ball_radius, nx, ny, nz, ring, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y);
-                vx_0 = _o228.vx_0;
-                vy_0 = _o228.vy_0;
-                vz_0 = _o228.vz_0;
-                nx_0 = _o228.nx_0;
-                ny_0 = _o228.ny_0;
-                nz_0 = _o228.nz_0;
-                turn_rate_0 = _o228.turn_rate_0;
-                cos_0 = _o228.cos_0;
-                sin_0 = _o228.sin_0;
-                near_0 = _o228.near_0;
-                const LANES(court_roll_0_out) _o229 =
-                    LANES(court_roll_0)(bent_x, bent_y, bent_z, cos_0, p_gravity, near_0, nx_0, ny_0, nz_0, per_reach, ring, sin_0, turn_rate_0, vx_0, vy_0, vz_0);
-                across_0 = _o229.across_0;
-                round_0 = _o229.round_0;
-                lift_0 = _o229.lift_0;
-                tx_0 = _o229.tx_0;
-                ty_0 = _o229.ty_0;
-                tz_0 = _o229.tz_0;
-                vx_1 = _o229.vx_1;
-                vy_1 = _o229.vy_1;
-                vz_1 = _o229.vz_1;
-                nx_1 = _o229.nx_1;
-                ny_1 = _o229.ny_1;
-                nz_1 = _o229.nz_1;
-                turn_rate_1 = _o229.turn_rate_1;
-                cos_1 = _o229.cos_1;
-                sin_1 = _o229.sin_1;
-                widened_1 = _o229.widened_1;
-                near_1 = _o229.near_1;
-                const LANES(court_roll_1_out) _o230 =
-                    LANES(court_roll_1)(across_0, bent_x, bent_y, bent_z, cos_0, cos_1, p_gravity, lift_0, near_0, near_1, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, ring, round_0, sin_0, sin_1, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, widened_1);
-                across_1 = _o230.across_1;
-                round_1 = _o230.round_1;
-                lift_1 = _o230.lift_1;
-                tx_1 = _o230.tx_1;
-                ty_1 = _o230.ty_1;
-                tz_1 = _o230.tz_1;
-                vx_2 = _o230.vx_2;
-                vy_2 = _o230.vy_2;
-                vz_2 = _o230.vz_2;
-                nx_2 = _o230.nx_2;
-                ny_2 = _o230.ny_2;
-                nz_2 = _o230.nz_2;
-                turn_rate_2 = _o230.turn_rate_2;
-                cos_2 = _o230.cos_2;
-                sin_2 = _o230.sin_2;
-                widened_2 = _o230.widened_2;
-                near_2 = _o230.near_2;
-                const LANES(court_roll_2_out) _o231 =
-                    LANES(court_roll_2)(across_0, across_1, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, p_gravity, lift_0, lift_1, near_0, near_1, near_2, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, ring, round_0, round_1, sin_0, sin_1, sin_2, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, widened_1, widened_2);
-                across_2 = _o231.across_2;
-                round_2 = _o231.round_2;
-                lift_2 = _o231.lift_2;
-                tx_2 = _o231.tx_2;
-                ty_2 = _o231.ty_2;
-                tz_2 = _o231.tz_2;
-                vx_3 = _o231.vx_3;
-                vy_3 = _o231.vy_3;
-                vz_3 = _o231.vz_3;
-                nx_3 = _o231.nx_3;
-                ny_3 = _o231.ny_3;
-                nz_3 = _o231.nz_3;
-                turn_rate_3 = _o231.turn_rate_3;
-                cos_3 = _o231.cos_3;
-                sin_3 = _o231.sin_3;
-                widened_3 = _o231.widened_3;
-                near_3 = _o231.near_3;
-                const LANES(court_roll_3_out) _o232 =
-                    LANES(court_roll_3)(across_0, across_1, across_2, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, p_gravity, lift_0, lift_1, lift_2, near_0, near_1, near_2, near_3, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, ring, round_0, round_1, round_2, sin_0, sin_1, sin_2, sin_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, widened_1, widened_2, widened_3);
-                across_3 = _o232.across_3;
-                round_3 = _o232.round_3;
-                lift_3 = _o232.lift_3;
-                tx_3 = _o232.tx_3;
-                ty_3 = _o232.ty_3;
-                tz_3 = _o232.tz_3;
-                vx_4 = _o232.vx_4;
-                vy_4 = _o232.vy_4;
-                vz_4 = _o232.vz_4;
-                nx_4 = _o232.nx_4;
-                ny_4 = _o232.ny_4;
-                nz_4 = _o232.nz_4;
-                turn_rate_4 = _o232.turn_rate_4;
-                cos_4 = _o232.cos_4;
-                sin_4 = _o232.sin_4;
-                widened_4 = _o232.widened_4;
-                near_4 = _o232.near_4;
-                const LANES(court_roll_4_out) _o233 =
-                    LANES(court_roll_4)(across_0, across_1, across_2, across_3, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, p_gravity, lift_0, lift_1, lift_2, lift_3, near_0, near_1, near_2, near_3, near_4, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, ring, round_0, round_1, round_2, round_3, sin_0, sin_1, sin_2, sin_3, sin_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, widened_1, widened_2, widened_3, widened_4);
-                across_4 = _o233.across_4;
-                round_4 = _o233.round_4;
-                lift_4 = _o233.lift_4;
-                tx_4 = _o233.tx_4;
-                ty_4 = _o233.ty_4;
-                tz_4 = _o233.tz_4;
-                vx_5 = _o233.vx_5;
-                vy_5 = _o233.vy_5;
-                vz_5 = _o233.vz_5;
-                nx_5 = _o233.nx_5;
-                ny_5 = _o233.ny_5;
-                nz_5 = _o233.nz_5;
-                turn_rate_5 = _o233.turn_rate_5;
-                cos_5 = _o233.cos_5;
-                sin_5 = _o233.sin_5;
-                widened_5 = _o233.widened_5;
-                near_5 = _o233.near_5;
-                const LANES(court_roll_5_out) _o234 =
-                    LANES(court_roll_5)(across_0, across_1, across_2, across_3, across_4, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, near_0, near_1, near_2, near_3, near_4, near_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, ring, round_0, round_1, round_2, round_3, round_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, widened_1, widened_2, widened_3, widened_4, widened_5);
-                across_5 = _o234.across_5;
-                round_5 = _o234.round_5;
-                lift_5 = _o234.lift_5;
-                tx_5 = _o234.tx_5;
-                ty_5 = _o234.ty_5;
-                tz_5 = _o234.tz_5;
-                vx_6 = _o234.vx_6;
-                vy_6 = _o234.vy_6;
-                vz_6 = _o234.vz_6;
-                nx_6 = _o234.nx_6;
-                ny_6 = _o234.ny_6;
-                nz_6 = _o234.nz_6;
-                turn_rate_6 = _o234.turn_rate_6;
-                cos_6 = _o234.cos_6;
-                sin_6 = _o234.sin_6;
-                widened_6 = _o234.widened_6;
-                near_6 = _o234.near_6;
-                const LANES(court_roll_6_out) _o235 =
-                    LANES(court_roll_6)(across_0, across_1, across_2, across_3, across_4, across_5, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, near_0, near_1, near_2, near_3, near_4, near_5, near_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6);
-                across_6 = _o235.across_6;
-                round_6 = _o235.round_6;
-                lift_6 = _o235.lift_6;
-                tx_6 = _o235.tx_6;
-                ty_6 = _o235.ty_6;
-                tz_6 = _o235.tz_6;
-                vx_7 = _o235.vx_7;
-                vy_7 = _o235.vy_7;
-                vz_7 = _o235.vz_7;
-                nx_7 = _o235.nx_7;
-                ny_7 = _o235.ny_7;
-                nz_7 = _o235.nz_7;
-                turn_rate_7 = _o235.turn_rate_7;
-                cos_7 = _o235.cos_7;
-                sin_7 = _o235.sin_7;
-                widened_7 = _o235.widened_7;
-                near_7 = _o235.near_7;
-                const LANES(court_roll_7_out) _o236 =
-                    LANES(court_roll_7)(across_0, across_1, across_2, across_3, across_4, across_5, across_6, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, round_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6, widened_7);
-                vx_8 = _o236.vx_8;
-                vy_8 = _o236.vy_8;
-                vz_8 = _o236.vz_8;
-                turn_rate_8 = _o236.turn_rate_8;
-                const LANES(court_roll_moved_out) _o237 =
-                    LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-                far_x = _o237.x;
-                far_y = _o237.y;
-                far_z = _o237.z;
-                const LANES(court_holding_out) _o238 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o238.here;
-                const M _m239 = lanes_both(active, here);
-                {
-                    const LANES(court_ring_normal_out) _o240 =
-                        LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m239, _o240.nx, nx);
-                    ny = lanes_select(_m239, _o240.ny, ny);
-                    nz = lanes_select(_m239, _o240.nz, nz);
-                }
-                const LANES(court_holding_out) _o241 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o241.here;
-                const M _m242 = lanes_both(active, here);
-                {
-                    const LANES(court_backboard_normal_out) _o243 =
-                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m242, _o243.nx, nx);
-                    ny = lanes_select(_m242, _o243.ny, ny);
-                    nz = lanes_select(_m242, _o243.nz, nz);
-                }
-                const LANES(court_holding_out) _o244 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o244.here;
-                const M _m245 = lanes_both(active, here);
-                {
-                    const LANES(court_bridge_normal_out) _o246 =
-                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m245, _o246.nx, nx);
-                    ny = lanes_select(_m245, _o246.ny, ny);
-                    nz = lanes_select(_m245, _o246.nz, nz);
-                }
-                const LANES(court_rolled_on_out) _o247 =
-                    LANES(court_rolled_on)(clock, rests, stride, which);
-                clock = _o247.clock;
-                rolling = _o247.rolling;
-                turns = lanes_add(turns, K(1.0));
-                const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(64.0)))));
-                if (lanes_any(ended)) {
-                    double ended_row[LANES_WIDTH];
-                    lanes_store(ended_row, row);
-                    double ended_clock[LANES_WIDTH];
-                    lanes_store(ended_clock, clock);
-                    double ended_per_reach[LANES_WIDTH];
-                    lanes_store(ended_per_reach, per_reach);
-                    double ended_rests[LANES_WIDTH];
-                    lanes_store(ended_rests, lanes_select(rests, K(1.0), K(0.0)));
-                    double ended_rolling[LANES_WIDTH];
-                    lanes_store(ended_rolling, lanes_select(rolling, K(1.0), K(0.0)));
-                    double ended_through[LANES_WIDTH];
-                    lanes_store(ended_through, through);
-                    double ended_vx[LANES_WIDTH];
-                    lanes_store(ended_vx, vx);
-                    double ended_vy[LANES_WIDTH];
-                    lanes_store(ended_vy, vy);
-                    double ended_vz[LANES_WIDTH];
-                    lanes_store(ended_vz, vz);
-                    double ended_which[LANES_WIDTH];
-                    lanes_store(ended_which, which);
-                    double ended_wx[LANES_WIDTH];
-                    lanes_store(ended_wx, wx);
-                    double ended_wy[LANES_WIDTH];
-                    lanes_store(ended_wy, wy);
-                    double ended_wz[LANES_WIDTH];
-                    lanes_store(ended_wz, wz);
-                    double ended_x[LANES_WIDTH];
-                    lanes_store(ended_x, x);
-                    double ended_y[LANES_WIDTH];
-                    lanes_store(ended_y, y);
-                    double ended_z[LANES_WIDTH];
-                    lanes_store(ended_z, z);
-                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
-                        const int lane = LANES_LOWEST(bits);
-                        const size_t k = (size_t)ended_row[lane];
-                        lists->kept_clock[k] = ended_clock[lane];
-                        lists->kept_per_reach[k] = ended_per_reach[lane];
-                        lists->kept_rests[k] = ended_rests[lane];
-                        lists->kept_rolling[k] = ended_rolling[lane];
-                        lists->kept_through[k] = ended_through[lane];
-                        lists->kept_vx[k] = ended_vx[lane];
-                        lists->kept_vy[k] = ended_vy[lane];
-                        lists->kept_vz[k] = ended_vz[lane];
-                        lists->kept_which[k] = ended_which[lane];
-                        lists->kept_wx[k] = ended_wx[lane];
-                        lists->kept_wy[k] = ended_wy[lane];
-                        lists->kept_wz[k] = ended_wz[lane];
-                        lists->kept_x[k] = ended_x[lane];
-                        lists->kept_y[k] = ended_y[lane];
-                        lists->kept_z[k] = ended_z[lane];
-                    }
-                    busy -= lanes_many(ended);
-                    active = lanes_both(active, lanes_not(ended));
-                }
-            }
-        }
-        }
-        for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(kept_shots - i);
-            V held = lanes_load(lists->kept_held + i);
-            M leaves = lanes_less(K(0.0), lanes_load(lists->kept_leaves + i));
-            V lift = lanes_load(lists->kept_lift + i);
-            const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
-            const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
-            const V p_board_half_width = lanes_load(varying ? lists->kept_p_board_half_width + i : lists->p_board_half_width);
-            const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
-            const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
-            const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
-            const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
-            const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
-            const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
-            V per_reach = lanes_load(lists->kept_per_reach + i);
-            V snap = lanes_load(lists->kept_snap + i);
-            V surge = lanes_load(lists->kept_surge + i);
-            V vx = lanes_load(lists->kept_vx + i);
-            V vy = lanes_load(lists->kept_vy + i);
-            V vz = lanes_load(lists->kept_vz + i);
-            V when = lanes_load(lists->kept_when + i);
-            V which = lanes_load(lists->kept_which + i);
-            V x = lanes_load(lists->kept_x + i);
-            V y = lanes_load(lists->kept_y + i);
-            V z = lanes_load(lists->kept_z + i);
-            const M _m248 = lanes_both(rows, leaves);
-            if (lanes_any(_m248)) {
-                const LANES(court_holding_out) _o249 =
-                    LANES(court_holding)(held, K(0.0));
-                M here = _o249.here;
-                const M _m250 = lanes_both(_m248, here);
-                if (lanes_any(_m250)) {
-                    const LANES(court_ring_tube_out) _o251 =
-                        LANES(court_ring_tube)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    per_reach = lanes_select(_m250, _o251.per_reach, per_reach);
-                    const LANES(court_ring_parting_out) _o252 =
-                        LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                    lift = lanes_select(_m250, _o252.lift, lift);
-                    surge = lanes_select(_m250, _o252.surge, surge);
-                    snap = lanes_select(_m250, _o252.snap, snap);
-                }
-                const LANES(court_holding_out) _o253 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o253.here;
-                const M _m254 = lanes_both(_m248, here);
-                if (lanes_any(_m254)) {
-                    const LANES(court_backboard_tube_out) _o255 =
-                        LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    per_reach = lanes_select(_m254, _o255.per_reach, per_reach);
-                    const LANES(court_backboard_parting_out) _o256 =
-                        LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                    lift = lanes_select(_m254, _o256.lift, lift);
-                    surge = lanes_select(_m254, _o256.surge, surge);
-                    snap = lanes_select(_m254, _o256.snap, snap);
-                }
-                const LANES(court_holding_out) _o257 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o257.here;
-                const M _m258 = lanes_both(_m248, here);
-                if (lanes_any(_m258)) {
-                    const LANES(court_bridge_tube_out) _o259 =
-                        LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    per_reach = lanes_select(_m258, _o259.per_reach, per_reach);
-                    const LANES(court_bridge_parting_out) _o260 =
-                        LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    lift = lanes_select(_m258, _o260.lift, lift);
-                    surge = lanes_select(_m258, _o260.surge, surge);
-                    snap = lanes_select(_m258, _o260.snap, snap);
-                }
-                const LANES(court_alone_out) _o261 =
-                    LANES(court_alone)();
-                V nearest = _o261.nearest;
-                const LANES(court_beside_out) _o262 =
-                    LANES(court_beside)(held, K(0.0));
-                M beside = _o262.beside;
-                const M _m263 = lanes_both(_m248, beside);
-                if (lanes_any(_m263)) {
-                    const LANES(court_ring_beside_out) _o264 =
-                        LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o264.gap;
-                    const LANES(court_neared_out) _o265 =
-                        LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m263, _o265.nearest, nearest);
-                }
-                const LANES(court_beside_out) _o266 =
-                    LANES(court_beside)(held, K(1.0));
-                beside = _o266.beside;
-                const M _m267 = lanes_both(_m248, beside);
-                if (lanes_any(_m267)) {
-                    const LANES(court_backboard_beside_out) _o268 =
-                        LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    V gap = _o268.gap;
-                    const LANES(court_neared_out) _o269 =
-                        LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m267, _o269.nearest, nearest);
-                }
-                const LANES(court_beside_out) _o270 =
-                    LANES(court_beside)(held, K(2.0));
-                beside = _o270.beside;
-                const M _m271 = lanes_both(_m248, beside);
-                if (lanes_any(_m271)) {
-                    const LANES(court_bridge_beside_out) _o272 =
-                        LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o272.gap;
-                    const LANES(court_neared_out) _o273 =
-                        LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m271, _o273.nearest, nearest);
-                }
-                const LANES(court_beside_out) _o274 =
-                    LANES(court_beside)(held, K(3.0));
-                beside = _o274.beside;
-                const M _m275 = lanes_both(_m248, beside);
-                {
-                    const LANES(court_end_beside_out) _o276 =
-                        LANES(court_end_beside)(p_end_depth, vz, z);
-                    V gap = _o276.gap;
-                    const LANES(court_neared_out) _o277 =
-                        LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m275, _o277.nearest, nearest);
-                }
-                const LANES(court_parted_out) _o278 =
-                    LANES(court_parted)(K(INFINITY), p_gravity, lift, nearest, per_reach, K(0.0), snap, surge, K(0.0), vx, vy, vz);
-                when = lanes_select(_m248, _o278.when, when);
-                const LANES(court_hopping_out) _o279 =
-                    LANES(court_hopping)();
-                which = lanes_select(_m248, _o279.which, which);
-            }
-            lanes_store(lists->kept_when + i, when);
-            lanes_store(lists->kept_which + i, which);
-        }
+        if (kept_shots)
+            LANES(court_plain_kept)(lists, kept_shots, varying, time_limit);
         for (size_t k = 0; k < kept_shots; k++) {
             const size_t row = (size_t)lists->kept_row[k];
             lists->began[row] = lists->kept_began[k];
+            lists->circled[row] = lists->kept_circled[k];
             lists->clock[row] = lists->kept_clock[k];
             lists->rests[row] = lists->kept_rests[k];
             lists->rolling[row] = lists->kept_rolling[k];
@@ -3280,69 +3487,69 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o280 =
+            const LANES(court_departed_out) _o273 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o280.moves;
-            M ends = _o280.ends;
-            M touches = _o280.touches;
-            V reached = _o280.reached;
-            const LANES(court_body_of_out) _o281 =
+            M moves = _o273.moves;
+            M ends = _o273.ends;
+            M touches = _o273.touches;
+            V reached = _o273.reached;
+            const LANES(court_body_of_out) _o274 =
                 LANES(court_body_of)(which);
-            V body = _o281.body;
-            const M _m282 = lanes_both(rows, moves);
-            if (lanes_any(_m282)) {
-                const LANES(court_passing_out) _o283 =
+            V body = _o274.body;
+            const M _m275 = lanes_both(rows, moves);
+            if (lanes_any(_m275)) {
+                const LANES(court_passing_out) _o276 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m282, _o283.through, through);
-                const LANES(court_flight_out) _o284 =
+                through = lanes_select(_m275, _o276.through, through);
+                const LANES(court_flight_out) _o277 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m282, _o284.x, x);
-                y = lanes_select(_m282, _o284.y, y);
-                z = lanes_select(_m282, _o284.z, z);
-                vx = lanes_select(_m282, _o284.vx, vx);
-                vy = lanes_select(_m282, _o284.vy, vy);
-                vz = lanes_select(_m282, _o284.vz, vz);
-                const LANES(court_ticked_out) _o285 =
+                x = lanes_select(_m275, _o277.x, x);
+                y = lanes_select(_m275, _o277.y, y);
+                z = lanes_select(_m275, _o277.z, z);
+                vx = lanes_select(_m275, _o277.vx, vx);
+                vy = lanes_select(_m275, _o277.vy, vy);
+                vz = lanes_select(_m275, _o277.vz, vz);
+                const LANES(court_ticked_out) _o278 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m282, _o285.clock, clock);
+                clock = lanes_select(_m275, _o278.clock, clock);
             }
-            const M _m286 = lanes_both(rows, limited);
-            if (lanes_any(_m286)) {
-                const LANES(court_expired_out) _o287 =
+            const M _m279 = lanes_both(rows, limited);
+            if (lanes_any(_m279)) {
+                const LANES(court_expired_out) _o280 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m286, _o287.clock, clock);
-                body = lanes_select(_m286, _o287.body, body);
-                reached = lanes_select(_m286, _o287.reached, reached);
-                ends = lanes_choose(_m286, _o287.ends, ends);
+                clock = lanes_select(_m279, _o280.clock, clock);
+                body = lanes_select(_m279, _o280.body, body);
+                reached = lanes_select(_m279, _o280.reached, reached);
+                ends = lanes_choose(_m279, _o280.ends, ends);
             }
-            const M _m288 = lanes_both(rows, kept);
-            if (lanes_any(_m288)) {
-                const LANES(court_kept_on_out) _o289 =
+            const M _m281 = lanes_both(rows, kept);
+            if (lanes_any(_m281)) {
+                const LANES(court_kept_on_out) _o282 =
                     LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m288, _o289.body, body);
-                reached = lanes_select(_m288, _o289.reached, reached);
-                ends = lanes_choose(_m288, _o289.ends, ends);
-                last = lanes_select(_m288, _o289.last, last);
-                mode = lanes_select(_m288, _o289.mode, mode);
-                held = lanes_select(_m288, _o289.held, held);
-                rolls = lanes_select(_m288, _o289.rolls, rolls);
+                body = lanes_select(_m281, _o282.body, body);
+                reached = lanes_select(_m281, _o282.reached, reached);
+                ends = lanes_choose(_m281, _o282.ends, ends);
+                last = lanes_select(_m281, _o282.last, last);
+                mode = lanes_select(_m281, _o282.mode, mode);
+                held = lanes_select(_m281, _o282.held, held);
+                rolls = lanes_select(_m281, _o282.rolls, rolls);
             }
-            const LANES(court_here_out) _o290 =
+            const LANES(court_here_out) _o283 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o290.here;
-            const M _m291 = lanes_both(rows, here);
+            M here = _o283.here;
+            const M _m284 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o292 =
+                const LANES(court_end_bounds_out) _o285 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o292.g0;
-                const LANES(court_end_reached_out) _o293 =
+                V g0 = _o285.g0;
+                const LANES(court_end_reached_out) _o286 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m291, _o293.reached, reached);
+                reached = lanes_select(_m284, _o286.reached, reached);
             }
-            const LANES(court_accounted_out) _o294 =
+            const LANES(court_accounted_out) _o287 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o294.contacts;
-            V outcome = _o294.outcome;
+            contacts = _o287.contacts;
+            V outcome = _o287.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -3355,304 +3562,304 @@ static void LANES(court_plain)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o295 =
+            const LANES(court_meeting_out) _o288 =
                 LANES(court_meeting)(K(0.0), ends, touches);
-            M meeting = _o295.meeting;
-            const M _m296 = lanes_both(rows, meeting);
-            if (lanes_any(_m296)) {
-                const LANES(court_end_normal_out) _o297 =
+            M meeting = _o288.meeting;
+            const M _m289 = lanes_both(rows, meeting);
+            if (lanes_any(_m289)) {
+                const LANES(court_end_normal_out) _o290 =
                     LANES(court_end_normal)();
-                V nx = _o297.nx;
-                V ny = _o297.ny;
-                V nz = _o297.nz;
-                const LANES(court_here_out) _o298 =
+                V nx = _o290.nx;
+                V ny = _o290.ny;
+                V nz = _o290.nz;
+                const LANES(court_here_out) _o291 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o298.here;
-                const M _m299 = lanes_both(_m296, here);
+                M here = _o291.here;
+                const M _m292 = lanes_both(_m289, here);
                 {
-                    const LANES(court_ring_normal_out) _o300 =
+                    const LANES(court_ring_normal_out) _o293 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m299, _o300.nx, nx);
-                    ny = lanes_select(_m299, _o300.ny, ny);
-                    nz = lanes_select(_m299, _o300.nz, nz);
-                    const LANES(court_counted_out) _o301 =
+                    nx = lanes_select(_m292, _o293.nx, nx);
+                    ny = lanes_select(_m292, _o293.ny, ny);
+                    nz = lanes_select(_m292, _o293.nz, nz);
+                    const LANES(court_counted_out) _o294 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m299, _o301.count, count_0);
+                    count_0 = lanes_select(_m292, _o294.count, count_0);
                 }
-                const LANES(court_here_out) _o302 =
+                const LANES(court_here_out) _o295 =
                     LANES(court_here)(K(1.0), which);
-                here = _o302.here;
-                const M _m303 = lanes_both(_m296, here);
+                here = _o295.here;
+                const M _m296 = lanes_both(_m289, here);
                 {
-                    const LANES(court_backboard_normal_out) _o304 =
+                    const LANES(court_backboard_normal_out) _o297 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m303, _o304.nx, nx);
-                    ny = lanes_select(_m303, _o304.ny, ny);
-                    nz = lanes_select(_m303, _o304.nz, nz);
-                    const LANES(court_counted_out) _o305 =
+                    nx = lanes_select(_m296, _o297.nx, nx);
+                    ny = lanes_select(_m296, _o297.ny, ny);
+                    nz = lanes_select(_m296, _o297.nz, nz);
+                    const LANES(court_counted_out) _o298 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m303, _o305.count, count_1);
+                    count_1 = lanes_select(_m296, _o298.count, count_1);
                 }
-                const LANES(court_here_out) _o306 =
+                const LANES(court_here_out) _o299 =
                     LANES(court_here)(K(2.0), which);
-                here = _o306.here;
-                const M _m307 = lanes_both(_m296, here);
+                here = _o299.here;
+                const M _m300 = lanes_both(_m289, here);
                 {
-                    const LANES(court_bridge_normal_out) _o308 =
+                    const LANES(court_bridge_normal_out) _o301 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m307, _o308.nx, nx);
-                    ny = lanes_select(_m307, _o308.ny, ny);
-                    nz = lanes_select(_m307, _o308.nz, nz);
-                    const LANES(court_counted_out) _o309 =
+                    nx = lanes_select(_m300, _o301.nx, nx);
+                    ny = lanes_select(_m300, _o301.ny, ny);
+                    nz = lanes_select(_m300, _o301.nz, nz);
+                    const LANES(court_counted_out) _o302 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m307, _o309.count, count_2);
+                    count_2 = lanes_select(_m300, _o302.count, count_2);
                 }
                 {
-                    const double *const _t311[][2] = {
+                    const double *const _t304[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t312[][1] = {
+                    static const double _t305[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k310 = 0; _k310 < 3; _k310++) {
-                        const V own_1 = lanes_load(_t311[_k310][0] + (i & varying));
-                        const V own_2 = lanes_load(_t311[_k310][1] + (i & varying));
-                        const V own_index = K(_t312[_k310][0]);
-                        const LANES(court_here_out) _o313 =
+                    for (size_t _k303 = 0; _k303 < 3; _k303++) {
+                        const V own_1 = lanes_load(_t304[_k303][0] + (i & varying));
+                        const V own_2 = lanes_load(_t304[_k303][1] + (i & varying));
+                        const V own_index = K(_t305[_k303][0]);
+                        const LANES(court_here_out) _o306 =
                             LANES(court_here)(own_index, which);
-                        M here = _o313.here;
-                        const M _m314 = lanes_both(_m296, here);
-                        if (lanes_any(_m314)) {
-                            const LANES(court_ring_impact_out) _o315 =
+                        M here = _o306.here;
+                        const M _m307 = lanes_both(_m289, here);
+                        if (lanes_any(_m307)) {
+                            const LANES(court_ring_impact_out) _o308 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m314, _o315.vx, vx);
-                            vy = lanes_select(_m314, _o315.vy, vy);
-                            vz = lanes_select(_m314, _o315.vz, vz);
-                            wx = lanes_select(_m314, _o315.wx, wx);
-                            wy = lanes_select(_m314, _o315.wy, wy);
-                            wz = lanes_select(_m314, _o315.wz, wz);
+                            vx = lanes_select(_m307, _o308.vx, vx);
+                            vy = lanes_select(_m307, _o308.vy, vy);
+                            vz = lanes_select(_m307, _o308.vz, vz);
+                            wx = lanes_select(_m307, _o308.wx, wx);
+                            wy = lanes_select(_m307, _o308.wy, wy);
+                            wz = lanes_select(_m307, _o308.wz, wz);
                         }
                     }
                 }
-                const M _m316 = lanes_both(_m296, touches);
+                const M _m309 = lanes_both(_m289, touches);
                 {
-                    const LANES(court_touched_out) _o317 =
+                    const LANES(court_touched_out) _o310 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m316, _o317.first, first);
-                    last = lanes_select(_m316, _o317.last, last);
+                    first = lanes_select(_m309, _o310.first, first);
+                    last = lanes_select(_m309, _o310.last, last);
                 }
-                const M _m318 = lanes_both(_m296, touches);
-                if (lanes_any(_m318)) {
-                    const LANES(court_slowed_out) _o319 =
+                const M _m311 = lanes_both(_m289, touches);
+                if (lanes_any(_m311)) {
+                    const LANES(court_slowed_out) _o312 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o319.slow;
-                    const M _m320 = lanes_both(_m318, slow);
-                    if (lanes_any(_m320)) {
-                        const LANES(court_gripped_out) _o321 =
+                    M slow = _o312.slow;
+                    const M _m313 = lanes_both(_m311, slow);
+                    if (lanes_any(_m313)) {
+                        const LANES(court_gripped_out) _o314 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o321.rolled_x;
-                        V rolled_y = _o321.rolled_y;
-                        V rolled_z = _o321.rolled_z;
-                        V slip = _o321.slip;
-                        V bounce = _o321.bounce;
-                        const LANES(court_here_out) _o322 =
+                        V rolled_x = _o314.rolled_x;
+                        V rolled_y = _o314.rolled_y;
+                        V rolled_z = _o314.rolled_z;
+                        V slip = _o314.slip;
+                        V bounce = _o314.bounce;
+                        const LANES(court_here_out) _o315 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o322.here;
-                        const M _m323 = lanes_both(_m320, here);
-                        if (lanes_any(_m323)) {
-                            const LANES(court_ring_turning_out) _o324 =
+                        M here = _o315.here;
+                        const M _m316 = lanes_both(_m313, here);
+                        if (lanes_any(_m316)) {
+                            const LANES(court_ring_turning_out) _o317 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o324.turning_x;
-                            V turning_y = _o324.turning_y;
-                            V turning_z = _o324.turning_z;
-                            const LANES(court_pressed_on_out) _o325 =
+                            V turning_x = _o317.turning_x;
+                            V turning_y = _o317.turning_y;
+                            V turning_z = _o317.turning_z;
+                            const LANES(court_pressed_on_out) _o318 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o325.press;
-                            V weight = _o325.weight;
-                            V drag = _o325.drag;
-                            V thrust_x = _o325.thrust_x;
-                            V thrust_y = _o325.thrust_y;
-                            V thrust_z = _o325.thrust_z;
-                            const LANES(court_alone_out) _o326 =
+                            V press = _o318.press;
+                            V weight = _o318.weight;
+                            V drag = _o318.drag;
+                            V thrust_x = _o318.thrust_x;
+                            V thrust_y = _o318.thrust_y;
+                            V thrust_z = _o318.thrust_z;
+                            const LANES(court_alone_out) _o319 =
                                 LANES(court_alone)();
-                            V nearest = _o326.nearest;
-                            V wedge = _o326.wedge;
-                            const LANES(court_backboard_closing_out) _o327 =
+                            V nearest = _o319.nearest;
+                            V wedge = _o319.wedge;
+                            const LANES(court_backboard_closing_out) _o320 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o327.gap;
-                            V nearing = _o327.nearing;
-                            V swerve = _o327.swerve;
-                            V facing = _o327.facing;
-                            const LANES(court_neared_body_out) _o328 =
+                            V gap = _o320.gap;
+                            V nearing = _o320.nearing;
+                            V swerve = _o320.swerve;
+                            V facing = _o320.facing;
+                            const LANES(court_neared_body_out) _o321 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o328.nearest;
-                            wedge = _o328.wedge;
-                            const LANES(court_bridge_closing_out) _o329 =
+                            nearest = _o321.nearest;
+                            wedge = _o321.wedge;
+                            const LANES(court_bridge_closing_out) _o322 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o329.gap;
-                            nearing = _o329.nearing;
-                            swerve = _o329.swerve;
-                            facing = _o329.facing;
-                            const LANES(court_neared_body_out) _o330 =
+                            gap = _o322.gap;
+                            nearing = _o322.nearing;
+                            swerve = _o322.swerve;
+                            facing = _o322.facing;
+                            const LANES(court_neared_body_out) _o323 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o330.nearest;
-                            wedge = _o330.wedge;
-                            const LANES(court_end_beside_out) _o331 =
+                            nearest = _o323.nearest;
+                            wedge = _o323.wedge;
+                            const LANES(court_end_beside_out) _o324 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o331.gap;
-                            const LANES(court_neared_out) _o332 =
+                            gap = _o324.gap;
+                            const LANES(court_neared_out) _o325 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o332.nearest;
-                            const LANES(court_ring_parting_out) _o333 =
+                            nearest = _o325.nearest;
+                            const LANES(court_ring_parting_out) _o326 =
                                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o333.lift;
-                            const LANES(court_ring_impact_settling_out) _o334 =
+                            V lift = _o326.lift;
+                            const LANES(court_ring_impact_settling_out) _o327 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o334.settles;
-                            M lodges = _o334.lodges;
-                            M slides = _o334.slides;
-                            M parts = _o334.parts;
-                            M unsure = _o334.unsure;
-                            const LANES(court_settled_out) _o335 =
+                            M settles = _o327.settles;
+                            M lodges = _o327.lodges;
+                            M slides = _o327.slides;
+                            M parts = _o327.parts;
+                            M unsure = _o327.unsure;
+                            const LANES(court_settled_out) _o328 =
                                 LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m323, _o335.mode, mode);
-                            held = lanes_select(_m323, _o335.held, held);
-                            outcome = lanes_select(_m323, _o335.outcome, outcome);
-                            slip_left = lanes_select(_m323, _o335.slip_left, slip_left);
+                            mode = lanes_select(_m316, _o328.mode, mode);
+                            held = lanes_select(_m316, _o328.held, held);
+                            outcome = lanes_select(_m316, _o328.outcome, outcome);
+                            slip_left = lanes_select(_m316, _o328.slip_left, slip_left);
                         }
-                        const LANES(court_here_out) _o336 =
+                        const LANES(court_here_out) _o329 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o336.here;
-                        const M _m337 = lanes_both(_m320, here);
-                        if (lanes_any(_m337)) {
-                            const LANES(court_backboard_turning_out) _o338 =
+                        here = _o329.here;
+                        const M _m330 = lanes_both(_m313, here);
+                        if (lanes_any(_m330)) {
+                            const LANES(court_backboard_turning_out) _o331 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o338.turning_x;
-                            V turning_y = _o338.turning_y;
-                            V turning_z = _o338.turning_z;
-                            const LANES(court_pressed_on_out) _o339 =
+                            V turning_x = _o331.turning_x;
+                            V turning_y = _o331.turning_y;
+                            V turning_z = _o331.turning_z;
+                            const LANES(court_pressed_on_out) _o332 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o339.press;
-                            V weight = _o339.weight;
-                            V drag = _o339.drag;
-                            V thrust_x = _o339.thrust_x;
-                            V thrust_y = _o339.thrust_y;
-                            V thrust_z = _o339.thrust_z;
-                            const LANES(court_alone_out) _o340 =
+                            V press = _o332.press;
+                            V weight = _o332.weight;
+                            V drag = _o332.drag;
+                            V thrust_x = _o332.thrust_x;
+                            V thrust_y = _o332.thrust_y;
+                            V thrust_z = _o332.thrust_z;
+                            const LANES(court_alone_out) _o333 =
                                 LANES(court_alone)();
-                            V nearest = _o340.nearest;
-                            V wedge = _o340.wedge;
-                            const LANES(court_ring_closing_out) _o341 =
+                            V nearest = _o333.nearest;
+                            V wedge = _o333.wedge;
+                            const LANES(court_ring_closing_out) _o334 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o341.gap;
-                            V nearing = _o341.nearing;
-                            V swerve = _o341.swerve;
-                            V facing = _o341.facing;
-                            const LANES(court_neared_body_out) _o342 =
+                            V gap = _o334.gap;
+                            V nearing = _o334.nearing;
+                            V swerve = _o334.swerve;
+                            V facing = _o334.facing;
+                            const LANES(court_neared_body_out) _o335 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o342.nearest;
-                            wedge = _o342.wedge;
-                            const LANES(court_bridge_closing_out) _o343 =
+                            nearest = _o335.nearest;
+                            wedge = _o335.wedge;
+                            const LANES(court_bridge_closing_out) _o336 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o343.gap;
-                            nearing = _o343.nearing;
-                            swerve = _o343.swerve;
-                            facing = _o343.facing;
-                            const LANES(court_neared_body_out) _o344 =
+                            gap = _o336.gap;
+                            nearing = _o336.nearing;
+                            swerve = _o336.swerve;
+                            facing = _o336.facing;
+                            const LANES(court_neared_body_out) _o337 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o344.nearest;
-                            wedge = _o344.wedge;
-                            const LANES(court_end_beside_out) _o345 =
+                            nearest = _o337.nearest;
+                            wedge = _o337.wedge;
+                            const LANES(court_end_beside_out) _o338 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o345.gap;
-                            const LANES(court_neared_out) _o346 =
+                            gap = _o338.gap;
+                            const LANES(court_neared_out) _o339 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o346.nearest;
-                            const LANES(court_backboard_parting_out) _o347 =
+                            nearest = _o339.nearest;
+                            const LANES(court_backboard_parting_out) _o340 =
                                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o347.lift;
-                            const LANES(court_ring_impact_settling_out) _o348 =
+                            V lift = _o340.lift;
+                            const LANES(court_ring_impact_settling_out) _o341 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o348.settles;
-                            M lodges = _o348.lodges;
-                            M slides = _o348.slides;
-                            M parts = _o348.parts;
-                            M unsure = _o348.unsure;
-                            const LANES(court_settled_out) _o349 =
+                            M settles = _o341.settles;
+                            M lodges = _o341.lodges;
+                            M slides = _o341.slides;
+                            M parts = _o341.parts;
+                            M unsure = _o341.unsure;
+                            const LANES(court_settled_out) _o342 =
                                 LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m337, _o349.mode, mode);
-                            held = lanes_select(_m337, _o349.held, held);
-                            outcome = lanes_select(_m337, _o349.outcome, outcome);
-                            slip_left = lanes_select(_m337, _o349.slip_left, slip_left);
+                            mode = lanes_select(_m330, _o342.mode, mode);
+                            held = lanes_select(_m330, _o342.held, held);
+                            outcome = lanes_select(_m330, _o342.outcome, outcome);
+                            slip_left = lanes_select(_m330, _o342.slip_left, slip_left);
                         }
-                        const LANES(court_here_out) _o350 =
+                        const LANES(court_here_out) _o343 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o350.here;
-                        const M _m351 = lanes_both(_m320, here);
-                        if (lanes_any(_m351)) {
-                            const LANES(court_bridge_turning_out) _o352 =
+                        here = _o343.here;
+                        const M _m344 = lanes_both(_m313, here);
+                        if (lanes_any(_m344)) {
+                            const LANES(court_bridge_turning_out) _o345 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o352.turning_x;
-                            V turning_y = _o352.turning_y;
-                            V turning_z = _o352.turning_z;
-                            const LANES(court_pressed_on_out) _o353 =
+                            V turning_x = _o345.turning_x;
+                            V turning_y = _o345.turning_y;
+                            V turning_z = _o345.turning_z;
+                            const LANES(court_pressed_on_out) _o346 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o353.press;
-                            V weight = _o353.weight;
-                            V drag = _o353.drag;
-                            V thrust_x = _o353.thrust_x;
-                            V thrust_y = _o353.thrust_y;
-                            V thrust_z = _o353.thrust_z;
-                            const LANES(court_alone_out) _o354 =
+                            V press = _o346.press;
+                            V weight = _o346.weight;
+                            V drag = _o346.drag;
+                            V thrust_x = _o346.thrust_x;
+                            V thrust_y = _o346.thrust_y;
+                            V thrust_z = _o346.thrust_z;
+                            const LANES(court_alone_out) _o347 =
                                 LANES(court_alone)();
-                            V nearest = _o354.nearest;
-                            V wedge = _o354.wedge;
-                            const LANES(court_ring_closing_out) _o355 =
+                            V nearest = _o347.nearest;
+                            V wedge = _o347.wedge;
+                            const LANES(court_ring_closing_out) _o348 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o355.gap;
-                            V nearing = _o355.nearing;
-                            V swerve = _o355.swerve;
-                            V facing = _o355.facing;
-                            const LANES(court_neared_body_out) _o356 =
+                            V gap = _o348.gap;
+                            V nearing = _o348.nearing;
+                            V swerve = _o348.swerve;
+                            V facing = _o348.facing;
+                            const LANES(court_neared_body_out) _o349 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o356.nearest;
-                            wedge = _o356.wedge;
-                            const LANES(court_backboard_closing_out) _o357 =
+                            nearest = _o349.nearest;
+                            wedge = _o349.wedge;
+                            const LANES(court_backboard_closing_out) _o350 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o357.gap;
-                            nearing = _o357.nearing;
-                            swerve = _o357.swerve;
-                            facing = _o357.facing;
-                            const LANES(court_neared_body_out) _o358 =
+                            gap = _o350.gap;
+                            nearing = _o350.nearing;
+                            swerve = _o350.swerve;
+                            facing = _o350.facing;
+                            const LANES(court_neared_body_out) _o351 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o358.nearest;
-                            wedge = _o358.wedge;
-                            const LANES(court_end_beside_out) _o359 =
+                            nearest = _o351.nearest;
+                            wedge = _o351.wedge;
+                            const LANES(court_end_beside_out) _o352 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o359.gap;
-                            const LANES(court_neared_out) _o360 =
+                            gap = _o352.gap;
+                            const LANES(court_neared_out) _o353 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o360.nearest;
-                            const LANES(court_bridge_parting_out) _o361 =
+                            nearest = _o353.nearest;
+                            const LANES(court_bridge_parting_out) _o354 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o361.lift;
-                            const LANES(court_ring_impact_settling_out) _o362 =
+                            V lift = _o354.lift;
+                            const LANES(court_ring_impact_settling_out) _o355 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o362.settles;
-                            M lodges = _o362.lodges;
-                            M slides = _o362.slides;
-                            M parts = _o362.parts;
-                            M unsure = _o362.unsure;
-                            const LANES(court_settled_out) _o363 =
+                            M settles = _o355.settles;
+                            M lodges = _o355.lodges;
+                            M slides = _o355.slides;
+                            M parts = _o355.parts;
+                            M unsure = _o355.unsure;
+                            const LANES(court_settled_out) _o356 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m351, _o363.mode, mode);
-                            held = lanes_select(_m351, _o363.held, held);
-                            outcome = lanes_select(_m351, _o363.outcome, outcome);
-                            slip_left = lanes_select(_m351, _o363.slip_left, slip_left);
+                            mode = lanes_select(_m344, _o356.mode, mode);
+                            held = lanes_select(_m344, _o356.held, held);
+                            outcome = lanes_select(_m344, _o356.outcome, outcome);
+                            slip_left = lanes_select(_m344, _o356.slip_left, slip_left);
                         }
                     }
                 }
@@ -3726,7 +3933,7 @@ static void LANES(court_plain)(const court_job *job)
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[LANES_SHOTS];
+    _Alignas(64) size_t shot[LANES_SHOTS + LANES_SHOTS / 2];
     LANES(court_column) x; /* of the state */
     LANES(court_column) y; /* of the state */
     LANES(court_column) z; /* of the state */
@@ -3755,6 +3962,7 @@ typedef struct {
     LANES(court_column) count_2; /* contacts with bridge */
     LANES(court_column) held; /* surface that it stays in contact with, -1: none */
     LANES(court_column) mode; /* 0: in flight; 1, 2, 3: contact begins, goes on, ends */
+    LANES(court_column) circled; /* 1: it rolls on a ring, and does not leave since a turning point */
     LANES(court_column) assured; /* 1: its bounces on the surface it touched last end there */
     LANES(court_column) rolls; /* how many times it began to roll */
     LANES(court_column) slip_left; /* 1: its bounces ended with slip left, which friction cannot stop */
@@ -3770,7 +3978,8 @@ typedef struct {
     LANES(court_column) time_claim; /* bound on the error at the end */
     LANES(court_column) outcome; /* how it ended, -1: in flight */
     LANES(court_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth, p_ring_restitution, p_backboard_restitution, p_bridge_restitution, p_ring_friction, p_backboard_friction, p_bridge_friction, p_tangential_restitution, p_restitution_speed;
-    /* Shots whose balls stay in contact: they wait for one another. */
+    /* Shots whose balls stay in contact: they wait for one another, and then have rows of their
+       own behind those of the others, so that all lanes work. */
     size_t waiting;
     size_t waiting_shot[LANES_SHOTS];
     LANES(court_column) waiting_x;
@@ -3801,6 +4010,7 @@ typedef struct {
     LANES(court_column) waiting_count_2;
     LANES(court_column) waiting_held;
     LANES(court_column) waiting_mode;
+    LANES(court_column) waiting_circled;
     LANES(court_column) waiting_assured;
     LANES(court_column) waiting_rolls;
     LANES(court_column) waiting_slip_left;
@@ -3915,6 +4125,7 @@ typedef struct {
     LANES(court_column) open_searching_p_bridge_depth;
     LANES(court_column) open_searching_p_bridge_half_width;
     LANES(court_column) kept_row;
+    LANES(court_column) kept_circled;
     LANES(court_column) kept_clock;
     LANES(court_column) kept_clock_error;
     LANES(court_column) kept_dvx;
@@ -3962,6 +4173,7 @@ typedef struct {
     LANES(court_column) kept_y;
     LANES(court_column) kept_z;
     LANES(court_column) kept_began;
+    LANES(court_column) kept_circling;
     LANES(court_column) kept_doubt;
     LANES(court_column) kept_late;
     LANES(court_column) kept_leaves;
@@ -4005,11 +4217,9 @@ typedef struct {
     LANES(court_column) kept_rolling_p_bridge_half_width;
     LANES(court_column) kept_rolling_p_end_depth;
     LANES(court_column) kept_rolling_p_gravity;
-    LANES(court_column) kept_rolling_p_ring_friction;
     LANES(court_column) kept_rolling_p_ring_radius;
     LANES(court_column) kept_rolling_p_wire_radius;
     LANES(court_column) kept_rolling_per_reach;
-    LANES(court_column) kept_rolling_ring;
     LANES(court_column) kept_rolling_rolling;
     LANES(court_column) kept_rolling_taut;
     LANES(court_column) kept_rolling_taut_clock;
@@ -4025,6 +4235,50 @@ typedef struct {
     LANES(court_column) kept_rolling_x;
     LANES(court_column) kept_rolling_y;
     LANES(court_column) kept_rolling_z;
+    LANES(court_column) kept_circling_row;
+    LANES(court_column) kept_circling_circled;
+    LANES(court_column) kept_circling_circling;
+    LANES(court_column) kept_circling_clock;
+    LANES(court_column) kept_circling_clock_error;
+    LANES(court_column) kept_circling_doubt;
+    LANES(court_column) kept_circling_dvx;
+    LANES(court_column) kept_circling_dvy;
+    LANES(court_column) kept_circling_dvz;
+    LANES(court_column) kept_circling_dwx;
+    LANES(court_column) kept_circling_dwy;
+    LANES(court_column) kept_circling_dwz;
+    LANES(court_column) kept_circling_dx;
+    LANES(court_column) kept_circling_dy;
+    LANES(court_column) kept_circling_dz;
+    LANES(court_column) kept_circling_grip_lost;
+    LANES(court_column) kept_circling_late;
+    LANES(court_column) kept_circling_p_ball_radius;
+    LANES(court_column) kept_circling_p_board_bottom;
+    LANES(court_column) kept_circling_p_board_distance;
+    LANES(court_column) kept_circling_p_board_half_width;
+    LANES(court_column) kept_circling_p_board_thickness;
+    LANES(court_column) kept_circling_p_board_top;
+    LANES(court_column) kept_circling_p_bridge_depth;
+    LANES(court_column) kept_circling_p_bridge_half_width;
+    LANES(court_column) kept_circling_p_end_depth;
+    LANES(court_column) kept_circling_p_gravity;
+    LANES(court_column) kept_circling_p_ring_friction;
+    LANES(court_column) kept_circling_p_ring_radius;
+    LANES(court_column) kept_circling_p_wire_radius;
+    LANES(court_column) kept_circling_taut;
+    LANES(court_column) kept_circling_taut_clock;
+    LANES(court_column) kept_circling_taut_rate;
+    LANES(court_column) kept_circling_through;
+    LANES(court_column) kept_circling_vx;
+    LANES(court_column) kept_circling_vy;
+    LANES(court_column) kept_circling_vz;
+    LANES(court_column) kept_circling_which;
+    LANES(court_column) kept_circling_wx;
+    LANES(court_column) kept_circling_wy;
+    LANES(court_column) kept_circling_wz;
+    LANES(court_column) kept_circling_x;
+    LANES(court_column) kept_circling_y;
+    LANES(court_column) kept_circling_z;
 } LANES(court_bounded_lists);
 
 /* Put the next shots into rows, from one on. */
@@ -4101,6 +4355,7 @@ LANES_INLINE void LANES(court_bounded_begin)(LANES(court_bounded_lists) *lists, 
         lanes_store(lists->count_2 + row + k, K(0.0));
         lanes_store(lists->held + row + k, K(-1.0));
         lanes_store(lists->mode + row + k, K(0.0));
+        lanes_store(lists->circled + row + k, K(0.0));
         lanes_store(lists->assured + row + k, K(0.0));
         lanes_store(lists->rolls + row + k, K(0.0));
         lanes_store(lists->slip_left + row + k, K(0.0));
@@ -4279,6 +4534,7 @@ LANES_INLINE void LANES(court_bounded_wait)(LANES(court_bounded_lists) *lists, s
     lanes_pack(lists->waiting_count_2 + lists->waiting, who, lanes_load(lists->count_2 + row));
     lanes_pack(lists->waiting_held + lists->waiting, who, lanes_load(lists->held + row));
     lanes_pack(lists->waiting_mode + lists->waiting, who, lanes_load(lists->mode + row));
+    lanes_pack(lists->waiting_circled + lists->waiting, who, lanes_load(lists->circled + row));
     lanes_pack(lists->waiting_assured + lists->waiting, who, lanes_load(lists->assured + row));
     lanes_pack(lists->waiting_rolls + lists->waiting, who, lanes_load(lists->rolls + row));
     lanes_pack(lists->waiting_slip_left + lists->waiting, who, lanes_load(lists->slip_left + row));
@@ -4321,7 +4577,7 @@ LANES_INLINE void LANES(court_bounded_wait)(LANES(court_bounded_lists) *lists, s
 /* Put shots that have waited into rows from one on; return how many. */
 LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *lists, size_t row, const court_job *job)
 {
-    const size_t room = LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t room = LANES_SHOTS + LANES_SHOTS / 2 - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
@@ -4352,6 +4608,7 @@ LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *list
     memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof(double));
     memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof(double));
     memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof(double));
+    memcpy(lists->circled + row, lists->waiting_circled + from, shots * sizeof(double));
     memcpy(lists->assured + row, lists->waiting_assured + from, shots * sizeof(double));
     memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof(double));
     memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof(double));
@@ -4438,6 +4695,7 @@ LANES_INLINE size_t LANES(court_bounded_leave)(LANES(court_bounded_lists) *lists
             lanes_pack(lists->count_2 + kept, going, lanes_load(lists->count_2 + i));
             lanes_pack(lists->held + kept, going, lanes_load(lists->held + i));
             lanes_pack(lists->mode + kept, going, lanes_load(lists->mode + i));
+            lanes_pack(lists->circled + kept, going, lanes_load(lists->circled + i));
             lanes_pack(lists->assured + kept, going, lanes_load(lists->assured + i));
             lanes_pack(lists->rolls + kept, going, lanes_load(lists->rolls + i));
             lanes_pack(lists->slip_left + kept, going, lanes_load(lists->slip_left + i));
@@ -4478,6 +4736,2238 @@ LANES_INLINE size_t LANES(court_bounded_leave)(LANES(court_bounded_lists) *lists
         kept += lanes_many(going);
     }
     return kept;
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t kept_shots, size_t varying, V time_limit)
+{
+    {
+    size_t kept_rolling_shots = 0;
+    for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(kept_shots - i);
+        V circled = lanes_load(lists->kept_circled + i);
+        V clock = lanes_load(lists->kept_clock + i);
+        V clock_error = lanes_load(lists->kept_clock_error + i);
+        V dvx = lanes_load(lists->kept_dvx + i);
+        V dvy = lanes_load(lists->kept_dvy + i);
+        V dvz = lanes_load(lists->kept_dvz + i);
+        V dwx = lanes_load(lists->kept_dwx + i);
+        V dwy = lanes_load(lists->kept_dwy + i);
+        V dwz = lanes_load(lists->kept_dwz + i);
+        V dx = lanes_load(lists->kept_dx + i);
+        V dy = lanes_load(lists->kept_dy + i);
+        V dz = lanes_load(lists->kept_dz + i);
+        V grip_lost = lanes_load(lists->kept_grip_lost + i);
+        V held = lanes_load(lists->kept_held + i);
+        V mode = lanes_load(lists->kept_mode + i);
+        const V p_backboard_friction = lanes_load(varying ? lists->kept_p_backboard_friction + i : lists->p_backboard_friction);
+        const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
+        const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
+        const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
+        const V p_board_half_width = lanes_load(varying ? lists->kept_p_board_half_width + i : lists->p_board_half_width);
+        const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
+        const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
+        const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
+        const V p_bridge_friction = lanes_load(varying ? lists->kept_p_bridge_friction + i : lists->p_bridge_friction);
+        const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
+        const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
+        const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
+        const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
+        const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
+        V position_error = lanes_load(lists->kept_position_error + i);
+        V taut = lanes_load(lists->kept_taut + i);
+        V taut_clock = lanes_load(lists->kept_taut_clock + i);
+        V taut_rate = lanes_load(lists->kept_taut_rate + i);
+        V through = lanes_load(lists->kept_through + i);
+        V velocity_error = lanes_load(lists->kept_velocity_error + i);
+        V vx = lanes_load(lists->kept_vx + i);
+        V vy = lanes_load(lists->kept_vy + i);
+        V vz = lanes_load(lists->kept_vz + i);
+        V wx = lanes_load(lists->kept_wx + i);
+        V wy = lanes_load(lists->kept_wy + i);
+        V wz = lanes_load(lists->kept_wz + i);
+        V x = lanes_load(lists->kept_x + i);
+        V y = lanes_load(lists->kept_y + i);
+        V z = lanes_load(lists->kept_z + i);
+        const LANES(court_resumed_out) _o128 =
+            LANES(court_resumed)(clock, mode, position_error, velocity_error);
+        V which = _o128.which;
+        V late = _o128.late;
+        V began = _o128.began;
+        V doubt = _o128.doubt;
+        M begins = _o128.begins;
+        M rolling = _o128.rolling;
+        M leaves = _o128.leaves;
+        V nx = _o128.nx;
+        V ny = _o128.ny;
+        V nz = _o128.nz;
+        V gap = _o128.gap;
+        V bent_x = _o128.bent_x;
+        V bent_y = _o128.bent_y;
+        V bent_z = _o128.bent_z;
+        V lift = _o128.lift;
+        V surge = _o128.surge;
+        V snap = _o128.snap;
+        V per_reach = _o128.per_reach;
+        const M _m129 = lanes_both(rows, begins);
+        if (lanes_any(_m129)) {
+            const LANES(court_holding_out) _o130 =
+                LANES(court_holding)(held, K(0.0));
+            M here = _o130.here;
+            const M _m131 = lanes_both(_m129, here);
+            {
+                const LANES(court_ring_normal_out) _o132 =
+                    LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = lanes_select(_m131, _o132.nx, nx);
+                ny = lanes_select(_m131, _o132.ny, ny);
+                nz = lanes_select(_m131, _o132.nz, nz);
+            }
+            const LANES(court_holding_out) _o133 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o133.here;
+            const M _m134 = lanes_both(_m129, here);
+            {
+                const LANES(court_backboard_normal_out) _o135 =
+                    LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = lanes_select(_m134, _o135.nx, nx);
+                ny = lanes_select(_m134, _o135.ny, ny);
+                nz = lanes_select(_m134, _o135.nz, nz);
+            }
+            const LANES(court_holding_out) _o136 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o136.here;
+            const M _m137 = lanes_both(_m129, here);
+            {
+                const LANES(court_bridge_normal_out) _o138 =
+                    LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = lanes_select(_m137, _o138.nx, nx);
+                ny = lanes_select(_m137, _o138.ny, ny);
+                nz = lanes_select(_m137, _o138.nz, nz);
+            }
+            const LANES(court_roll_turn_rate_out) _o139 =
+                LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
+            V turn_rate = _o139.turn_rate;
+            const LANES(court_gripped_out) _o140 =
+                LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            V rolled_x = _o140.rolled_x;
+            V rolled_y = _o140.rolled_y;
+            V rolled_z = _o140.rolled_z;
+            const LANES(court_holding_out) _o141 =
+                LANES(court_holding)(held, K(0.0));
+            here = _o141.here;
+            const M _m142 = lanes_both(_m129, here);
+            {
+                const LANES(court_ring_off_out) _o143 =
+                    LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                gap = lanes_select(_m142, _o143.gap, gap);
+            }
+            const LANES(court_holding_out) _o144 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o144.here;
+            const M _m145 = lanes_both(_m129, here);
+            {
+                const LANES(court_backboard_off_out) _o146 =
+                    LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                gap = lanes_select(_m145, _o146.gap, gap);
+            }
+            const LANES(court_holding_out) _o147 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o147.here;
+            const M _m148 = lanes_both(_m129, here);
+            {
+                const LANES(court_bridge_off_out) _o149 =
+                    LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                gap = lanes_select(_m148, _o149.gap, gap);
+            }
+            const LANES(court_roll_placed_out) _o150 =
+                LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
+            x = lanes_select(_m129, _o150.x, x);
+            y = lanes_select(_m129, _o150.y, y);
+            z = lanes_select(_m129, _o150.z, z);
+            vx = lanes_select(_m129, _o150.vx, vx);
+            vy = lanes_select(_m129, _o150.vy, vy);
+            vz = lanes_select(_m129, _o150.vz, vz);
+            wx = lanes_select(_m129, _o150.wx, wx);
+            wy = lanes_select(_m129, _o150.wy, wy);
+            wz = lanes_select(_m129, _o150.wz, wz);
+            const LANES(court_begun_errors_out) _o151 =
+                LANES(court_begun_errors)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz);
+            dx = lanes_select(_m129, _o151.dx, dx);
+            dy = lanes_select(_m129, _o151.dy, dy);
+            dz = lanes_select(_m129, _o151.dz, dz);
+            dvx = lanes_select(_m129, _o151.dvx, dvx);
+            dvy = lanes_select(_m129, _o151.dvy, dvy);
+            dvz = lanes_select(_m129, _o151.dvz, dvz);
+            dwx = lanes_select(_m129, _o151.dwx, dwx);
+            dwy = lanes_select(_m129, _o151.dwy, dwy);
+            dwz = lanes_select(_m129, _o151.dwz, dwz);
+            const LANES(court_untaut_out) _o152 =
+                LANES(court_untaut)();
+            taut = lanes_select(_m129, _o152.taut, taut);
+            const LANES(court_beginning_contact_out) _o153 =
+                LANES(court_beginning_contact)();
+            which = lanes_select(_m129, _o153.which, which);
+            circled = lanes_select(_m129, _o153.circled, circled);
+        }
+        const LANES(court_circles_out) _o154 =
+            LANES(court_circles)(held, K(0.0), rolling);
+        M circling = _o154.circling;
+        rolling = _o154.rolling;
+        lanes_store(lists->kept_began + i, began);
+        lanes_store(lists->kept_circled + i, circled);
+        lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
+        lanes_store(lists->kept_doubt + i, doubt);
+        lanes_store(lists->kept_dvx + i, dvx);
+        lanes_store(lists->kept_dvy + i, dvy);
+        lanes_store(lists->kept_dvz + i, dvz);
+        lanes_store(lists->kept_dwx + i, dwx);
+        lanes_store(lists->kept_dwy + i, dwy);
+        lanes_store(lists->kept_dwz + i, dwz);
+        lanes_store(lists->kept_dx + i, dx);
+        lanes_store(lists->kept_dy + i, dy);
+        lanes_store(lists->kept_dz + i, dz);
+        lanes_store(lists->kept_late + i, late);
+        lanes_store(lists->kept_leaves + i, lanes_select(leaves, K(1.0), K(0.0)));
+        lanes_store(lists->kept_lift + i, lift);
+        lanes_store(lists->kept_per_reach + i, per_reach);
+        lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
+        lanes_store(lists->kept_snap + i, snap);
+        lanes_store(lists->kept_surge + i, surge);
+        lanes_store(lists->kept_taut + i, taut);
+        lanes_store(lists->kept_vx + i, vx);
+        lanes_store(lists->kept_vy + i, vy);
+        lanes_store(lists->kept_vz + i, vz);
+        lanes_store(lists->kept_which + i, which);
+        lanes_store(lists->kept_wx + i, wx);
+        lanes_store(lists->kept_wy + i, wy);
+        lanes_store(lists->kept_wz + i, wz);
+        lanes_store(lists->kept_x + i, x);
+        lanes_store(lists->kept_y + i, y);
+        lanes_store(lists->kept_z + i, z);
+        const M packed = lanes_both(rows, rolling);
+        if (lanes_any(packed)) {
+            lanes_pack(lists->kept_rolling_row + kept_rolling_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+            lanes_pack(lists->kept_rolling_bent_x + kept_rolling_shots, packed, bent_x);
+            lanes_pack(lists->kept_rolling_bent_y + kept_rolling_shots, packed, bent_y);
+            lanes_pack(lists->kept_rolling_bent_z + kept_rolling_shots, packed, bent_z);
+            lanes_pack(lists->kept_rolling_clock + kept_rolling_shots, packed, clock);
+            lanes_pack(lists->kept_rolling_clock_error + kept_rolling_shots, packed, clock_error);
+            lanes_pack(lists->kept_rolling_doubt + kept_rolling_shots, packed, doubt);
+            lanes_pack(lists->kept_rolling_dvx + kept_rolling_shots, packed, dvx);
+            lanes_pack(lists->kept_rolling_dvy + kept_rolling_shots, packed, dvy);
+            lanes_pack(lists->kept_rolling_dvz + kept_rolling_shots, packed, dvz);
+            lanes_pack(lists->kept_rolling_dwx + kept_rolling_shots, packed, dwx);
+            lanes_pack(lists->kept_rolling_dwy + kept_rolling_shots, packed, dwy);
+            lanes_pack(lists->kept_rolling_dwz + kept_rolling_shots, packed, dwz);
+            lanes_pack(lists->kept_rolling_dx + kept_rolling_shots, packed, dx);
+            lanes_pack(lists->kept_rolling_dy + kept_rolling_shots, packed, dy);
+            lanes_pack(lists->kept_rolling_dz + kept_rolling_shots, packed, dz);
+            lanes_pack(lists->kept_rolling_grip_lost + kept_rolling_shots, packed, grip_lost);
+            lanes_pack(lists->kept_rolling_held + kept_rolling_shots, packed, held);
+            lanes_pack(lists->kept_rolling_late + kept_rolling_shots, packed, late);
+            lanes_pack(lists->kept_rolling_nx + kept_rolling_shots, packed, nx);
+            lanes_pack(lists->kept_rolling_ny + kept_rolling_shots, packed, ny);
+            lanes_pack(lists->kept_rolling_nz + kept_rolling_shots, packed, nz);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_backboard_friction + kept_rolling_shots, packed, p_backboard_friction);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_ball_radius + kept_rolling_shots, packed, p_ball_radius);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_board_bottom + kept_rolling_shots, packed, p_board_bottom);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_board_distance + kept_rolling_shots, packed, p_board_distance);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_board_half_width + kept_rolling_shots, packed, p_board_half_width);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_board_thickness + kept_rolling_shots, packed, p_board_thickness);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_board_top + kept_rolling_shots, packed, p_board_top);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_bridge_depth + kept_rolling_shots, packed, p_bridge_depth);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_bridge_friction + kept_rolling_shots, packed, p_bridge_friction);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_bridge_half_width + kept_rolling_shots, packed, p_bridge_half_width);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_end_depth + kept_rolling_shots, packed, p_end_depth);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_gravity + kept_rolling_shots, packed, p_gravity);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_ring_radius + kept_rolling_shots, packed, p_ring_radius);
+            if (varying)
+                lanes_pack(lists->kept_rolling_p_wire_radius + kept_rolling_shots, packed, p_wire_radius);
+            lanes_pack(lists->kept_rolling_per_reach + kept_rolling_shots, packed, per_reach);
+            lanes_pack(lists->kept_rolling_taut + kept_rolling_shots, packed, taut);
+            lanes_pack(lists->kept_rolling_taut_clock + kept_rolling_shots, packed, taut_clock);
+            lanes_pack(lists->kept_rolling_taut_rate + kept_rolling_shots, packed, taut_rate);
+            lanes_pack(lists->kept_rolling_through + kept_rolling_shots, packed, through);
+            lanes_pack(lists->kept_rolling_vx + kept_rolling_shots, packed, vx);
+            lanes_pack(lists->kept_rolling_vy + kept_rolling_shots, packed, vy);
+            lanes_pack(lists->kept_rolling_vz + kept_rolling_shots, packed, vz);
+            lanes_pack(lists->kept_rolling_which + kept_rolling_shots, packed, which);
+            lanes_pack(lists->kept_rolling_wx + kept_rolling_shots, packed, wx);
+            lanes_pack(lists->kept_rolling_wy + kept_rolling_shots, packed, wy);
+            lanes_pack(lists->kept_rolling_wz + kept_rolling_shots, packed, wz);
+            lanes_pack(lists->kept_rolling_x + kept_rolling_shots, packed, x);
+            lanes_pack(lists->kept_rolling_y + kept_rolling_shots, packed, y);
+            lanes_pack(lists->kept_rolling_z + kept_rolling_shots, packed, z);
+            kept_rolling_shots += lanes_many(packed);
+        }
+    }
+    {
+        size_t taken = 0, busy = 0;
+        M active = lanes_nowhere();
+        V row = K(0.0), turns = K(0.0);
+        V p_backboard_friction = lanes_load(lists->p_backboard_friction);
+        V p_ball_radius = lanes_load(lists->p_ball_radius);
+        V p_board_bottom = lanes_load(lists->p_board_bottom);
+        V p_board_distance = lanes_load(lists->p_board_distance);
+        V p_board_half_width = lanes_load(lists->p_board_half_width);
+        V p_board_thickness = lanes_load(lists->p_board_thickness);
+        V p_board_top = lanes_load(lists->p_board_top);
+        V p_bridge_depth = lanes_load(lists->p_bridge_depth);
+        V p_bridge_friction = lanes_load(lists->p_bridge_friction);
+        V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
+        V p_end_depth = lanes_load(lists->p_end_depth);
+        V p_gravity = lanes_load(lists->p_gravity);
+        V p_ring_radius = lanes_load(lists->p_ring_radius);
+        V p_wire_radius = lanes_load(lists->p_wire_radius);
+        V bent_x = K(0.0);
+        V bent_y = K(0.0);
+        V bent_z = K(0.0);
+        V clock = K(0.0);
+        V clock_error = K(0.0);
+        V doubt = K(0.0);
+        V dvx = K(0.0);
+        V dvy = K(0.0);
+        V dvz = K(0.0);
+        V dwx = K(0.0);
+        V dwy = K(0.0);
+        V dwz = K(0.0);
+        V dx = K(0.0);
+        V dy = K(0.0);
+        V dz = K(0.0);
+        V grip_lost = K(0.0);
+        V held = K(0.0);
+        V late = K(0.0);
+        V nx = K(0.0);
+        V ny = K(0.0);
+        V nz = K(0.0);
+        V per_reach = K(0.0);
+        V taut = K(0.0);
+        V taut_clock = K(0.0);
+        V taut_rate = K(0.0);
+        V through = K(0.0);
+        V vx = K(0.0);
+        V vy = K(0.0);
+        V vz = K(0.0);
+        V which = K(0.0);
+        V wx = K(0.0);
+        V wy = K(0.0);
+        V wz = K(0.0);
+        V x = K(0.0);
+        V y = K(0.0);
+        V z = K(0.0);
+        for (;;) {
+            if (taken < kept_rolling_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                const M idle = lanes_not(active);
+                row = lanes_expand(lists->kept_rolling_row + taken, idle, row);
+                turns = lanes_select(idle, K(0.0), turns);
+                bent_x = lanes_expand(lists->kept_rolling_bent_x + taken, idle, bent_x);
+                bent_y = lanes_expand(lists->kept_rolling_bent_y + taken, idle, bent_y);
+                bent_z = lanes_expand(lists->kept_rolling_bent_z + taken, idle, bent_z);
+                clock = lanes_expand(lists->kept_rolling_clock + taken, idle, clock);
+                clock_error = lanes_expand(lists->kept_rolling_clock_error + taken, idle, clock_error);
+                doubt = lanes_expand(lists->kept_rolling_doubt + taken, idle, doubt);
+                dvx = lanes_expand(lists->kept_rolling_dvx + taken, idle, dvx);
+                dvy = lanes_expand(lists->kept_rolling_dvy + taken, idle, dvy);
+                dvz = lanes_expand(lists->kept_rolling_dvz + taken, idle, dvz);
+                dwx = lanes_expand(lists->kept_rolling_dwx + taken, idle, dwx);
+                dwy = lanes_expand(lists->kept_rolling_dwy + taken, idle, dwy);
+                dwz = lanes_expand(lists->kept_rolling_dwz + taken, idle, dwz);
+                dx = lanes_expand(lists->kept_rolling_dx + taken, idle, dx);
+                dy = lanes_expand(lists->kept_rolling_dy + taken, idle, dy);
+                dz = lanes_expand(lists->kept_rolling_dz + taken, idle, dz);
+                grip_lost = lanes_expand(lists->kept_rolling_grip_lost + taken, idle, grip_lost);
+                held = lanes_expand(lists->kept_rolling_held + taken, idle, held);
+                late = lanes_expand(lists->kept_rolling_late + taken, idle, late);
+                nx = lanes_expand(lists->kept_rolling_nx + taken, idle, nx);
+                ny = lanes_expand(lists->kept_rolling_ny + taken, idle, ny);
+                nz = lanes_expand(lists->kept_rolling_nz + taken, idle, nz);
+                per_reach = lanes_expand(lists->kept_rolling_per_reach + taken, idle, per_reach);
+                taut = lanes_expand(lists->kept_rolling_taut + taken, idle, taut);
+                taut_clock = lanes_expand(lists->kept_rolling_taut_clock + taken, idle, taut_clock);
+                taut_rate = lanes_expand(lists->kept_rolling_taut_rate + taken, idle, taut_rate);
+                through = lanes_expand(lists->kept_rolling_through + taken, idle, through);
+                vx = lanes_expand(lists->kept_rolling_vx + taken, idle, vx);
+                vy = lanes_expand(lists->kept_rolling_vy + taken, idle, vy);
+                vz = lanes_expand(lists->kept_rolling_vz + taken, idle, vz);
+                which = lanes_expand(lists->kept_rolling_which + taken, idle, which);
+                wx = lanes_expand(lists->kept_rolling_wx + taken, idle, wx);
+                wy = lanes_expand(lists->kept_rolling_wy + taken, idle, wy);
+                wz = lanes_expand(lists->kept_rolling_wz + taken, idle, wz);
+                x = lanes_expand(lists->kept_rolling_x + taken, idle, x);
+                y = lanes_expand(lists->kept_rolling_y + taken, idle, y);
+                z = lanes_expand(lists->kept_rolling_z + taken, idle, z);
+                if (varying) {
+                    p_backboard_friction = lanes_expand(lists->kept_rolling_p_backboard_friction + taken, idle, p_backboard_friction);
+                    p_ball_radius = lanes_expand(lists->kept_rolling_p_ball_radius + taken, idle, p_ball_radius);
+                    p_board_bottom = lanes_expand(lists->kept_rolling_p_board_bottom + taken, idle, p_board_bottom);
+                    p_board_distance = lanes_expand(lists->kept_rolling_p_board_distance + taken, idle, p_board_distance);
+                    p_board_half_width = lanes_expand(lists->kept_rolling_p_board_half_width + taken, idle, p_board_half_width);
+                    p_board_thickness = lanes_expand(lists->kept_rolling_p_board_thickness + taken, idle, p_board_thickness);
+                    p_board_top = lanes_expand(lists->kept_rolling_p_board_top + taken, idle, p_board_top);
+                    p_bridge_depth = lanes_expand(lists->kept_rolling_p_bridge_depth + taken, idle, p_bridge_depth);
+                    p_bridge_friction = lanes_expand(lists->kept_rolling_p_bridge_friction + taken, idle, p_bridge_friction);
+                    p_bridge_half_width = lanes_expand(lists->kept_rolling_p_bridge_half_width + taken, idle, p_bridge_half_width);
+                    p_end_depth = lanes_expand(lists->kept_rolling_p_end_depth + taken, idle, p_end_depth);
+                    p_gravity = lanes_expand(lists->kept_rolling_p_gravity + taken, idle, p_gravity);
+                    p_ring_radius = lanes_expand(lists->kept_rolling_p_ring_radius + taken, idle, p_ring_radius);
+                    p_wire_radius = lanes_expand(lists->kept_rolling_p_wire_radius + taken, idle, p_wire_radius);
+                }
+                const size_t room = LANES_WIDTH - busy, left = kept_rolling_shots - taken;
+                active = lanes_leading(idle, left, active);
+                taken += left < room ? left : room;
+                busy += left < room ? left : room;
+            }
+            if (busy == 0)
+                break;
+            M rolling = active;
+            const LANES(court_error_bounds_out) _o155 =
+                LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            V position_error = _o155.position_error;
+            V velocity_error = _o155.velocity_error;
+            const LANES(court_holding_out) _o156 =
+                LANES(court_holding)(held, K(1.0));
+            M here = _o156.here;
+            const M _m157 = lanes_both(active, here);
+            if (lanes_any(_m157)) {
+                const LANES(court_backboard_normal_out) _o158 =
+                    LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = lanes_select(_m157, _o158.nx, nx);
+                ny = lanes_select(_m157, _o158.ny, ny);
+                nz = lanes_select(_m157, _o158.nz, nz);
+                const LANES(court_backboard_tube_out) _o159 =
+                    LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                bent_x = lanes_select(_m157, _o159.bent_x, bent_x);
+                bent_y = lanes_select(_m157, _o159.bent_y, bent_y);
+                bent_z = lanes_select(_m157, _o159.bent_z, bent_z);
+                per_reach = lanes_select(_m157, _o159.per_reach, per_reach);
+            }
+            const LANES(court_holding_out) _o160 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o160.here;
+            const M _m161 = lanes_both(active, here);
+            if (lanes_any(_m161)) {
+                const LANES(court_bridge_normal_out) _o162 =
+                    LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = lanes_select(_m161, _o162.nx, nx);
+                ny = lanes_select(_m161, _o162.ny, ny);
+                nz = lanes_select(_m161, _o162.nz, nz);
+                const LANES(court_bridge_tube_out) _o163 =
+                    LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                bent_x = lanes_select(_m161, _o163.bent_x, bent_x);
+                bent_y = lanes_select(_m161, _o163.bent_y, bent_y);
+                bent_z = lanes_select(_m161, _o163.bent_z, bent_z);
+                per_reach = lanes_select(_m161, _o163.per_reach, per_reach);
+            }
+            const LANES(court_roll_start_out) _o164 =
+                LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            V vx_0 = _o164.vx_0;
+            V vy_0 = _o164.vy_0;
+            V vz_0 = _o164.vz_0;
+            V nx_0 = _o164.nx_0;
+            V ny_0 = _o164.ny_0;
+            V nz_0 = _o164.nz_0;
+            V turn_rate_0 = _o164.turn_rate_0;
+            const LANES(court_roll_0_out) _o165 =
+                LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
+            V lift_0 = _o165.lift_0;
+            V tx_0 = _o165.tx_0;
+            V ty_0 = _o165.ty_0;
+            V tz_0 = _o165.tz_0;
+            V vx_1 = _o165.vx_1;
+            V vy_1 = _o165.vy_1;
+            V vz_1 = _o165.vz_1;
+            V nx_1 = _o165.nx_1;
+            V ny_1 = _o165.ny_1;
+            V nz_1 = _o165.nz_1;
+            V turn_rate_1 = _o165.turn_rate_1;
+            const LANES(court_roll_1_out) _o166 =
+                LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
+            V lift_1 = _o166.lift_1;
+            V tx_1 = _o166.tx_1;
+            V ty_1 = _o166.ty_1;
+            V tz_1 = _o166.tz_1;
+            V vx_2 = _o166.vx_2;
+            V vy_2 = _o166.vy_2;
+            V vz_2 = _o166.vz_2;
+            V nx_2 = _o166.nx_2;
+            V ny_2 = _o166.ny_2;
+            V nz_2 = _o166.nz_2;
+            V turn_rate_2 = _o166.turn_rate_2;
+            const LANES(court_roll_2_out) _o167 =
+                LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
+            V lift_2 = _o167.lift_2;
+            V tx_2 = _o167.tx_2;
+            V ty_2 = _o167.ty_2;
+            V tz_2 = _o167.tz_2;
+            V vx_3 = _o167.vx_3;
+            V vy_3 = _o167.vy_3;
+            V vz_3 = _o167.vz_3;
+            V nx_3 = _o167.nx_3;
+            V ny_3 = _o167.ny_3;
+            V nz_3 = _o167.nz_3;
+            V turn_rate_3 = _o167.turn_rate_3;
+            const LANES(court_roll_3_out) _o168 =
+                LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
+            V lift_3 = _o168.lift_3;
+            V tx_3 = _o168.tx_3;
+            V ty_3 = _o168.ty_3;
+            V tz_3 = _o168.tz_3;
+            V vx_4 = _o168.vx_4;
+            V vy_4 = _o168.vy_4;
+            V vz_4 = _o168.vz_4;
+            V nx_4 = _o168.nx_4;
+            V ny_4 = _o168.ny_4;
+            V nz_4 = _o168.nz_4;
+            V turn_rate_4 = _o168.turn_rate_4;
+            const LANES(court_roll_4_out) _o169 =
+                LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
+            V lift_4 = _o169.lift_4;
+            V tx_4 = _o169.tx_4;
+            V ty_4 = _o169.ty_4;
+            V tz_4 = _o169.tz_4;
+            V vx_5 = _o169.vx_5;
+            V vy_5 = _o169.vy_5;
+            V vz_5 = _o169.vz_5;
+            V nx_5 = _o169.nx_5;
+            V ny_5 = _o169.ny_5;
+            V nz_5 = _o169.nz_5;
+            V turn_rate_5 = _o169.turn_rate_5;
+            const LANES(court_roll_5_out) _o170 =
+                LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
+            V lift_5 = _o170.lift_5;
+            V tx_5 = _o170.tx_5;
+            V ty_5 = _o170.ty_5;
+            V tz_5 = _o170.tz_5;
+            V vx_6 = _o170.vx_6;
+            V vy_6 = _o170.vy_6;
+            V vz_6 = _o170.vz_6;
+            V nx_6 = _o170.nx_6;
+            V ny_6 = _o170.ny_6;
+            V nz_6 = _o170.nz_6;
+            V turn_rate_6 = _o170.turn_rate_6;
+            const LANES(court_roll_6_out) _o171 =
+                LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
+            V lift_6 = _o171.lift_6;
+            V tx_6 = _o171.tx_6;
+            V ty_6 = _o171.ty_6;
+            V tz_6 = _o171.tz_6;
+            V vx_7 = _o171.vx_7;
+            V vy_7 = _o171.vy_7;
+            V vz_7 = _o171.vz_7;
+            V nx_7 = _o171.nx_7;
+            V ny_7 = _o171.ny_7;
+            V nz_7 = _o171.nz_7;
+            V turn_rate_7 = _o171.turn_rate_7;
+            const LANES(court_roll_7_out) _o172 =
+                LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
+            V lift_7 = _o172.lift_7;
+            V vx_8 = _o172.vx_8;
+            V vy_8 = _o172.vy_8;
+            V vz_8 = _o172.vz_8;
+            V nx_8 = _o172.nx_8;
+            V ny_8 = _o172.ny_8;
+            V nz_8 = _o172.nz_8;
+            V turn_rate_8 = _o172.turn_rate_8;
+            const LANES(court_roll_pace_out) _o173 =
+                LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
+            V stride = _o173.stride;
+            V strongest = _o173.strongest;
+            V fastest = _o173.fastest;
+            V force = _o173.force;
+            V force_rate = _o173.force_rate;
+            V force_bend = _o173.force_bend;
+            const LANES(court_pulled_out) _o174 =
+                LANES(court_pulled)(p_gravity, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+            V drag = _o174.drag;
+            V drag_rate = _o174.drag_rate;
+            V strain = _o174.strain;
+            V strain_rate = _o174.strain_rate;
+            const LANES(court_holding_out) _o175 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o175.here;
+            const M _m176 = lanes_both(active, here);
+            {
+                const LANES(court_ring_impact_strained_out) _o177 =
+                    LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_backboard_friction);
+                strain = lanes_select(_m176, _o177.strain, strain);
+                strain_rate = lanes_select(_m176, _o177.strain_rate, strain_rate);
+            }
+            const LANES(court_holding_out) _o178 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o178.here;
+            const M _m179 = lanes_both(active, here);
+            {
+                const LANES(court_ring_impact_strained_out) _o180 =
+                    LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_bridge_friction);
+                strain = lanes_select(_m179, _o180.strain, strain);
+                strain_rate = lanes_select(_m179, _o180.strain_rate, strain_rate);
+            }
+            const LANES(court_losing_out) _o181 =
+                LANES(court_losing)(grip_lost, strain);
+            M loses = _o181.loses;
+            const M _m182 = lanes_both(active, loses);
+            if (lanes_any(_m182)) {
+                const LANES(court_lost_grip_out) _o183 =
+                    LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
+                grip_lost = lanes_select(_m182, _o183.grip_lost, grip_lost);
+            }
+            const LANES(court_tightened_out) _o184 =
+                LANES(court_tightened)(clock, strain, strain_rate);
+            taut = _o184.taut;
+            taut_rate = _o184.taut_rate;
+            taut_clock = _o184.taut_clock;
+            const LANES(court_leaving_force_out) _o185 =
+                LANES(court_leaving_force)(p_ball_radius, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
+            stride = _o185.stride;
+            which = _o185.which;
+            M rests = _o185.rests;
+            doubt = _o185.doubt;
+            const LANES(court_beside_out) _o186 =
+                LANES(court_beside)(held, K(0.0));
+            M beside = _o186.beside;
+            const M _m187 = lanes_both(active, beside);
+            if (lanes_any(_m187)) {
+                const LANES(court_ring_beside_out) _o188 =
+                    LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o188.gap;
+                V nearing = _o188.nearing;
+                V dent = _o188.dent;
+                const LANES(court_beside_body_out) _o189 =
+                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+                stride = lanes_select(_m187, _o189.stride, stride);
+                which = lanes_select(_m187, _o189.which, which);
+                doubt = lanes_select(_m187, _o189.doubt, doubt);
+                late = lanes_select(_m187, _o189.late, late);
+            }
+            const LANES(court_beside_out) _o190 =
+                LANES(court_beside)(held, K(1.0));
+            beside = _o190.beside;
+            const M _m191 = lanes_both(active, beside);
+            if (lanes_any(_m191)) {
+                const LANES(court_backboard_beside_out) _o192 =
+                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                V gap = _o192.gap;
+                V nearing = _o192.nearing;
+                V dent = _o192.dent;
+                const LANES(court_beside_body_out) _o193 =
+                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+                stride = lanes_select(_m191, _o193.stride, stride);
+                which = lanes_select(_m191, _o193.which, which);
+                doubt = lanes_select(_m191, _o193.doubt, doubt);
+                late = lanes_select(_m191, _o193.late, late);
+            }
+            const LANES(court_beside_out) _o194 =
+                LANES(court_beside)(held, K(2.0));
+            beside = _o194.beside;
+            const M _m195 = lanes_both(active, beside);
+            if (lanes_any(_m195)) {
+                const LANES(court_bridge_beside_out) _o196 =
+                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o196.gap;
+                V nearing = _o196.nearing;
+                V dent = _o196.dent;
+                const LANES(court_beside_body_out) _o197 =
+                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+                stride = lanes_select(_m195, _o197.stride, stride);
+                which = lanes_select(_m195, _o197.which, which);
+                doubt = lanes_select(_m195, _o197.doubt, doubt);
+                late = lanes_select(_m195, _o197.late, late);
+            }
+            const LANES(court_end_beside_out) _o198 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            V gap = _o198.gap;
+            V nearing = _o198.nearing;
+            V dent = _o198.dent;
+            const LANES(court_beside_gate_out) _o199 =
+                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o199.stride;
+            which = _o199.which;
+            doubt = _o199.doubt;
+            late = _o199.late;
+            const LANES(court_holding_out) _o200 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o200.here;
+            const M _m201 = lanes_both(active, here);
+            if (lanes_any(_m201)) {
+                const LANES(court_backboard_seam0_out) _o202 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m201, _o202.gap, gap);
+                V nearing = _o202.nearing;
+                V near = _o202.near;
+                const LANES(court_beside_seam_out) _o203 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m201, _o203.stride, stride);
+                const LANES(court_backboard_seam1_out) _o204 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m201, _o204.gap, gap);
+                nearing = _o204.nearing;
+                near = _o204.near;
+                const LANES(court_beside_seam_out) _o205 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m201, _o205.stride, stride);
+                const LANES(court_backboard_seam2_out) _o206 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m201, _o206.gap, gap);
+                nearing = _o206.nearing;
+                near = _o206.near;
+                const LANES(court_beside_seam_out) _o207 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m201, _o207.stride, stride);
+                const LANES(court_backboard_seam3_out) _o208 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m201, _o208.gap, gap);
+                nearing = _o208.nearing;
+                near = _o208.near;
+                const LANES(court_beside_seam_out) _o209 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m201, _o209.stride, stride);
+                const LANES(court_backboard_seam4_out) _o210 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m201, _o210.gap, gap);
+                nearing = _o210.nearing;
+                near = _o210.near;
+                const LANES(court_beside_seam_out) _o211 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m201, _o211.stride, stride);
+                const LANES(court_backboard_seam5_out) _o212 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m201, _o212.gap, gap);
+                nearing = _o212.nearing;
+                near = _o212.near;
+                const LANES(court_beside_seam_out) _o213 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m201, _o213.stride, stride);
+            }
+            const LANES(court_holding_out) _o214 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o214.here;
+            const M _m215 = lanes_both(active, here);
+            if (lanes_any(_m215)) {
+                const LANES(court_bridge_seam0_out) _o216 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m215, _o216.gap, gap);
+                V nearing = _o216.nearing;
+                V near = _o216.near;
+                const LANES(court_beside_seam_out) _o217 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m215, _o217.stride, stride);
+                const LANES(court_bridge_seam1_out) _o218 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m215, _o218.gap, gap);
+                nearing = _o218.nearing;
+                near = _o218.near;
+                const LANES(court_beside_seam_out) _o219 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m215, _o219.stride, stride);
+                const LANES(court_bridge_seam2_out) _o220 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m215, _o220.gap, gap);
+                nearing = _o220.nearing;
+                near = _o220.near;
+                const LANES(court_beside_seam_out) _o221 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m215, _o221.stride, stride);
+                const LANES(court_bridge_seam3_out) _o222 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m215, _o222.gap, gap);
+                nearing = _o222.nearing;
+                near = _o222.near;
+                const LANES(court_beside_seam_out) _o223 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m215, _o223.stride, stride);
+                const LANES(court_bridge_seam4_out) _o224 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m215, _o224.gap, gap);
+                nearing = _o224.nearing;
+                near = _o224.near;
+                const LANES(court_beside_seam_out) _o225 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m215, _o225.stride, stride);
+                const LANES(court_bridge_seam5_out) _o226 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m215, _o226.gap, gap);
+                nearing = _o226.nearing;
+                near = _o226.near;
+                const LANES(court_beside_seam_out) _o227 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m215, _o227.stride, stride);
+            }
+            const LANES(court_beside_time_out) _o228 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o228.stride;
+            which = _o228.which;
+            const LANES(court_apart_out) _o229 =
+                LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
+            V apart = _o229.apart;
+            const LANES(court_neighbour_out) _o230 =
+                LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
+            V far_x = _o230.far_x;
+            V far_y = _o230.far_y;
+            V far_z = _o230.far_z;
+            V far_vx = _o230.far_vx;
+            V far_vy = _o230.far_vy;
+            V far_vz = _o230.far_vz;
+            V far_wx = _o230.far_wx;
+            V far_wy = _o230.far_wy;
+            V far_wz = _o230.far_wz;
+            V far_nx = _o230.far_nx;
+            V far_ny = _o230.far_ny;
+            V far_nz = _o230.far_nz;
+            V far_gap = _o230.far_gap;
+            const LANES(court_passing_from_out) _o231 =
+                LANES(court_passing_from)(z);
+            M over = _o231.over;
+            const LANES(court_roll_moved_out) _o232 =
+                LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
+            x = _o232.x;
+            vx = _o232.vx;
+            y = _o232.y;
+            vy = _o232.vy;
+            z = _o232.z;
+            vz = _o232.vz;
+            V turn_rate = _o232.turn_rate;
+            const LANES(court_holding_out) _o233 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o233.here;
+            const M _m234 = lanes_both(active, here);
+            if (lanes_any(_m234)) {
+                const LANES(court_backboard_normal_out) _o235 =
+                    LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = lanes_select(_m234, _o235.nx, nx);
+                ny = lanes_select(_m234, _o235.ny, ny);
+                nz = lanes_select(_m234, _o235.nz, nz);
+                const LANES(court_backboard_off_out) _o236 =
+                    LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                gap = lanes_select(_m234, _o236.gap, gap);
+            }
+            const LANES(court_holding_out) _o237 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o237.here;
+            const M _m238 = lanes_both(active, here);
+            if (lanes_any(_m238)) {
+                const LANES(court_bridge_normal_out) _o239 =
+                    LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = lanes_select(_m238, _o239.nx, nx);
+                ny = lanes_select(_m238, _o239.ny, ny);
+                nz = lanes_select(_m238, _o239.nz, nz);
+                const LANES(court_bridge_off_out) _o240 =
+                    LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                gap = lanes_select(_m238, _o240.gap, gap);
+            }
+            const LANES(court_roll_placed_out) _o241 =
+                LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
+            x = _o241.x;
+            y = _o241.y;
+            z = _o241.z;
+            vx = _o241.vx;
+            vy = _o241.vy;
+            vz = _o241.vz;
+            wx = _o241.wx;
+            wy = _o241.wy;
+            wz = _o241.wz;
+            const LANES(court_passing_in_contact_out) _o242 =
+                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
+            through = _o242.through;
+            const LANES(court_holding_out) _o243 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o243.here;
+            const M _m244 = lanes_both(active, here);
+            {
+                const LANES(court_backboard_normal_out) _o245 =
+                    LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                far_nx = lanes_select(_m244, _o245.nx, far_nx);
+                far_ny = lanes_select(_m244, _o245.ny, far_ny);
+                far_nz = lanes_select(_m244, _o245.nz, far_nz);
+            }
+            const LANES(court_holding_out) _o246 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o246.here;
+            const M _m247 = lanes_both(active, here);
+            {
+                const LANES(court_bridge_normal_out) _o248 =
+                    LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                far_nx = lanes_select(_m247, _o248.nx, far_nx);
+                far_ny = lanes_select(_m247, _o248.ny, far_ny);
+                far_nz = lanes_select(_m247, _o248.nz, far_nz);
+            }
+            const LANES(court_roll_turn_rate_out) _o249 =
+                LANES(court_roll_turn_rate)(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
+            turn_rate = _o249.turn_rate;
+            const LANES(court_holding_out) _o250 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o250.here;
+            const M _m251 = lanes_both(active, here);
+            if (lanes_any(_m251)) {
+                const LANES(court_backboard_normal_out) _o252 =
+                    LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                far_nx = lanes_select(_m251, _o252.nx, far_nx);
+                far_ny = lanes_select(_m251, _o252.ny, far_ny);
+                far_nz = lanes_select(_m251, _o252.nz, far_nz);
+                const LANES(court_backboard_off_out) _o253 =
+                    LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
+                far_gap = lanes_select(_m251, _o253.gap, far_gap);
+            }
+            const LANES(court_holding_out) _o254 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o254.here;
+            const M _m255 = lanes_both(active, here);
+            if (lanes_any(_m255)) {
+                const LANES(court_bridge_normal_out) _o256 =
+                    LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                far_nx = lanes_select(_m255, _o256.nx, far_nx);
+                far_ny = lanes_select(_m255, _o256.ny, far_ny);
+                far_nz = lanes_select(_m255, _o256.nz, far_nz);
+                const LANES(court_bridge_off_out) _o257 =
+                    LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                far_gap = lanes_select(_m255, _o257.gap, far_gap);
+            }
+            const LANES(court_roll_placed_out) _o258 =
+                LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
+            far_x = _o258.x;
+            far_y = _o258.y;
+            far_z = _o258.z;
+            far_vx = _o258.vx;
+            far_vy = _o258.vy;
+            far_vz = _o258.vz;
+            far_wx = _o258.wx;
+            far_wy = _o258.wy;
+            far_wz = _o258.wz;
+            const LANES(court_roll_start_out) _o259 =
+                LANES(court_roll_start)(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
+            vx_0 = _o259.vx_0;
+            vy_0 = _o259.vy_0;
+            vz_0 = _o259.vz_0;
+            nx_0 = _o259.nx_0;
+            ny_0 = _o259.ny_0;
+            nz_0 = _o259.nz_0;
+            turn_rate_0 = _o259.turn_rate_0;
+            const LANES(court_roll_0_out) _o260 =
+                LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
+            lift_0 = _o260.lift_0;
+            tx_0 = _o260.tx_0;
+            ty_0 = _o260.ty_0;
+            tz_0 = _o260.tz_0;
+            vx_1 = _o260.vx_1;
+            vy_1 = _o260.vy_1;
+            vz_1 = _o260.vz_1;
+            nx_1 = _o260.nx_1;
+            ny_1 = _o260.ny_1;
+            nz_1 = _o260.nz_1;
+            turn_rate_1 = _o260.turn_rate_1;
+            const LANES(court_roll_1_out) _o261 =
+                LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
+            lift_1 = _o261.lift_1;
+            tx_1 = _o261.tx_1;
+            ty_1 = _o261.ty_1;
+            tz_1 = _o261.tz_1;
+            vx_2 = _o261.vx_2;
+            vy_2 = _o261.vy_2;
+            vz_2 = _o261.vz_2;
+            nx_2 = _o261.nx_2;
+            ny_2 = _o261.ny_2;
+            nz_2 = _o261.nz_2;
+            turn_rate_2 = _o261.turn_rate_2;
+            const LANES(court_roll_2_out) _o262 =
+                LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
+            lift_2 = _o262.lift_2;
+            tx_2 = _o262.tx_2;
+            ty_2 = _o262.ty_2;
+            tz_2 = _o262.tz_2;
+            vx_3 = _o262.vx_3;
+            vy_3 = _o262.vy_3;
+            vz_3 = _o262.vz_3;
+            nx_3 = _o262.nx_3;
+            ny_3 = _o262.ny_3;
+            nz_3 = _o262.nz_3;
+            turn_rate_3 = _o262.turn_rate_3;
+            const LANES(court_roll_3_out) _o263 =
+                LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
+            lift_3 = _o263.lift_3;
+            tx_3 = _o263.tx_3;
+            ty_3 = _o263.ty_3;
+            tz_3 = _o263.tz_3;
+            vx_4 = _o263.vx_4;
+            vy_4 = _o263.vy_4;
+            vz_4 = _o263.vz_4;
+            nx_4 = _o263.nx_4;
+            ny_4 = _o263.ny_4;
+            nz_4 = _o263.nz_4;
+            turn_rate_4 = _o263.turn_rate_4;
+            const LANES(court_roll_4_out) _o264 =
+                LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
+            lift_4 = _o264.lift_4;
+            tx_4 = _o264.tx_4;
+            ty_4 = _o264.ty_4;
+            tz_4 = _o264.tz_4;
+            vx_5 = _o264.vx_5;
+            vy_5 = _o264.vy_5;
+            vz_5 = _o264.vz_5;
+            nx_5 = _o264.nx_5;
+            ny_5 = _o264.ny_5;
+            nz_5 = _o264.nz_5;
+            turn_rate_5 = _o264.turn_rate_5;
+            const LANES(court_roll_5_out) _o265 =
+                LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
+            lift_5 = _o265.lift_5;
+            tx_5 = _o265.tx_5;
+            ty_5 = _o265.ty_5;
+            tz_5 = _o265.tz_5;
+            vx_6 = _o265.vx_6;
+            vy_6 = _o265.vy_6;
+            vz_6 = _o265.vz_6;
+            nx_6 = _o265.nx_6;
+            ny_6 = _o265.ny_6;
+            nz_6 = _o265.nz_6;
+            turn_rate_6 = _o265.turn_rate_6;
+            const LANES(court_roll_6_out) _o266 =
+                LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
+            lift_6 = _o266.lift_6;
+            tx_6 = _o266.tx_6;
+            ty_6 = _o266.ty_6;
+            tz_6 = _o266.tz_6;
+            vx_7 = _o266.vx_7;
+            vy_7 = _o266.vy_7;
+            vz_7 = _o266.vz_7;
+            nx_7 = _o266.nx_7;
+            ny_7 = _o266.ny_7;
+            nz_7 = _o266.nz_7;
+            turn_rate_7 = _o266.turn_rate_7;
+            const LANES(court_roll_7_out) _o267 =
+                LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
+            vx_8 = _o267.vx_8;
+            vy_8 = _o267.vy_8;
+            vz_8 = _o267.vz_8;
+            turn_rate_8 = _o267.turn_rate_8;
+            const LANES(court_roll_moved_out) _o268 =
+                LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
+            far_x = _o268.x;
+            far_vx = _o268.vx;
+            far_y = _o268.y;
+            far_vy = _o268.vy;
+            far_z = _o268.z;
+            far_vz = _o268.vz;
+            turn_rate = _o268.turn_rate;
+            const LANES(court_holding_out) _o269 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o269.here;
+            const M _m270 = lanes_both(active, here);
+            if (lanes_any(_m270)) {
+                const LANES(court_backboard_normal_out) _o271 =
+                    LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                far_nx = lanes_select(_m270, _o271.nx, far_nx);
+                far_ny = lanes_select(_m270, _o271.ny, far_ny);
+                far_nz = lanes_select(_m270, _o271.nz, far_nz);
+                const LANES(court_backboard_off_out) _o272 =
+                    LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
+                far_gap = lanes_select(_m270, _o272.gap, far_gap);
+            }
+            const LANES(court_holding_out) _o273 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o273.here;
+            const M _m274 = lanes_both(active, here);
+            if (lanes_any(_m274)) {
+                const LANES(court_bridge_normal_out) _o275 =
+                    LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                far_nx = lanes_select(_m274, _o275.nx, far_nx);
+                far_ny = lanes_select(_m274, _o275.ny, far_ny);
+                far_nz = lanes_select(_m274, _o275.nz, far_nz);
+                const LANES(court_bridge_off_out) _o276 =
+                    LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                far_gap = lanes_select(_m274, _o276.gap, far_gap);
+            }
+            const LANES(court_roll_placed_out) _o277 =
+                LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
+            far_x = _o277.x;
+            far_y = _o277.y;
+            far_z = _o277.z;
+            far_vx = _o277.vx;
+            far_vy = _o277.vy;
+            far_vz = _o277.vz;
+            far_wx = _o277.wx;
+            far_wy = _o277.wy;
+            far_wz = _o277.wz;
+            const LANES(court_compared_out) _o278 =
+                LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
+            dx = _o278.dx;
+            dy = _o278.dy;
+            dz = _o278.dz;
+            dvx = _o278.dvx;
+            dvy = _o278.dvy;
+            dvz = _o278.dvz;
+            dwx = _o278.dwx;
+            dwy = _o278.dwy;
+            dwz = _o278.dwz;
+            const LANES(court_rolled_on_out) _o279 =
+                LANES(court_rolled_on)(clock, rests, stride, which);
+            clock = _o279.clock;
+            rolling = _o279.rolling;
+            turns = lanes_add(turns, K(1.0));
+            const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
+            if (lanes_any(ended)) {
+                double ended_row[LANES_WIDTH];
+                lanes_store(ended_row, row);
+                double ended_clock[LANES_WIDTH];
+                lanes_store(ended_clock, clock);
+                double ended_doubt[LANES_WIDTH];
+                lanes_store(ended_doubt, doubt);
+                double ended_dvx[LANES_WIDTH];
+                lanes_store(ended_dvx, dvx);
+                double ended_dvy[LANES_WIDTH];
+                lanes_store(ended_dvy, dvy);
+                double ended_dvz[LANES_WIDTH];
+                lanes_store(ended_dvz, dvz);
+                double ended_dwx[LANES_WIDTH];
+                lanes_store(ended_dwx, dwx);
+                double ended_dwy[LANES_WIDTH];
+                lanes_store(ended_dwy, dwy);
+                double ended_dwz[LANES_WIDTH];
+                lanes_store(ended_dwz, dwz);
+                double ended_dx[LANES_WIDTH];
+                lanes_store(ended_dx, dx);
+                double ended_dy[LANES_WIDTH];
+                lanes_store(ended_dy, dy);
+                double ended_dz[LANES_WIDTH];
+                lanes_store(ended_dz, dz);
+                double ended_grip_lost[LANES_WIDTH];
+                lanes_store(ended_grip_lost, grip_lost);
+                double ended_late[LANES_WIDTH];
+                lanes_store(ended_late, late);
+                double ended_per_reach[LANES_WIDTH];
+                lanes_store(ended_per_reach, per_reach);
+                double ended_position_error[LANES_WIDTH];
+                lanes_store(ended_position_error, position_error);
+                double ended_rests[LANES_WIDTH];
+                lanes_store(ended_rests, lanes_select(rests, K(1.0), K(0.0)));
+                double ended_rolling[LANES_WIDTH];
+                lanes_store(ended_rolling, lanes_select(rolling, K(1.0), K(0.0)));
+                double ended_taut[LANES_WIDTH];
+                lanes_store(ended_taut, taut);
+                double ended_taut_clock[LANES_WIDTH];
+                lanes_store(ended_taut_clock, taut_clock);
+                double ended_taut_rate[LANES_WIDTH];
+                lanes_store(ended_taut_rate, taut_rate);
+                double ended_through[LANES_WIDTH];
+                lanes_store(ended_through, through);
+                double ended_velocity_error[LANES_WIDTH];
+                lanes_store(ended_velocity_error, velocity_error);
+                double ended_vx[LANES_WIDTH];
+                lanes_store(ended_vx, vx);
+                double ended_vy[LANES_WIDTH];
+                lanes_store(ended_vy, vy);
+                double ended_vz[LANES_WIDTH];
+                lanes_store(ended_vz, vz);
+                double ended_which[LANES_WIDTH];
+                lanes_store(ended_which, which);
+                double ended_wx[LANES_WIDTH];
+                lanes_store(ended_wx, wx);
+                double ended_wy[LANES_WIDTH];
+                lanes_store(ended_wy, wy);
+                double ended_wz[LANES_WIDTH];
+                lanes_store(ended_wz, wz);
+                double ended_x[LANES_WIDTH];
+                lanes_store(ended_x, x);
+                double ended_y[LANES_WIDTH];
+                lanes_store(ended_y, y);
+                double ended_z[LANES_WIDTH];
+                lanes_store(ended_z, z);
+                for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                    const int lane = LANES_LOWEST(bits);
+                    const size_t k = (size_t)ended_row[lane];
+                    lists->kept_clock[k] = ended_clock[lane];
+                    lists->kept_doubt[k] = ended_doubt[lane];
+                    lists->kept_dvx[k] = ended_dvx[lane];
+                    lists->kept_dvy[k] = ended_dvy[lane];
+                    lists->kept_dvz[k] = ended_dvz[lane];
+                    lists->kept_dwx[k] = ended_dwx[lane];
+                    lists->kept_dwy[k] = ended_dwy[lane];
+                    lists->kept_dwz[k] = ended_dwz[lane];
+                    lists->kept_dx[k] = ended_dx[lane];
+                    lists->kept_dy[k] = ended_dy[lane];
+                    lists->kept_dz[k] = ended_dz[lane];
+                    lists->kept_grip_lost[k] = ended_grip_lost[lane];
+                    lists->kept_late[k] = ended_late[lane];
+                    lists->kept_per_reach[k] = ended_per_reach[lane];
+                    lists->kept_position_error[k] = ended_position_error[lane];
+                    lists->kept_rests[k] = ended_rests[lane];
+                    lists->kept_rolling[k] = ended_rolling[lane];
+                    lists->kept_taut[k] = ended_taut[lane];
+                    lists->kept_taut_clock[k] = ended_taut_clock[lane];
+                    lists->kept_taut_rate[k] = ended_taut_rate[lane];
+                    lists->kept_through[k] = ended_through[lane];
+                    lists->kept_velocity_error[k] = ended_velocity_error[lane];
+                    lists->kept_vx[k] = ended_vx[lane];
+                    lists->kept_vy[k] = ended_vy[lane];
+                    lists->kept_vz[k] = ended_vz[lane];
+                    lists->kept_which[k] = ended_which[lane];
+                    lists->kept_wx[k] = ended_wx[lane];
+                    lists->kept_wy[k] = ended_wy[lane];
+                    lists->kept_wz[k] = ended_wz[lane];
+                    lists->kept_x[k] = ended_x[lane];
+                    lists->kept_y[k] = ended_y[lane];
+                    lists->kept_z[k] = ended_z[lane];
+                }
+                busy -= lanes_many(ended);
+                active = lanes_both(active, lanes_not(ended));
+            }
+        }
+    }
+    }
+    {
+    size_t kept_circling_shots = 0;
+    for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(kept_shots - i);
+        V circled = lanes_load(lists->kept_circled + i);
+        M circling = lanes_less(K(0.0), lanes_load(lists->kept_circling + i));
+        V clock = lanes_load(lists->kept_clock + i);
+        V clock_error = lanes_load(lists->kept_clock_error + i);
+        V doubt = lanes_load(lists->kept_doubt + i);
+        V dvx = lanes_load(lists->kept_dvx + i);
+        V dvy = lanes_load(lists->kept_dvy + i);
+        V dvz = lanes_load(lists->kept_dvz + i);
+        V dwx = lanes_load(lists->kept_dwx + i);
+        V dwy = lanes_load(lists->kept_dwy + i);
+        V dwz = lanes_load(lists->kept_dwz + i);
+        V dx = lanes_load(lists->kept_dx + i);
+        V dy = lanes_load(lists->kept_dy + i);
+        V dz = lanes_load(lists->kept_dz + i);
+        V grip_lost = lanes_load(lists->kept_grip_lost + i);
+        V late = lanes_load(lists->kept_late + i);
+        const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
+        const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
+        const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
+        const V p_board_half_width = lanes_load(varying ? lists->kept_p_board_half_width + i : lists->p_board_half_width);
+        const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
+        const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
+        const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
+        const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
+        const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
+        const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
+        const V p_ring_friction = lanes_load(varying ? lists->kept_p_ring_friction + i : lists->p_ring_friction);
+        const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
+        const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
+        V taut = lanes_load(lists->kept_taut + i);
+        V taut_clock = lanes_load(lists->kept_taut_clock + i);
+        V taut_rate = lanes_load(lists->kept_taut_rate + i);
+        V through = lanes_load(lists->kept_through + i);
+        V vx = lanes_load(lists->kept_vx + i);
+        V vy = lanes_load(lists->kept_vy + i);
+        V vz = lanes_load(lists->kept_vz + i);
+        V which = lanes_load(lists->kept_which + i);
+        V wx = lanes_load(lists->kept_wx + i);
+        V wy = lanes_load(lists->kept_wy + i);
+        V wz = lanes_load(lists->kept_wz + i);
+        V x = lanes_load(lists->kept_x + i);
+        V y = lanes_load(lists->kept_y + i);
+        V z = lanes_load(lists->kept_z + i);
+        const M packed = lanes_both(rows, circling);
+        if (lanes_any(packed)) {
+            lanes_pack(lists->kept_circling_row + kept_circling_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+            lanes_pack(lists->kept_circling_circled + kept_circling_shots, packed, circled);
+            lanes_pack(lists->kept_circling_clock + kept_circling_shots, packed, clock);
+            lanes_pack(lists->kept_circling_clock_error + kept_circling_shots, packed, clock_error);
+            lanes_pack(lists->kept_circling_doubt + kept_circling_shots, packed, doubt);
+            lanes_pack(lists->kept_circling_dvx + kept_circling_shots, packed, dvx);
+            lanes_pack(lists->kept_circling_dvy + kept_circling_shots, packed, dvy);
+            lanes_pack(lists->kept_circling_dvz + kept_circling_shots, packed, dvz);
+            lanes_pack(lists->kept_circling_dwx + kept_circling_shots, packed, dwx);
+            lanes_pack(lists->kept_circling_dwy + kept_circling_shots, packed, dwy);
+            lanes_pack(lists->kept_circling_dwz + kept_circling_shots, packed, dwz);
+            lanes_pack(lists->kept_circling_dx + kept_circling_shots, packed, dx);
+            lanes_pack(lists->kept_circling_dy + kept_circling_shots, packed, dy);
+            lanes_pack(lists->kept_circling_dz + kept_circling_shots, packed, dz);
+            lanes_pack(lists->kept_circling_grip_lost + kept_circling_shots, packed, grip_lost);
+            lanes_pack(lists->kept_circling_late + kept_circling_shots, packed, late);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_ball_radius + kept_circling_shots, packed, p_ball_radius);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_board_bottom + kept_circling_shots, packed, p_board_bottom);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_board_distance + kept_circling_shots, packed, p_board_distance);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_board_half_width + kept_circling_shots, packed, p_board_half_width);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_board_thickness + kept_circling_shots, packed, p_board_thickness);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_board_top + kept_circling_shots, packed, p_board_top);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_bridge_depth + kept_circling_shots, packed, p_bridge_depth);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_bridge_half_width + kept_circling_shots, packed, p_bridge_half_width);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_end_depth + kept_circling_shots, packed, p_end_depth);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_gravity + kept_circling_shots, packed, p_gravity);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_ring_friction + kept_circling_shots, packed, p_ring_friction);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_ring_radius + kept_circling_shots, packed, p_ring_radius);
+            if (varying)
+                lanes_pack(lists->kept_circling_p_wire_radius + kept_circling_shots, packed, p_wire_radius);
+            lanes_pack(lists->kept_circling_taut + kept_circling_shots, packed, taut);
+            lanes_pack(lists->kept_circling_taut_clock + kept_circling_shots, packed, taut_clock);
+            lanes_pack(lists->kept_circling_taut_rate + kept_circling_shots, packed, taut_rate);
+            lanes_pack(lists->kept_circling_through + kept_circling_shots, packed, through);
+            lanes_pack(lists->kept_circling_vx + kept_circling_shots, packed, vx);
+            lanes_pack(lists->kept_circling_vy + kept_circling_shots, packed, vy);
+            lanes_pack(lists->kept_circling_vz + kept_circling_shots, packed, vz);
+            lanes_pack(lists->kept_circling_which + kept_circling_shots, packed, which);
+            lanes_pack(lists->kept_circling_wx + kept_circling_shots, packed, wx);
+            lanes_pack(lists->kept_circling_wy + kept_circling_shots, packed, wy);
+            lanes_pack(lists->kept_circling_wz + kept_circling_shots, packed, wz);
+            lanes_pack(lists->kept_circling_x + kept_circling_shots, packed, x);
+            lanes_pack(lists->kept_circling_y + kept_circling_shots, packed, y);
+            lanes_pack(lists->kept_circling_z + kept_circling_shots, packed, z);
+            kept_circling_shots += lanes_many(packed);
+        }
+    }
+    {
+        size_t taken = 0, busy = 0;
+        M active = lanes_nowhere();
+        V row = K(0.0), turns = K(0.0);
+        V p_ball_radius = lanes_load(lists->p_ball_radius);
+        V p_board_bottom = lanes_load(lists->p_board_bottom);
+        V p_board_distance = lanes_load(lists->p_board_distance);
+        V p_board_half_width = lanes_load(lists->p_board_half_width);
+        V p_board_thickness = lanes_load(lists->p_board_thickness);
+        V p_board_top = lanes_load(lists->p_board_top);
+        V p_bridge_depth = lanes_load(lists->p_bridge_depth);
+        V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
+        V p_end_depth = lanes_load(lists->p_end_depth);
+        V p_gravity = lanes_load(lists->p_gravity);
+        V p_ring_friction = lanes_load(lists->p_ring_friction);
+        V p_ring_radius = lanes_load(lists->p_ring_radius);
+        V p_wire_radius = lanes_load(lists->p_wire_radius);
+        V circled = K(0.0);
+        V clock = K(0.0);
+        V clock_error = K(0.0);
+        V doubt = K(0.0);
+        V dvx = K(0.0);
+        V dvy = K(0.0);
+        V dvz = K(0.0);
+        V dwx = K(0.0);
+        V dwy = K(0.0);
+        V dwz = K(0.0);
+        V dx = K(0.0);
+        V dy = K(0.0);
+        V dz = K(0.0);
+        V grip_lost = K(0.0);
+        V late = K(0.0);
+        V taut = K(0.0);
+        V taut_clock = K(0.0);
+        V taut_rate = K(0.0);
+        V through = K(0.0);
+        V vx = K(0.0);
+        V vy = K(0.0);
+        V vz = K(0.0);
+        V which = K(0.0);
+        V wx = K(0.0);
+        V wy = K(0.0);
+        V wz = K(0.0);
+        V x = K(0.0);
+        V y = K(0.0);
+        V z = K(0.0);
+        for (;;) {
+            if (taken < kept_circling_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                const M idle = lanes_not(active);
+                row = lanes_expand(lists->kept_circling_row + taken, idle, row);
+                turns = lanes_select(idle, K(0.0), turns);
+                circled = lanes_expand(lists->kept_circling_circled + taken, idle, circled);
+                clock = lanes_expand(lists->kept_circling_clock + taken, idle, clock);
+                clock_error = lanes_expand(lists->kept_circling_clock_error + taken, idle, clock_error);
+                doubt = lanes_expand(lists->kept_circling_doubt + taken, idle, doubt);
+                dvx = lanes_expand(lists->kept_circling_dvx + taken, idle, dvx);
+                dvy = lanes_expand(lists->kept_circling_dvy + taken, idle, dvy);
+                dvz = lanes_expand(lists->kept_circling_dvz + taken, idle, dvz);
+                dwx = lanes_expand(lists->kept_circling_dwx + taken, idle, dwx);
+                dwy = lanes_expand(lists->kept_circling_dwy + taken, idle, dwy);
+                dwz = lanes_expand(lists->kept_circling_dwz + taken, idle, dwz);
+                dx = lanes_expand(lists->kept_circling_dx + taken, idle, dx);
+                dy = lanes_expand(lists->kept_circling_dy + taken, idle, dy);
+                dz = lanes_expand(lists->kept_circling_dz + taken, idle, dz);
+                grip_lost = lanes_expand(lists->kept_circling_grip_lost + taken, idle, grip_lost);
+                late = lanes_expand(lists->kept_circling_late + taken, idle, late);
+                taut = lanes_expand(lists->kept_circling_taut + taken, idle, taut);
+                taut_clock = lanes_expand(lists->kept_circling_taut_clock + taken, idle, taut_clock);
+                taut_rate = lanes_expand(lists->kept_circling_taut_rate + taken, idle, taut_rate);
+                through = lanes_expand(lists->kept_circling_through + taken, idle, through);
+                vx = lanes_expand(lists->kept_circling_vx + taken, idle, vx);
+                vy = lanes_expand(lists->kept_circling_vy + taken, idle, vy);
+                vz = lanes_expand(lists->kept_circling_vz + taken, idle, vz);
+                which = lanes_expand(lists->kept_circling_which + taken, idle, which);
+                wx = lanes_expand(lists->kept_circling_wx + taken, idle, wx);
+                wy = lanes_expand(lists->kept_circling_wy + taken, idle, wy);
+                wz = lanes_expand(lists->kept_circling_wz + taken, idle, wz);
+                x = lanes_expand(lists->kept_circling_x + taken, idle, x);
+                y = lanes_expand(lists->kept_circling_y + taken, idle, y);
+                z = lanes_expand(lists->kept_circling_z + taken, idle, z);
+                if (varying) {
+                    p_ball_radius = lanes_expand(lists->kept_circling_p_ball_radius + taken, idle, p_ball_radius);
+                    p_board_bottom = lanes_expand(lists->kept_circling_p_board_bottom + taken, idle, p_board_bottom);
+                    p_board_distance = lanes_expand(lists->kept_circling_p_board_distance + taken, idle, p_board_distance);
+                    p_board_half_width = lanes_expand(lists->kept_circling_p_board_half_width + taken, idle, p_board_half_width);
+                    p_board_thickness = lanes_expand(lists->kept_circling_p_board_thickness + taken, idle, p_board_thickness);
+                    p_board_top = lanes_expand(lists->kept_circling_p_board_top + taken, idle, p_board_top);
+                    p_bridge_depth = lanes_expand(lists->kept_circling_p_bridge_depth + taken, idle, p_bridge_depth);
+                    p_bridge_half_width = lanes_expand(lists->kept_circling_p_bridge_half_width + taken, idle, p_bridge_half_width);
+                    p_end_depth = lanes_expand(lists->kept_circling_p_end_depth + taken, idle, p_end_depth);
+                    p_gravity = lanes_expand(lists->kept_circling_p_gravity + taken, idle, p_gravity);
+                    p_ring_friction = lanes_expand(lists->kept_circling_p_ring_friction + taken, idle, p_ring_friction);
+                    p_ring_radius = lanes_expand(lists->kept_circling_p_ring_radius + taken, idle, p_ring_radius);
+                    p_wire_radius = lanes_expand(lists->kept_circling_p_wire_radius + taken, idle, p_wire_radius);
+                }
+                const size_t room = LANES_WIDTH - busy, left = kept_circling_shots - taken;
+                active = lanes_leading(idle, left, active);
+                taken += left < room ? left : room;
+                busy += left < room ? left : room;
+            }
+            if (busy == 0)
+                break;
+            M circling = active;
+            const LANES(court_error_bounds_out) _o280 =
+                LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            V position_error = _o280.position_error;
+            V velocity_error = _o280.velocity_error;
+            const LANES(court_ring_tube_out) _o281 =
+                LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
+            V per_reach = _o281.per_reach;
+            const LANES(court_ring_round_start_out) _o282 =
+                LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
+            V cosine_0 = _o282.cosine_0;
+            V sine_0 = _o282.sine_0;
+            V climb_0 = _o282.climb_0;
+            V along_0 = _o282.along_0;
+            V turn_rate_0 = _o282.turn_rate_0;
+            V cos_0 = _o282.cos_0;
+            V sin_0 = _o282.sin_0;
+            V near_0 = _o282.near_0;
+            const LANES(court_ring_round_0_out) _o283 =
+                LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
+            V omega_0 = _o283.omega_0;
+            V around_0 = _o283.around_0;
+            V tilted_0 = _o283.tilted_0;
+            V pressed_0 = _o283.pressed_0;
+            V force_0 = _o283.force_0;
+            V cosine_1 = _o283.cosine_1;
+            V sine_1 = _o283.sine_1;
+            V climb_1 = _o283.climb_1;
+            V along_1 = _o283.along_1;
+            V turn_rate_1 = _o283.turn_rate_1;
+            V cos_1 = _o283.cos_1;
+            V sin_1 = _o283.sin_1;
+            const LANES(court_ring_round_1_out) _o284 =
+                LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
+            V near_1 = _o284.near_1;
+            V omega_1 = _o284.omega_1;
+            V around_1 = _o284.around_1;
+            V tilted_1 = _o284.tilted_1;
+            V pressed_1 = _o284.pressed_1;
+            V force_1 = _o284.force_1;
+            V cosine_2 = _o284.cosine_2;
+            V sine_2 = _o284.sine_2;
+            V climb_2 = _o284.climb_2;
+            V along_2 = _o284.along_2;
+            V turn_rate_2 = _o284.turn_rate_2;
+            V cos_2 = _o284.cos_2;
+            V sin_2 = _o284.sin_2;
+            const LANES(court_ring_round_2_out) _o285 =
+                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
+            V near_2 = _o285.near_2;
+            V omega_2 = _o285.omega_2;
+            V around_2 = _o285.around_2;
+            V tilted_2 = _o285.tilted_2;
+            V pressed_2 = _o285.pressed_2;
+            V force_2 = _o285.force_2;
+            V cosine_3 = _o285.cosine_3;
+            V sine_3 = _o285.sine_3;
+            V climb_3 = _o285.climb_3;
+            V along_3 = _o285.along_3;
+            V turn_rate_3 = _o285.turn_rate_3;
+            V cos_3 = _o285.cos_3;
+            V sin_3 = _o285.sin_3;
+            const LANES(court_ring_round_3_out) _o286 =
+                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
+            V near_3 = _o286.near_3;
+            V omega_3 = _o286.omega_3;
+            V around_3 = _o286.around_3;
+            V tilted_3 = _o286.tilted_3;
+            V pressed_3 = _o286.pressed_3;
+            V force_3 = _o286.force_3;
+            V cosine_4 = _o286.cosine_4;
+            V sine_4 = _o286.sine_4;
+            V climb_4 = _o286.climb_4;
+            V along_4 = _o286.along_4;
+            V turn_rate_4 = _o286.turn_rate_4;
+            V cos_4 = _o286.cos_4;
+            V sin_4 = _o286.sin_4;
+            const LANES(court_ring_round_4_out) _o287 =
+                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
+            V near_4 = _o287.near_4;
+            V omega_4 = _o287.omega_4;
+            V around_4 = _o287.around_4;
+            V tilted_4 = _o287.tilted_4;
+            V pressed_4 = _o287.pressed_4;
+            V force_4 = _o287.force_4;
+            V cosine_5 = _o287.cosine_5;
+            V sine_5 = _o287.sine_5;
+            V climb_5 = _o287.climb_5;
+            V along_5 = _o287.along_5;
+            V turn_rate_5 = _o287.turn_rate_5;
+            V cos_5 = _o287.cos_5;
+            V sin_5 = _o287.sin_5;
+            const LANES(court_ring_round_5_out) _o288 =
+                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
+            V near_5 = _o288.near_5;
+            V omega_5 = _o288.omega_5;
+            V around_5 = _o288.around_5;
+            V tilted_5 = _o288.tilted_5;
+            V pressed_5 = _o288.pressed_5;
+            V force_5 = _o288.force_5;
+            V cosine_6 = _o288.cosine_6;
+            V sine_6 = _o288.sine_6;
+            V climb_6 = _o288.climb_6;
+            V along_6 = _o288.along_6;
+            V turn_rate_6 = _o288.turn_rate_6;
+            V cos_6 = _o288.cos_6;
+            V sin_6 = _o288.sin_6;
+            const LANES(court_ring_round_6_out) _o289 =
+                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
+            V near_6 = _o289.near_6;
+            V omega_6 = _o289.omega_6;
+            V around_6 = _o289.around_6;
+            V tilted_6 = _o289.tilted_6;
+            V pressed_6 = _o289.pressed_6;
+            V force_6 = _o289.force_6;
+            V cosine_7 = _o289.cosine_7;
+            V sine_7 = _o289.sine_7;
+            V climb_7 = _o289.climb_7;
+            V along_7 = _o289.along_7;
+            V turn_rate_7 = _o289.turn_rate_7;
+            V cos_7 = _o289.cos_7;
+            V sin_7 = _o289.sin_7;
+            const LANES(court_ring_round_7_out) _o290 =
+                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
+            V near_7 = _o290.near_7;
+            V omega_7 = _o290.omega_7;
+            V around_7 = _o290.around_7;
+            V tilted_7 = _o290.tilted_7;
+            V pressed_7 = _o290.pressed_7;
+            V force_7 = _o290.force_7;
+            V cosine_8 = _o290.cosine_8;
+            V sine_8 = _o290.sine_8;
+            V climb_8 = _o290.climb_8;
+            V along_8 = _o290.along_8;
+            V turn_rate_8 = _o290.turn_rate_8;
+            V cos_8 = _o290.cos_8;
+            V sin_8 = _o290.sin_8;
+            const LANES(court_ring_round_8_out) _o291 =
+                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
+            V near_8 = _o291.near_8;
+            V omega_8 = _o291.omega_8;
+            V around_8 = _o291.around_8;
+            V tilted_8 = _o291.tilted_8;
+            V pressed_8 = _o291.pressed_8;
+            V force_8 = _o291.force_8;
+            V cosine_9 = _o291.cosine_9;
+            V sine_9 = _o291.sine_9;
+            V climb_9 = _o291.climb_9;
+            V along_9 = _o291.along_9;
+            V turn_rate_9 = _o291.turn_rate_9;
+            V cos_9 = _o291.cos_9;
+            V sin_9 = _o291.sin_9;
+            const LANES(court_ring_round_9_out) _o292 =
+                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            V near_9 = _o292.near_9;
+            V omega_9 = _o292.omega_9;
+            V around_9 = _o292.around_9;
+            V tilted_9 = _o292.tilted_9;
+            V pressed_9 = _o292.pressed_9;
+            V force_9 = _o292.force_9;
+            V cosine_10 = _o292.cosine_10;
+            V sine_10 = _o292.sine_10;
+            V climb_10 = _o292.climb_10;
+            V along_10 = _o292.along_10;
+            V turn_rate_10 = _o292.turn_rate_10;
+            V cos_10 = _o292.cos_10;
+            V sin_10 = _o292.sin_10;
+            const LANES(court_ring_round_10_out) _o293 =
+                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            V near_10 = _o293.near_10;
+            V omega_10 = _o293.omega_10;
+            V around_10 = _o293.around_10;
+            V tilted_10 = _o293.tilted_10;
+            V pressed_10 = _o293.pressed_10;
+            V force_10 = _o293.force_10;
+            V cosine_11 = _o293.cosine_11;
+            V sine_11 = _o293.sine_11;
+            V climb_11 = _o293.climb_11;
+            V along_11 = _o293.along_11;
+            V turn_rate_11 = _o293.turn_rate_11;
+            V cos_11 = _o293.cos_11;
+            V sin_11 = _o293.sin_11;
+            const LANES(court_ring_round_11_out) _o294 =
+                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            V force_11 = _o294.force_11;
+            V cosine_12 = _o294.cosine_12;
+            V sine_12 = _o294.sine_12;
+            V climb_12 = _o294.climb_12;
+            V along_12 = _o294.along_12;
+            V turn_rate_12 = _o294.turn_rate_12;
+            V cos_12 = _o294.cos_12;
+            V sin_12 = _o294.sin_12;
+            const LANES(court_ring_round_pace_out) _o295 =
+                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            V stride = _o295.stride;
+            V strongest = _o295.strongest;
+            V fastest = _o295.fastest;
+            V sway = _o295.sway;
+            V force = _o295.force;
+            V force_rate = _o295.force_rate;
+            V force_bend = _o295.force_bend;
+            V vx_1 = _o295.vx_1;
+            V vy_1 = _o295.vy_1;
+            V vz_1 = _o295.vz_1;
+            const LANES(court_ring_round_pulled_out) _o296 =
+                LANES(court_ring_round_pulled)(climb_0, climb_1, cosine_0, cosine_1, p_gravity, omega_0, omega_1, turn_rate_0, turn_rate_1);
+            V drag = _o296.drag;
+            V drag_rate = _o296.drag_rate;
+            const LANES(court_ring_impact_strained_out) _o297 =
+                LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_ring_friction);
+            V strain = _o297.strain;
+            V strain_rate = _o297.strain_rate;
+            const LANES(court_losing_out) _o298 =
+                LANES(court_losing)(grip_lost, strain);
+            M loses = _o298.loses;
+            const M _m299 = lanes_both(active, loses);
+            if (lanes_any(_m299)) {
+                const LANES(court_lost_grip_out) _o300 =
+                    LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
+                grip_lost = lanes_select(_m299, _o300.grip_lost, grip_lost);
+            }
+            const LANES(court_tightened_out) _o301 =
+                LANES(court_tightened)(clock, strain, strain_rate);
+            taut = _o301.taut;
+            taut_rate = _o301.taut_rate;
+            taut_clock = _o301.taut_clock;
+            const LANES(court_leaving_force_out) _o302 =
+                LANES(court_leaving_force)(p_ball_radius, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
+            stride = _o302.stride;
+            which = _o302.which;
+            M rests = _o302.rests;
+            doubt = _o302.doubt;
+            const LANES(court_backboard_beside_out) _o303 =
+                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            V gap = _o303.gap;
+            V nearing = _o303.nearing;
+            V dent = _o303.dent;
+            const LANES(court_beside_body_out) _o304 =
+                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o304.stride;
+            which = _o304.which;
+            doubt = _o304.doubt;
+            late = _o304.late;
+            const LANES(court_bridge_beside_out) _o305 =
+                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o305.gap;
+            nearing = _o305.nearing;
+            dent = _o305.dent;
+            const LANES(court_beside_body_out) _o306 =
+                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o306.stride;
+            which = _o306.which;
+            doubt = _o306.doubt;
+            late = _o306.late;
+            const LANES(court_end_beside_out) _o307 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o307.gap;
+            nearing = _o307.nearing;
+            dent = _o307.dent;
+            const LANES(court_beside_gate_out) _o308 =
+                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o308.stride;
+            which = _o308.which;
+            doubt = _o308.doubt;
+            late = _o308.late;
+            const LANES(court_beside_time_out) _o309 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o309.stride;
+            which = _o309.which;
+            const LANES(court_apart_out) _o310 =
+                LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
+            V apart = _o310.apart;
+            const LANES(court_neighbour_out) _o311 =
+                LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
+            V far_x = _o311.far_x;
+            V far_y = _o311.far_y;
+            V far_z = _o311.far_z;
+            V far_vx = _o311.far_vx;
+            V far_vy = _o311.far_vy;
+            V far_vz = _o311.far_vz;
+            V far_wx = _o311.far_wx;
+            V far_wy = _o311.far_wy;
+            V far_wz = _o311.far_wz;
+            const LANES(court_passing_from_out) _o312 =
+                LANES(court_passing_from)(z);
+            M over = _o312.over;
+            const LANES(court_alone_out) _o313 =
+                LANES(court_alone)();
+            V berth = _o313.nearest;
+            const LANES(court_leaps_out) _o314 =
+                LANES(court_leaps)(stride);
+            V forth = _o314.forth;
+            V back = _o314.back;
+            const LANES(court_backboard_around_out) _o315 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o315.gap;
+            nearing = _o315.nearing;
+            const LANES(court_cleared_out) _o316 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o316.berth;
+            const LANES(court_bridge_around_out) _o317 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o317.gap;
+            nearing = _o317.nearing;
+            const LANES(court_cleared_out) _o318 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o318.berth;
+            const LANES(court_end_around_out) _o319 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o319.gap;
+            nearing = _o319.nearing;
+            const LANES(court_cleared_out) _o320 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o320.berth;
+            const LANES(court_ring_round_moved_out) _o321 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            x = _o321.x;
+            y = _o321.y;
+            z = _o321.z;
+            vx = _o321.vx;
+            vy = _o321.vy;
+            vz = _o321.vz;
+            wx = _o321.wx;
+            wy = _o321.wy;
+            wz = _o321.wz;
+            V climb = _o321.climb;
+            const LANES(court_passing_in_contact_out) _o322 =
+                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
+            through = _o322.through;
+            const LANES(court_backboard_around_out) _o323 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o323.gap;
+            nearing = _o323.nearing;
+            const LANES(court_cleared_out) _o324 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o324.berth;
+            const LANES(court_bridge_around_out) _o325 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o325.gap;
+            nearing = _o325.nearing;
+            const LANES(court_cleared_out) _o326 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o326.berth;
+            const LANES(court_end_around_out) _o327 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o327.gap;
+            nearing = _o327.nearing;
+            const LANES(court_cleared_out) _o328 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o328.berth;
+            const LANES(court_ring_swung_out) _o329 =
+                LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, p_gravity, position_error, stride, sway, velocity_error, which, p_wire_radius);
+            circled = _o329.circled;
+            M endless = _o329.endless;
+            doubt = _o329.doubt;
+            const LANES(court_for_ever_out) _o330 =
+                LANES(court_for_ever)(endless, which);
+            which = _o330.which;
+            const LANES(court_ring_round_start_out) _o331 =
+                LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, far_vx, far_vy, far_vz, p_wire_radius, far_wx, far_wy, far_wz, far_x, far_y, far_z);
+            cosine_0 = _o331.cosine_0;
+            sine_0 = _o331.sine_0;
+            climb_0 = _o331.climb_0;
+            along_0 = _o331.along_0;
+            turn_rate_0 = _o331.turn_rate_0;
+            cos_0 = _o331.cos_0;
+            sin_0 = _o331.sin_0;
+            near_0 = _o331.near_0;
+            const LANES(court_ring_round_0_out) _o332 =
+                LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
+            omega_0 = _o332.omega_0;
+            around_0 = _o332.around_0;
+            tilted_0 = _o332.tilted_0;
+            pressed_0 = _o332.pressed_0;
+            cosine_1 = _o332.cosine_1;
+            sine_1 = _o332.sine_1;
+            climb_1 = _o332.climb_1;
+            along_1 = _o332.along_1;
+            turn_rate_1 = _o332.turn_rate_1;
+            cos_1 = _o332.cos_1;
+            sin_1 = _o332.sin_1;
+            const LANES(court_ring_round_1_out) _o333 =
+                LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
+            near_1 = _o333.near_1;
+            omega_1 = _o333.omega_1;
+            around_1 = _o333.around_1;
+            tilted_1 = _o333.tilted_1;
+            pressed_1 = _o333.pressed_1;
+            cosine_2 = _o333.cosine_2;
+            sine_2 = _o333.sine_2;
+            climb_2 = _o333.climb_2;
+            along_2 = _o333.along_2;
+            turn_rate_2 = _o333.turn_rate_2;
+            cos_2 = _o333.cos_2;
+            sin_2 = _o333.sin_2;
+            const LANES(court_ring_round_2_out) _o334 =
+                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
+            near_2 = _o334.near_2;
+            omega_2 = _o334.omega_2;
+            around_2 = _o334.around_2;
+            tilted_2 = _o334.tilted_2;
+            pressed_2 = _o334.pressed_2;
+            cosine_3 = _o334.cosine_3;
+            sine_3 = _o334.sine_3;
+            climb_3 = _o334.climb_3;
+            along_3 = _o334.along_3;
+            turn_rate_3 = _o334.turn_rate_3;
+            cos_3 = _o334.cos_3;
+            sin_3 = _o334.sin_3;
+            const LANES(court_ring_round_3_out) _o335 =
+                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
+            near_3 = _o335.near_3;
+            omega_3 = _o335.omega_3;
+            around_3 = _o335.around_3;
+            tilted_3 = _o335.tilted_3;
+            pressed_3 = _o335.pressed_3;
+            cosine_4 = _o335.cosine_4;
+            sine_4 = _o335.sine_4;
+            climb_4 = _o335.climb_4;
+            along_4 = _o335.along_4;
+            turn_rate_4 = _o335.turn_rate_4;
+            cos_4 = _o335.cos_4;
+            sin_4 = _o335.sin_4;
+            const LANES(court_ring_round_4_out) _o336 =
+                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
+            near_4 = _o336.near_4;
+            omega_4 = _o336.omega_4;
+            around_4 = _o336.around_4;
+            tilted_4 = _o336.tilted_4;
+            pressed_4 = _o336.pressed_4;
+            cosine_5 = _o336.cosine_5;
+            sine_5 = _o336.sine_5;
+            climb_5 = _o336.climb_5;
+            along_5 = _o336.along_5;
+            turn_rate_5 = _o336.turn_rate_5;
+            cos_5 = _o336.cos_5;
+            sin_5 = _o336.sin_5;
+            const LANES(court_ring_round_5_out) _o337 =
+                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
+            near_5 = _o337.near_5;
+            omega_5 = _o337.omega_5;
+            around_5 = _o337.around_5;
+            tilted_5 = _o337.tilted_5;
+            pressed_5 = _o337.pressed_5;
+            cosine_6 = _o337.cosine_6;
+            sine_6 = _o337.sine_6;
+            climb_6 = _o337.climb_6;
+            along_6 = _o337.along_6;
+            turn_rate_6 = _o337.turn_rate_6;
+            cos_6 = _o337.cos_6;
+            sin_6 = _o337.sin_6;
+            const LANES(court_ring_round_6_out) _o338 =
+                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
+            near_6 = _o338.near_6;
+            omega_6 = _o338.omega_6;
+            around_6 = _o338.around_6;
+            tilted_6 = _o338.tilted_6;
+            pressed_6 = _o338.pressed_6;
+            cosine_7 = _o338.cosine_7;
+            sine_7 = _o338.sine_7;
+            climb_7 = _o338.climb_7;
+            along_7 = _o338.along_7;
+            turn_rate_7 = _o338.turn_rate_7;
+            cos_7 = _o338.cos_7;
+            sin_7 = _o338.sin_7;
+            const LANES(court_ring_round_7_out) _o339 =
+                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
+            near_7 = _o339.near_7;
+            omega_7 = _o339.omega_7;
+            around_7 = _o339.around_7;
+            tilted_7 = _o339.tilted_7;
+            pressed_7 = _o339.pressed_7;
+            cosine_8 = _o339.cosine_8;
+            sine_8 = _o339.sine_8;
+            climb_8 = _o339.climb_8;
+            along_8 = _o339.along_8;
+            turn_rate_8 = _o339.turn_rate_8;
+            cos_8 = _o339.cos_8;
+            sin_8 = _o339.sin_8;
+            const LANES(court_ring_round_8_out) _o340 =
+                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
+            near_8 = _o340.near_8;
+            omega_8 = _o340.omega_8;
+            around_8 = _o340.around_8;
+            tilted_8 = _o340.tilted_8;
+            pressed_8 = _o340.pressed_8;
+            cosine_9 = _o340.cosine_9;
+            sine_9 = _o340.sine_9;
+            climb_9 = _o340.climb_9;
+            along_9 = _o340.along_9;
+            turn_rate_9 = _o340.turn_rate_9;
+            cos_9 = _o340.cos_9;
+            sin_9 = _o340.sin_9;
+            const LANES(court_ring_round_9_out) _o341 =
+                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            near_9 = _o341.near_9;
+            omega_9 = _o341.omega_9;
+            around_9 = _o341.around_9;
+            tilted_9 = _o341.tilted_9;
+            pressed_9 = _o341.pressed_9;
+            cosine_10 = _o341.cosine_10;
+            sine_10 = _o341.sine_10;
+            climb_10 = _o341.climb_10;
+            along_10 = _o341.along_10;
+            turn_rate_10 = _o341.turn_rate_10;
+            cos_10 = _o341.cos_10;
+            sin_10 = _o341.sin_10;
+            const LANES(court_ring_round_10_out) _o342 =
+                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            near_10 = _o342.near_10;
+            omega_10 = _o342.omega_10;
+            around_10 = _o342.around_10;
+            tilted_10 = _o342.tilted_10;
+            pressed_10 = _o342.pressed_10;
+            cosine_11 = _o342.cosine_11;
+            sine_11 = _o342.sine_11;
+            climb_11 = _o342.climb_11;
+            along_11 = _o342.along_11;
+            turn_rate_11 = _o342.turn_rate_11;
+            cos_11 = _o342.cos_11;
+            sin_11 = _o342.sin_11;
+            const LANES(court_ring_round_11_out) _o343 =
+                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            cosine_12 = _o343.cosine_12;
+            sine_12 = _o343.sine_12;
+            climb_12 = _o343.climb_12;
+            along_12 = _o343.along_12;
+            turn_rate_12 = _o343.turn_rate_12;
+            cos_12 = _o343.cos_12;
+            sin_12 = _o343.sin_12;
+            const LANES(court_ring_round_moved_out) _o344 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            far_x = _o344.x;
+            far_y = _o344.y;
+            far_z = _o344.z;
+            far_vx = _o344.vx;
+            far_vy = _o344.vy;
+            far_vz = _o344.vz;
+            far_wx = _o344.wx;
+            far_wy = _o344.wy;
+            far_wz = _o344.wz;
+            const LANES(court_compared_out) _o345 =
+                LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
+            dx = _o345.dx;
+            dy = _o345.dy;
+            dz = _o345.dz;
+            dvx = _o345.dvx;
+            dvy = _o345.dvy;
+            dvz = _o345.dvz;
+            dwx = _o345.dwx;
+            dwy = _o345.dwy;
+            dwz = _o345.dwz;
+            const LANES(court_rolled_on_out) _o346 =
+                LANES(court_rolled_on)(clock, rests, stride, which);
+            clock = _o346.clock;
+            circling = _o346.rolling;
+            turns = lanes_add(turns, K(1.0));
+            const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
+            if (lanes_any(ended)) {
+                double ended_row[LANES_WIDTH];
+                lanes_store(ended_row, row);
+                double ended_circled[LANES_WIDTH];
+                lanes_store(ended_circled, circled);
+                double ended_circling[LANES_WIDTH];
+                lanes_store(ended_circling, lanes_select(circling, K(1.0), K(0.0)));
+                double ended_clock[LANES_WIDTH];
+                lanes_store(ended_clock, clock);
+                double ended_doubt[LANES_WIDTH];
+                lanes_store(ended_doubt, doubt);
+                double ended_dvx[LANES_WIDTH];
+                lanes_store(ended_dvx, dvx);
+                double ended_dvy[LANES_WIDTH];
+                lanes_store(ended_dvy, dvy);
+                double ended_dvz[LANES_WIDTH];
+                lanes_store(ended_dvz, dvz);
+                double ended_dwx[LANES_WIDTH];
+                lanes_store(ended_dwx, dwx);
+                double ended_dwy[LANES_WIDTH];
+                lanes_store(ended_dwy, dwy);
+                double ended_dwz[LANES_WIDTH];
+                lanes_store(ended_dwz, dwz);
+                double ended_dx[LANES_WIDTH];
+                lanes_store(ended_dx, dx);
+                double ended_dy[LANES_WIDTH];
+                lanes_store(ended_dy, dy);
+                double ended_dz[LANES_WIDTH];
+                lanes_store(ended_dz, dz);
+                double ended_grip_lost[LANES_WIDTH];
+                lanes_store(ended_grip_lost, grip_lost);
+                double ended_late[LANES_WIDTH];
+                lanes_store(ended_late, late);
+                double ended_per_reach[LANES_WIDTH];
+                lanes_store(ended_per_reach, per_reach);
+                double ended_position_error[LANES_WIDTH];
+                lanes_store(ended_position_error, position_error);
+                double ended_rests[LANES_WIDTH];
+                lanes_store(ended_rests, lanes_select(rests, K(1.0), K(0.0)));
+                double ended_taut[LANES_WIDTH];
+                lanes_store(ended_taut, taut);
+                double ended_taut_clock[LANES_WIDTH];
+                lanes_store(ended_taut_clock, taut_clock);
+                double ended_taut_rate[LANES_WIDTH];
+                lanes_store(ended_taut_rate, taut_rate);
+                double ended_through[LANES_WIDTH];
+                lanes_store(ended_through, through);
+                double ended_velocity_error[LANES_WIDTH];
+                lanes_store(ended_velocity_error, velocity_error);
+                double ended_vx[LANES_WIDTH];
+                lanes_store(ended_vx, vx);
+                double ended_vy[LANES_WIDTH];
+                lanes_store(ended_vy, vy);
+                double ended_vz[LANES_WIDTH];
+                lanes_store(ended_vz, vz);
+                double ended_which[LANES_WIDTH];
+                lanes_store(ended_which, which);
+                double ended_wx[LANES_WIDTH];
+                lanes_store(ended_wx, wx);
+                double ended_wy[LANES_WIDTH];
+                lanes_store(ended_wy, wy);
+                double ended_wz[LANES_WIDTH];
+                lanes_store(ended_wz, wz);
+                double ended_x[LANES_WIDTH];
+                lanes_store(ended_x, x);
+                double ended_y[LANES_WIDTH];
+                lanes_store(ended_y, y);
+                double ended_z[LANES_WIDTH];
+                lanes_store(ended_z, z);
+                for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                    const int lane = LANES_LOWEST(bits);
+                    const size_t k = (size_t)ended_row[lane];
+                    lists->kept_circled[k] = ended_circled[lane];
+                    lists->kept_circling[k] = ended_circling[lane];
+                    lists->kept_clock[k] = ended_clock[lane];
+                    lists->kept_doubt[k] = ended_doubt[lane];
+                    lists->kept_dvx[k] = ended_dvx[lane];
+                    lists->kept_dvy[k] = ended_dvy[lane];
+                    lists->kept_dvz[k] = ended_dvz[lane];
+                    lists->kept_dwx[k] = ended_dwx[lane];
+                    lists->kept_dwy[k] = ended_dwy[lane];
+                    lists->kept_dwz[k] = ended_dwz[lane];
+                    lists->kept_dx[k] = ended_dx[lane];
+                    lists->kept_dy[k] = ended_dy[lane];
+                    lists->kept_dz[k] = ended_dz[lane];
+                    lists->kept_grip_lost[k] = ended_grip_lost[lane];
+                    lists->kept_late[k] = ended_late[lane];
+                    lists->kept_per_reach[k] = ended_per_reach[lane];
+                    lists->kept_position_error[k] = ended_position_error[lane];
+                    lists->kept_rests[k] = ended_rests[lane];
+                    lists->kept_taut[k] = ended_taut[lane];
+                    lists->kept_taut_clock[k] = ended_taut_clock[lane];
+                    lists->kept_taut_rate[k] = ended_taut_rate[lane];
+                    lists->kept_through[k] = ended_through[lane];
+                    lists->kept_velocity_error[k] = ended_velocity_error[lane];
+                    lists->kept_vx[k] = ended_vx[lane];
+                    lists->kept_vy[k] = ended_vy[lane];
+                    lists->kept_vz[k] = ended_vz[lane];
+                    lists->kept_which[k] = ended_which[lane];
+                    lists->kept_wx[k] = ended_wx[lane];
+                    lists->kept_wy[k] = ended_wy[lane];
+                    lists->kept_wz[k] = ended_wz[lane];
+                    lists->kept_x[k] = ended_x[lane];
+                    lists->kept_y[k] = ended_y[lane];
+                    lists->kept_z[k] = ended_z[lane];
+                }
+                busy -= lanes_many(ended);
+                active = lanes_both(active, lanes_not(ended));
+            }
+        }
+    }
+    }
+    for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(kept_shots - i);
+        M circling = lanes_less(K(0.0), lanes_load(lists->kept_circling + i));
+        V clock_error = lanes_load(lists->kept_clock_error + i);
+        V doubt = lanes_load(lists->kept_doubt + i);
+        V dvx = lanes_load(lists->kept_dvx + i);
+        V dvy = lanes_load(lists->kept_dvy + i);
+        V dvz = lanes_load(lists->kept_dvz + i);
+        V dwx = lanes_load(lists->kept_dwx + i);
+        V dwy = lanes_load(lists->kept_dwy + i);
+        V dwz = lanes_load(lists->kept_dwz + i);
+        V dx = lanes_load(lists->kept_dx + i);
+        V dy = lanes_load(lists->kept_dy + i);
+        V dz = lanes_load(lists->kept_dz + i);
+        V held = lanes_load(lists->kept_held + i);
+        M leaves = lanes_less(K(0.0), lanes_load(lists->kept_leaves + i));
+        V lift = lanes_load(lists->kept_lift + i);
+        const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
+        const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
+        const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
+        const V p_board_half_width = lanes_load(varying ? lists->kept_p_board_half_width + i : lists->p_board_half_width);
+        const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
+        const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
+        const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
+        const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
+        const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
+        const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
+        const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
+        const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
+        V per_reach = lanes_load(lists->kept_per_reach + i);
+        V position_error = lanes_load(lists->kept_position_error + i);
+        M rolling = lanes_less(K(0.0), lanes_load(lists->kept_rolling + i));
+        V snap = lanes_load(lists->kept_snap + i);
+        V surge = lanes_load(lists->kept_surge + i);
+        V velocity_error = lanes_load(lists->kept_velocity_error + i);
+        V vx = lanes_load(lists->kept_vx + i);
+        V vy = lanes_load(lists->kept_vy + i);
+        V vz = lanes_load(lists->kept_vz + i);
+        V when = lanes_load(lists->kept_when + i);
+        V which = lanes_load(lists->kept_which + i);
+        V x = lanes_load(lists->kept_x + i);
+        V y = lanes_load(lists->kept_y + i);
+        V z = lanes_load(lists->kept_z + i);
+        const LANES(court_rejoined_out) _o347 =
+            LANES(court_rejoined)(circling, rolling);
+        rolling = _o347.rolling;
+        const M _m348 = lanes_both(rows, leaves);
+        if (lanes_any(_m348)) {
+            const LANES(court_error_bounds_out) _o349 =
+                LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            position_error = lanes_select(_m348, _o349.position_error, position_error);
+            velocity_error = lanes_select(_m348, _o349.velocity_error, velocity_error);
+            const LANES(court_holding_out) _o350 =
+                LANES(court_holding)(held, K(0.0));
+            M here = _o350.here;
+            const M _m351 = lanes_both(_m348, here);
+            if (lanes_any(_m351)) {
+                const LANES(court_ring_tube_out) _o352 =
+                    LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
+                per_reach = lanes_select(_m351, _o352.per_reach, per_reach);
+                const LANES(court_ring_parting_out) _o353 =
+                    LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+                lift = lanes_select(_m351, _o353.lift, lift);
+                surge = lanes_select(_m351, _o353.surge, surge);
+                snap = lanes_select(_m351, _o353.snap, snap);
+            }
+            const LANES(court_holding_out) _o354 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o354.here;
+            const M _m355 = lanes_both(_m348, here);
+            if (lanes_any(_m355)) {
+                const LANES(court_backboard_tube_out) _o356 =
+                    LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                per_reach = lanes_select(_m355, _o356.per_reach, per_reach);
+                const LANES(court_backboard_parting_out) _o357 =
+                    LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                lift = lanes_select(_m355, _o357.lift, lift);
+                surge = lanes_select(_m355, _o357.surge, surge);
+                snap = lanes_select(_m355, _o357.snap, snap);
+            }
+            const LANES(court_holding_out) _o358 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o358.here;
+            const M _m359 = lanes_both(_m348, here);
+            if (lanes_any(_m359)) {
+                const LANES(court_bridge_tube_out) _o360 =
+                    LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                per_reach = lanes_select(_m359, _o360.per_reach, per_reach);
+                const LANES(court_bridge_parting_out) _o361 =
+                    LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                lift = lanes_select(_m359, _o361.lift, lift);
+                surge = lanes_select(_m359, _o361.surge, surge);
+                snap = lanes_select(_m359, _o361.snap, snap);
+            }
+            const LANES(court_alone_out) _o362 =
+                LANES(court_alone)();
+            V nearest = _o362.nearest;
+            const LANES(court_beside_out) _o363 =
+                LANES(court_beside)(held, K(0.0));
+            M beside = _o363.beside;
+            const M _m364 = lanes_both(_m348, beside);
+            if (lanes_any(_m364)) {
+                const LANES(court_ring_beside_out) _o365 =
+                    LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o365.gap;
+                const LANES(court_neared_out) _o366 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m364, _o366.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o367 =
+                LANES(court_beside)(held, K(1.0));
+            beside = _o367.beside;
+            const M _m368 = lanes_both(_m348, beside);
+            if (lanes_any(_m368)) {
+                const LANES(court_backboard_beside_out) _o369 =
+                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                V gap = _o369.gap;
+                const LANES(court_neared_out) _o370 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m368, _o370.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o371 =
+                LANES(court_beside)(held, K(2.0));
+            beside = _o371.beside;
+            const M _m372 = lanes_both(_m348, beside);
+            if (lanes_any(_m372)) {
+                const LANES(court_bridge_beside_out) _o373 =
+                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o373.gap;
+                const LANES(court_neared_out) _o374 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m372, _o374.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o375 =
+                LANES(court_beside)(held, K(3.0));
+            beside = _o375.beside;
+            const M _m376 = lanes_both(_m348, beside);
+            {
+                const LANES(court_end_beside_out) _o377 =
+                    LANES(court_end_beside)(p_end_depth, vz, z);
+                V gap = _o377.gap;
+                const LANES(court_neared_out) _o378 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m376, _o378.nearest, nearest);
+            }
+            const LANES(court_parted_out) _o379 =
+                LANES(court_parted)(doubt, p_gravity, lift, nearest, per_reach, position_error, snap, surge, velocity_error, vx, vy, vz);
+            when = lanes_select(_m348, _o379.when, when);
+            doubt = lanes_select(_m348, _o379.doubt, doubt);
+            const LANES(court_hopping_out) _o380 =
+                LANES(court_hopping)();
+            which = lanes_select(_m348, _o380.which, which);
+        }
+        lanes_store(lists->kept_doubt + i, doubt);
+        lanes_store(lists->kept_position_error + i, position_error);
+        lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
+        lanes_store(lists->kept_velocity_error + i, velocity_error);
+        lanes_store(lists->kept_when + i, when);
+        lanes_store(lists->kept_which + i, which);
+    }
 }
 
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
@@ -4527,7 +7017,7 @@ static void LANES(court_bounded)(const court_job *job)
             following = 0;
         }
         const size_t fresh = shots;
-        if (begun < job->shots) {
+        if (begun < job->shots && shots < LANES_SHOTS) {
             const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
             shots += left < room ? left : room;
             LANES(court_bounded_begin)(lists, fresh, shots - fresh, job, begun);
@@ -4705,8 +7195,8 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_ring_clear_out) _o23 =
                 LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V clear = _o23.clear;
-            const LANES(court_opens_out) _o24 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o24 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o24.open;
             lanes_store(lists->began + i, began);
             lanes_store(lists->doubt + i, doubt);
@@ -5142,6 +7632,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M rows = lanes_first(shots - i);
             V doubt = lanes_load(lists->doubt + i);
             V extent = lanes_load(lists->extent + i);
+            M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
             V late = lanes_load(lists->late + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
@@ -5169,8 +7660,8 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_backboard_clear_out) _o57 =
                 LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
             V clear = _o57.clear;
-            const LANES(court_opens_out) _o58 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o58 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o58.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
@@ -5594,6 +8085,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M rows = lanes_first(shots - i);
             V doubt = lanes_load(lists->doubt + i);
             V extent = lanes_load(lists->extent + i);
+            M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
             V late = lanes_load(lists->late + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
@@ -5621,8 +8113,8 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_bridge_clear_out) _o91 =
                 LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
             V clear = _o91.clear;
-            const LANES(court_opens_out) _o92 =
-                LANES(court_opens)(clear);
+            const LANES(court_opens_in_flight_out) _o92 =
+                LANES(court_opens_in_flight)(clear, kept);
             M open = _o92.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
@@ -6044,6 +8536,7 @@ static void LANES(court_bounded)(const court_job *job)
         size_t kept_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
+            V circled = lanes_load(lists->circled + i);
             V clock = lanes_load(lists->clock + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V doubt = lanes_load(lists->doubt + i);
@@ -6120,6 +8613,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M packed = lanes_both(rows, kept);
             if (lanes_any(packed)) {
                 lanes_pack(lists->kept_row + kept_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->kept_circled + kept_shots, packed, circled);
                 lanes_pack(lists->kept_clock + kept_shots, packed, clock);
                 lanes_pack(lists->kept_clock_error + kept_shots, packed, clock_error);
                 lanes_pack(lists->kept_dvx + kept_shots, packed, dvx);
@@ -6184,1517 +8678,12 @@ static void LANES(court_bounded)(const court_job *job)
                 kept_shots += lanes_many(packed);
             }
         }
-        {
-        size_t kept_rolling_shots = 0;
-        for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(kept_shots - i);
-            V clock = lanes_load(lists->kept_clock + i);
-            V clock_error = lanes_load(lists->kept_clock_error + i);
-            V dvx = lanes_load(lists->kept_dvx + i);
-            V dvy = lanes_load(lists->kept_dvy + i);
-            V dvz = lanes_load(lists->kept_dvz + i);
-            V dwx = lanes_load(lists->kept_dwx + i);
-            V dwy = lanes_load(lists->kept_dwy + i);
-            V dwz = lanes_load(lists->kept_dwz + i);
-            V dx = lanes_load(lists->kept_dx + i);
-            V dy = lanes_load(lists->kept_dy + i);
-            V dz = lanes_load(lists->kept_dz + i);
-            V grip_lost = lanes_load(lists->kept_grip_lost + i);
-            V held = lanes_load(lists->kept_held + i);
-            V mode = lanes_load(lists->kept_mode + i);
-            const V p_backboard_friction = lanes_load(varying ? lists->kept_p_backboard_friction + i : lists->p_backboard_friction);
-            const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
-            const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
-            const V p_board_half_width = lanes_load(varying ? lists->kept_p_board_half_width + i : lists->p_board_half_width);
-            const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
-            const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
-            const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
-            const V p_bridge_friction = lanes_load(varying ? lists->kept_p_bridge_friction + i : lists->p_bridge_friction);
-            const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
-            const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
-            const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
-            const V p_ring_friction = lanes_load(varying ? lists->kept_p_ring_friction + i : lists->p_ring_friction);
-            const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
-            V position_error = lanes_load(lists->kept_position_error + i);
-            V taut = lanes_load(lists->kept_taut + i);
-            V taut_clock = lanes_load(lists->kept_taut_clock + i);
-            V taut_rate = lanes_load(lists->kept_taut_rate + i);
-            V through = lanes_load(lists->kept_through + i);
-            V velocity_error = lanes_load(lists->kept_velocity_error + i);
-            V vx = lanes_load(lists->kept_vx + i);
-            V vy = lanes_load(lists->kept_vy + i);
-            V vz = lanes_load(lists->kept_vz + i);
-            V wx = lanes_load(lists->kept_wx + i);
-            V wy = lanes_load(lists->kept_wy + i);
-            V wz = lanes_load(lists->kept_wz + i);
-            V x = lanes_load(lists->kept_x + i);
-            V y = lanes_load(lists->kept_y + i);
-            V z = lanes_load(lists->kept_z + i);
-            const LANES(court_resumed_out) _o128 =
-                LANES(court_resumed)(clock, mode, position_error, velocity_error);
-            V which = _o128.which;
-            V late = _o128.late;
-            V began = _o128.began;
-            V doubt = _o128.doubt;
-            M begins = _o128.begins;
-            M rolling = _o128.rolling;
-            M leaves = _o128.leaves;
-            V nx = _o128.nx;
-            V ny = _o128.ny;
-            V nz = _o128.nz;
-            V gap = _o128.gap;
-            V bent_x = _o128.bent_x;
-            V bent_y = _o128.bent_y;
-            V bent_z = _o128.bent_z;
-            V lift = _o128.lift;
-            V surge = _o128.surge;
-            V snap = _o128.snap;
-            V per_reach = _o128.per_reach;
-            V ring = _o128.ring;
-            const M _m129 = lanes_both(rows, begins);
-            if (lanes_any(_m129)) {
-                const LANES(court_holding_out) _o130 =
-                    LANES(court_holding)(held, K(0.0));
-                M here = _o130.here;
-                const M _m131 = lanes_both(_m129, here);
-                {
-                    const LANES(court_ring_normal_out) _o132 =
-                        LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m131, _o132.nx, nx);
-                    ny = lanes_select(_m131, _o132.ny, ny);
-                    nz = lanes_select(_m131, _o132.nz, nz);
-                }
-                const LANES(court_holding_out) _o133 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o133.here;
-                const M _m134 = lanes_both(_m129, here);
-                {
-                    const LANES(court_backboard_normal_out) _o135 =
-                        LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m134, _o135.nx, nx);
-                    ny = lanes_select(_m134, _o135.ny, ny);
-                    nz = lanes_select(_m134, _o135.nz, nz);
-                }
-                const LANES(court_holding_out) _o136 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o136.here;
-                const M _m137 = lanes_both(_m129, here);
-                {
-                    const LANES(court_bridge_normal_out) _o138 =
-                        LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m137, _o138.nx, nx);
-                    ny = lanes_select(_m137, _o138.ny, ny);
-                    nz = lanes_select(_m137, _o138.nz, nz);
-                }
-                const LANES(court_roll_turn_rate_out) _o139 =
-                    LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-                V turn_rate = _o139.turn_rate;
-                const LANES(court_gripped_out) _o140 =
-                    LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                V rolled_x = _o140.rolled_x;
-                V rolled_y = _o140.rolled_y;
-                V rolled_z = _o140.rolled_z;
-                const LANES(court_holding_out) _o141 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o141.here;
-                const M _m142 = lanes_both(_m129, here);
-                {
-                    const LANES(court_ring_off_out) _o143 =
-                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = lanes_select(_m142, _o143.gap, gap);
-                }
-                const LANES(court_holding_out) _o144 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o144.here;
-                const M _m145 = lanes_both(_m129, here);
-                {
-                    const LANES(court_backboard_off_out) _o146 =
-                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = lanes_select(_m145, _o146.gap, gap);
-                }
-                const LANES(court_holding_out) _o147 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o147.here;
-                const M _m148 = lanes_both(_m129, here);
-                {
-                    const LANES(court_bridge_off_out) _o149 =
-                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = lanes_select(_m148, _o149.gap, gap);
-                }
-                const LANES(court_roll_placed_out) _o150 =
-                    LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-                x = lanes_select(_m129, _o150.x, x);
-                y = lanes_select(_m129, _o150.y, y);
-                z = lanes_select(_m129, _o150.z, z);
-                vx = lanes_select(_m129, _o150.vx, vx);
-                vy = lanes_select(_m129, _o150.vy, vy);
-                vz = lanes_select(_m129, _o150.vz, vz);
-                wx = lanes_select(_m129, _o150.wx, wx);
-                wy = lanes_select(_m129, _o150.wy, wy);
-                wz = lanes_select(_m129, _o150.wz, wz);
-                const LANES(court_begun_errors_out) _o151 =
-                    LANES(court_begun_errors)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz);
-                dx = lanes_select(_m129, _o151.dx, dx);
-                dy = lanes_select(_m129, _o151.dy, dy);
-                dz = lanes_select(_m129, _o151.dz, dz);
-                dvx = lanes_select(_m129, _o151.dvx, dvx);
-                dvy = lanes_select(_m129, _o151.dvy, dvy);
-                dvz = lanes_select(_m129, _o151.dvz, dvz);
-                dwx = lanes_select(_m129, _o151.dwx, dwx);
-                dwy = lanes_select(_m129, _o151.dwy, dwy);
-                dwz = lanes_select(_m129, _o151.dwz, dwz);
-                const LANES(court_untaut_out) _o152 =
-                    LANES(court_untaut)();
-                taut = lanes_select(_m129, _o152.taut, taut);
-                const LANES(court_beginning_contact_out) _o153 =
-                    LANES(court_beginning_contact)();
-                which = lanes_select(_m129, _o153.which, which);
-            }
-            lanes_store(lists->kept_began + i, began);
-            lanes_store(lists->kept_doubt + i, doubt);
-            lanes_store(lists->kept_dvx + i, dvx);
-            lanes_store(lists->kept_dvy + i, dvy);
-            lanes_store(lists->kept_dvz + i, dvz);
-            lanes_store(lists->kept_dwx + i, dwx);
-            lanes_store(lists->kept_dwy + i, dwy);
-            lanes_store(lists->kept_dwz + i, dwz);
-            lanes_store(lists->kept_dx + i, dx);
-            lanes_store(lists->kept_dy + i, dy);
-            lanes_store(lists->kept_dz + i, dz);
-            lanes_store(lists->kept_late + i, late);
-            lanes_store(lists->kept_leaves + i, lanes_select(leaves, K(1.0), K(0.0)));
-            lanes_store(lists->kept_lift + i, lift);
-            lanes_store(lists->kept_per_reach + i, per_reach);
-            lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
-            lanes_store(lists->kept_snap + i, snap);
-            lanes_store(lists->kept_surge + i, surge);
-            lanes_store(lists->kept_taut + i, taut);
-            lanes_store(lists->kept_vx + i, vx);
-            lanes_store(lists->kept_vy + i, vy);
-            lanes_store(lists->kept_vz + i, vz);
-            lanes_store(lists->kept_which + i, which);
-            lanes_store(lists->kept_wx + i, wx);
-            lanes_store(lists->kept_wy + i, wy);
-            lanes_store(lists->kept_wz + i, wz);
-            lanes_store(lists->kept_x + i, x);
-            lanes_store(lists->kept_y + i, y);
-            lanes_store(lists->kept_z + i, z);
-            const M packed = lanes_both(rows, rolling);
-            if (lanes_any(packed)) {
-                lanes_pack(lists->kept_rolling_row + kept_rolling_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->kept_rolling_bent_x + kept_rolling_shots, packed, bent_x);
-                lanes_pack(lists->kept_rolling_bent_y + kept_rolling_shots, packed, bent_y);
-                lanes_pack(lists->kept_rolling_bent_z + kept_rolling_shots, packed, bent_z);
-                lanes_pack(lists->kept_rolling_clock + kept_rolling_shots, packed, clock);
-                lanes_pack(lists->kept_rolling_clock_error + kept_rolling_shots, packed, clock_error);
-                lanes_pack(lists->kept_rolling_doubt + kept_rolling_shots, packed, doubt);
-                lanes_pack(lists->kept_rolling_dvx + kept_rolling_shots, packed, dvx);
-                lanes_pack(lists->kept_rolling_dvy + kept_rolling_shots, packed, dvy);
-                lanes_pack(lists->kept_rolling_dvz + kept_rolling_shots, packed, dvz);
-                lanes_pack(lists->kept_rolling_dwx + kept_rolling_shots, packed, dwx);
-                lanes_pack(lists->kept_rolling_dwy + kept_rolling_shots, packed, dwy);
-                lanes_pack(lists->kept_rolling_dwz + kept_rolling_shots, packed, dwz);
-                lanes_pack(lists->kept_rolling_dx + kept_rolling_shots, packed, dx);
-                lanes_pack(lists->kept_rolling_dy + kept_rolling_shots, packed, dy);
-                lanes_pack(lists->kept_rolling_dz + kept_rolling_shots, packed, dz);
-                lanes_pack(lists->kept_rolling_grip_lost + kept_rolling_shots, packed, grip_lost);
-                lanes_pack(lists->kept_rolling_held + kept_rolling_shots, packed, held);
-                lanes_pack(lists->kept_rolling_late + kept_rolling_shots, packed, late);
-                lanes_pack(lists->kept_rolling_nx + kept_rolling_shots, packed, nx);
-                lanes_pack(lists->kept_rolling_ny + kept_rolling_shots, packed, ny);
-                lanes_pack(lists->kept_rolling_nz + kept_rolling_shots, packed, nz);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_backboard_friction + kept_rolling_shots, packed, p_backboard_friction);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_ball_radius + kept_rolling_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_board_bottom + kept_rolling_shots, packed, p_board_bottom);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_board_distance + kept_rolling_shots, packed, p_board_distance);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_board_half_width + kept_rolling_shots, packed, p_board_half_width);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_board_thickness + kept_rolling_shots, packed, p_board_thickness);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_board_top + kept_rolling_shots, packed, p_board_top);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_bridge_depth + kept_rolling_shots, packed, p_bridge_depth);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_bridge_friction + kept_rolling_shots, packed, p_bridge_friction);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_bridge_half_width + kept_rolling_shots, packed, p_bridge_half_width);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_end_depth + kept_rolling_shots, packed, p_end_depth);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_gravity + kept_rolling_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_ring_friction + kept_rolling_shots, packed, p_ring_friction);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_ring_radius + kept_rolling_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->kept_rolling_p_wire_radius + kept_rolling_shots, packed, p_wire_radius);
-                lanes_pack(lists->kept_rolling_per_reach + kept_rolling_shots, packed, per_reach);
-                lanes_pack(lists->kept_rolling_ring + kept_rolling_shots, packed, ring);
-                lanes_pack(lists->kept_rolling_taut + kept_rolling_shots, packed, taut);
-                lanes_pack(lists->kept_rolling_taut_clock + kept_rolling_shots, packed, taut_clock);
-                lanes_pack(lists->kept_rolling_taut_rate + kept_rolling_shots, packed, taut_rate);
-                lanes_pack(lists->kept_rolling_through + kept_rolling_shots, packed, through);
-                lanes_pack(lists->kept_rolling_vx + kept_rolling_shots, packed, vx);
-                lanes_pack(lists->kept_rolling_vy + kept_rolling_shots, packed, vy);
-                lanes_pack(lists->kept_rolling_vz + kept_rolling_shots, packed, vz);
-                lanes_pack(lists->kept_rolling_which + kept_rolling_shots, packed, which);
-                lanes_pack(lists->kept_rolling_wx + kept_rolling_shots, packed, wx);
-                lanes_pack(lists->kept_rolling_wy + kept_rolling_shots, packed, wy);
-                lanes_pack(lists->kept_rolling_wz + kept_rolling_shots, packed, wz);
-                lanes_pack(lists->kept_rolling_x + kept_rolling_shots, packed, x);
-                lanes_pack(lists->kept_rolling_y + kept_rolling_shots, packed, y);
-                lanes_pack(lists->kept_rolling_z + kept_rolling_shots, packed, z);
-                kept_rolling_shots += lanes_many(packed);
-            }
-        }
-        {
-            size_t taken = 0, busy = 0;
-            M active = lanes_nowhere();
-            V row = K(0.0), turns = K(0.0);
-            V p_backboard_friction = lanes_load(lists->p_backboard_friction);
-            V p_ball_radius = lanes_load(lists->p_ball_radius);
-            V p_board_bottom = lanes_load(lists->p_board_bottom);
-            V p_board_distance = lanes_load(lists->p_board_distance);
-            V p_board_half_width = lanes_load(lists->p_board_half_width);
-            V p_board_thickness = lanes_load(lists->p_board_thickness);
-            V p_board_top = lanes_load(lists->p_board_top);
-            V p_bridge_depth = lanes_load(lists->p_bridge_depth);
-            V p_bridge_friction = lanes_load(lists->p_bridge_friction);
-            V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
-            V p_end_depth = lanes_load(lists->p_end_depth);
-            V p_gravity = lanes_load(lists->p_gravity);
-            V p_ring_friction = lanes_load(lists->p_ring_friction);
-            V p_ring_radius = lanes_load(lists->p_ring_radius);
-            V p_wire_radius = lanes_load(lists->p_wire_radius);
-            V bent_x = K(0.0);
-            V bent_y = K(0.0);
-            V bent_z = K(0.0);
-            V clock = K(0.0);
-            V clock_error = K(0.0);
-            V doubt = K(0.0);
-            V dvx = K(0.0);
-            V dvy = K(0.0);
-            V dvz = K(0.0);
-            V dwx = K(0.0);
-            V dwy = K(0.0);
-            V dwz = K(0.0);
-            V dx = K(0.0);
-            V dy = K(0.0);
-            V dz = K(0.0);
-            V grip_lost = K(0.0);
-            V held = K(0.0);
-            V late = K(0.0);
-            V nx = K(0.0);
-            V ny = K(0.0);
-            V nz = K(0.0);
-            V per_reach = K(0.0);
-            V ring = K(0.0);
-            V taut = K(0.0);
-            V taut_clock = K(0.0);
-            V taut_rate = K(0.0);
-            V through = K(0.0);
-            V vx = K(0.0);
-            V vy = K(0.0);
-            V vz = K(0.0);
-            V which = K(0.0);
-            V wx = K(0.0);
-            V wy = K(0.0);
-            V wz = K(0.0);
-            V x = K(0.0);
-            V y = K(0.0);
-            V z = K(0.0);
-            for (;;) {
-                if (taken < kept_rolling_shots && busy + LANES_SPARE <= LANES_WIDTH) {
-                    const M idle = lanes_not(active);
-                    row = lanes_expand(lists->kept_rolling_row + taken, idle, row);
-                    turns = lanes_select(idle, K(0.0), turns);
-                    bent_x = lanes_expand(lists->kept_rolling_bent_x + taken, idle, bent_x);
-                    bent_y = lanes_expand(lists->kept_rolling_bent_y + taken, idle, bent_y);
-                    bent_z = lanes_expand(lists->kept_rolling_bent_z + taken, idle, bent_z);
-                    clock = lanes_expand(lists->kept_rolling_clock + taken, idle, clock);
-                    clock_error = lanes_expand(lists->kept_rolling_clock_error + taken, idle, clock_error);
-                    doubt = lanes_expand(lists->kept_rolling_doubt + taken, idle, doubt);
-                    dvx = lanes_expand(lists->kept_rolling_dvx + taken, idle, dvx);
-                    dvy = lanes_expand(lists->kept_rolling_dvy + taken, idle, dvy);
-                    dvz = lanes_expand(lists->kept_rolling_dvz + taken, idle, dvz);
-                    dwx = lanes_expand(lists->kept_rolling_dwx + taken, idle, dwx);
-                    dwy = lanes_expand(lists->kept_rolling_dwy + taken, idle, dwy);
-                    dwz = lanes_expand(lists->kept_rolling_dwz + taken, idle, dwz);
-                    dx = lanes_expand(lists->kept_rolling_dx + taken, idle, dx);
-                    dy = lanes_expand(lists->kept_rolling_dy + taken, idle, dy);
-                    dz = lanes_expand(lists->kept_rolling_dz + taken, idle, dz);
-                    grip_lost = lanes_expand(lists->kept_rolling_grip_lost + taken, idle, grip_lost);
-                    held = lanes_expand(lists->kept_rolling_held + taken, idle, held);
-                    late = lanes_expand(lists->kept_rolling_late + taken, idle, late);
-                    nx = lanes_expand(lists->kept_rolling_nx + taken, idle, nx);
-                    ny = lanes_expand(lists->kept_rolling_ny + taken, idle, ny);
-                    nz = lanes_expand(lists->kept_rolling_nz + taken, idle, nz);
-                    per_reach = lanes_expand(lists->kept_rolling_per_reach + taken, idle, per_reach);
-                    ring = lanes_expand(lists->kept_rolling_ring + taken, idle, ring);
-                    taut = lanes_expand(lists->kept_rolling_taut + taken, idle, taut);
-                    taut_clock = lanes_expand(lists->kept_rolling_taut_clock + taken, idle, taut_clock);
-                    taut_rate = lanes_expand(lists->kept_rolling_taut_rate + taken, idle, taut_rate);
-                    through = lanes_expand(lists->kept_rolling_through + taken, idle, through);
-                    vx = lanes_expand(lists->kept_rolling_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->kept_rolling_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->kept_rolling_vz + taken, idle, vz);
-                    which = lanes_expand(lists->kept_rolling_which + taken, idle, which);
-                    wx = lanes_expand(lists->kept_rolling_wx + taken, idle, wx);
-                    wy = lanes_expand(lists->kept_rolling_wy + taken, idle, wy);
-                    wz = lanes_expand(lists->kept_rolling_wz + taken, idle, wz);
-                    x = lanes_expand(lists->kept_rolling_x + taken, idle, x);
-                    y = lanes_expand(lists->kept_rolling_y + taken, idle, y);
-                    z = lanes_expand(lists->kept_rolling_z + taken, idle, z);
-                    if (varying) {
-                        p_backboard_friction = lanes_expand(lists->kept_rolling_p_backboard_friction + taken, idle, p_backboard_friction);
-                        p_ball_radius = lanes_expand(lists->kept_rolling_p_ball_radius + taken, idle, p_ball_radius);
-                        p_board_bottom = lanes_expand(lists->kept_rolling_p_board_bottom + taken, idle, p_board_bottom);
-                        p_board_distance = lanes_expand(lists->kept_rolling_p_board_distance + taken, idle, p_board_distance);
-                        p_board_half_width = lanes_expand(lists->kept_rolling_p_board_half_width + taken, idle, p_board_half_width);
-                        p_board_thickness = lanes_expand(lists->kept_rolling_p_board_thickness + taken, idle, p_board_thickness);
-                        p_board_top = lanes_expand(lists->kept_rolling_p_board_top + taken, idle, p_board_top);
-                        p_bridge_depth = lanes_expand(lists->kept_rolling_p_bridge_depth + taken, idle, p_bridge_depth);
-                        p_bridge_friction = lanes_expand(lists->kept_rolling_p_bridge_friction + taken, idle, p_bridge_friction);
-                        p_bridge_half_width = lanes_expand(lists->kept_rolling_p_bridge_half_width + taken, idle, p_bridge_half_width);
-                        p_end_depth = lanes_expand(lists->kept_rolling_p_end_depth + taken, idle, p_end_depth);
-                        p_gravity = lanes_expand(lists->kept_rolling_p_gravity + taken, idle, p_gravity);
-                        p_ring_friction = lanes_expand(lists->kept_rolling_p_ring_friction + taken, idle, p_ring_friction);
-                        p_ring_radius = lanes_expand(lists->kept_rolling_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->kept_rolling_p_wire_radius + taken, idle, p_wire_radius);
-                    }
-                    const size_t room = LANES_WIDTH - busy, left = kept_rolling_shots - taken;
-                    active = lanes_leading(idle, left, active);
-                    taken += left < room ? left : room;
-                    busy += left < room ? left : room;
-                }
-                if (busy == 0)
-                    break;
-                M rolling = active;
-                const LANES(court_error_bounds_out) _o154 =
-                    LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                V position_error = _o154.position_error;
-                V velocity_error = _o154.velocity_error;
-                const LANES(court_holding_out) _o155 =
-                    LANES(court_holding)(held, K(0.0));
-                M here = _o155.here;
-                const M _m156 = lanes_both(active, here);
-                if (lanes_any(_m156)) {
-                    const LANES(court_ring_normal_out) _o157 =
-                        LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m156, _o157.nx, nx);
-                    ny = lanes_select(_m156, _o157.ny, ny);
-                    nz = lanes_select(_m156, _o157.nz, nz);
-                    const LANES(court_ring_tube_out) _o158 =
-                        LANES(court_ring_tube)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    bent_x = lanes_select(_m156, _o158.bent_x, bent_x);
-                    bent_y = lanes_select(_m156, _o158.bent_y, bent_y);
-                    bent_z = lanes_select(_m156, _o158.bent_z, bent_z);
-                    per_reach = lanes_select(_m156, _o158.per_reach, per_reach);
-                    ring = lanes_select(_m156, _o158.ring, ring);
-                }
-                const LANES(court_holding_out) _o159 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o159.here;
-                const M _m160 = lanes_both(active, here);
-                if (lanes_any(_m160)) {
-                    const LANES(court_backboard_normal_out) _o161 =
-                        LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m160, _o161.nx, nx);
-                    ny = lanes_select(_m160, _o161.ny, ny);
-                    nz = lanes_select(_m160, _o161.nz, nz);
-                    const LANES(court_backboard_tube_out) _o162 =
-                        LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    bent_x = lanes_select(_m160, _o162.bent_x, bent_x);
-                    bent_y = lanes_select(_m160, _o162.bent_y, bent_y);
-                    bent_z = lanes_select(_m160, _o162.bent_z, bent_z);
-                    per_reach = lanes_select(_m160, _o162.per_reach, per_reach);
-                    ring = lanes_select(_m160, _o162.ring, ring);
-                }
-                const LANES(court_holding_out) _o163 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o163.here;
-                const M _m164 = lanes_both(active, here);
-                if (lanes_any(_m164)) {
-                    const LANES(court_bridge_normal_out) _o165 =
-                        LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m164, _o165.nx, nx);
-                    ny = lanes_select(_m164, _o165.ny, ny);
-                    nz = lanes_select(_m164, _o165.nz, nz);
-                    const LANES(court_bridge_tube_out) _o166 =
-                        LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    bent_x = lanes_select(_m164, _o166.bent_x, bent_x);
-                    bent_y = lanes_select(_m164, _o166.bent_y, bent_y);
-                    bent_z = lanes_select(_m164, _o166.bent_z, bent_z);
-                    per_reach = lanes_select(_m164, _o166.per_reach, per_reach);
-                    ring = lanes_select(_m164, _o166.ring, ring);
-                }
-                const LANES(court_roll_start_out) _o167 =
-                    LANES(court_roll_start)(p_ball_radius, nx, ny, nz, ring, vx, vy, vz, wx, wy, wz, x, y);
-                V vx_0 = _o167.vx_0;
-                V vy_0 = _o167.vy_0;
-                V vz_0 = _o167.vz_0;
-                V nx_0 = _o167.nx_0;
-                V ny_0 = _o167.ny_0;
-                V nz_0 = _o167.nz_0;
-                V turn_rate_0 = _o167.turn_rate_0;
-                V cos_0 = _o167.cos_0;
-                V sin_0 = _o167.sin_0;
-                V near_0 = _o167.near_0;
-                const LANES(court_roll_0_out) _o168 =
-                    LANES(court_roll_0)(bent_x, bent_y, bent_z, cos_0, p_gravity, near_0, nx_0, ny_0, nz_0, per_reach, ring, sin_0, turn_rate_0, vx_0, vy_0, vz_0);
-                V across_0 = _o168.across_0;
-                V round_0 = _o168.round_0;
-                V lift_0 = _o168.lift_0;
-                V tx_0 = _o168.tx_0;
-                V ty_0 = _o168.ty_0;
-                V tz_0 = _o168.tz_0;
-                V vx_1 = _o168.vx_1;
-                V vy_1 = _o168.vy_1;
-                V vz_1 = _o168.vz_1;
-                V nx_1 = _o168.nx_1;
-                V ny_1 = _o168.ny_1;
-                V nz_1 = _o168.nz_1;
-                V turn_rate_1 = _o168.turn_rate_1;
-                V cos_1 = _o168.cos_1;
-                V sin_1 = _o168.sin_1;
-                V widened_1 = _o168.widened_1;
-                V near_1 = _o168.near_1;
-                const LANES(court_roll_1_out) _o169 =
-                    LANES(court_roll_1)(across_0, bent_x, bent_y, bent_z, cos_0, cos_1, p_gravity, lift_0, near_0, near_1, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, ring, round_0, sin_0, sin_1, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, widened_1);
-                V across_1 = _o169.across_1;
-                V round_1 = _o169.round_1;
-                V lift_1 = _o169.lift_1;
-                V tx_1 = _o169.tx_1;
-                V ty_1 = _o169.ty_1;
-                V tz_1 = _o169.tz_1;
-                V vx_2 = _o169.vx_2;
-                V vy_2 = _o169.vy_2;
-                V vz_2 = _o169.vz_2;
-                V nx_2 = _o169.nx_2;
-                V ny_2 = _o169.ny_2;
-                V nz_2 = _o169.nz_2;
-                V turn_rate_2 = _o169.turn_rate_2;
-                V cos_2 = _o169.cos_2;
-                V sin_2 = _o169.sin_2;
-                V widened_2 = _o169.widened_2;
-                V near_2 = _o169.near_2;
-                const LANES(court_roll_2_out) _o170 =
-                    LANES(court_roll_2)(across_0, across_1, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, p_gravity, lift_0, lift_1, near_0, near_1, near_2, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, ring, round_0, round_1, sin_0, sin_1, sin_2, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, widened_1, widened_2);
-                V across_2 = _o170.across_2;
-                V round_2 = _o170.round_2;
-                V lift_2 = _o170.lift_2;
-                V tx_2 = _o170.tx_2;
-                V ty_2 = _o170.ty_2;
-                V tz_2 = _o170.tz_2;
-                V vx_3 = _o170.vx_3;
-                V vy_3 = _o170.vy_3;
-                V vz_3 = _o170.vz_3;
-                V nx_3 = _o170.nx_3;
-                V ny_3 = _o170.ny_3;
-                V nz_3 = _o170.nz_3;
-                V turn_rate_3 = _o170.turn_rate_3;
-                V cos_3 = _o170.cos_3;
-                V sin_3 = _o170.sin_3;
-                V widened_3 = _o170.widened_3;
-                V near_3 = _o170.near_3;
-                const LANES(court_roll_3_out) _o171 =
-                    LANES(court_roll_3)(across_0, across_1, across_2, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, p_gravity, lift_0, lift_1, lift_2, near_0, near_1, near_2, near_3, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, ring, round_0, round_1, round_2, sin_0, sin_1, sin_2, sin_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, widened_1, widened_2, widened_3);
-                V across_3 = _o171.across_3;
-                V round_3 = _o171.round_3;
-                V lift_3 = _o171.lift_3;
-                V tx_3 = _o171.tx_3;
-                V ty_3 = _o171.ty_3;
-                V tz_3 = _o171.tz_3;
-                V vx_4 = _o171.vx_4;
-                V vy_4 = _o171.vy_4;
-                V vz_4 = _o171.vz_4;
-                V nx_4 = _o171.nx_4;
-                V ny_4 = _o171.ny_4;
-                V nz_4 = _o171.nz_4;
-                V turn_rate_4 = _o171.turn_rate_4;
-                V cos_4 = _o171.cos_4;
-                V sin_4 = _o171.sin_4;
-                V widened_4 = _o171.widened_4;
-                V near_4 = _o171.near_4;
-                const LANES(court_roll_4_out) _o172 =
-                    LANES(court_roll_4)(across_0, across_1, across_2, across_3, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, p_gravity, lift_0, lift_1, lift_2, lift_3, near_0, near_1, near_2, near_3, near_4, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, ring, round_0, round_1, round_2, round_3, sin_0, sin_1, sin_2, sin_3, sin_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, widened_1, widened_2, widened_3, widened_4);
-                V across_4 = _o172.across_4;
-                V round_4 = _o172.round_4;
-                V lift_4 = _o172.lift_4;
-                V tx_4 = _o172.tx_4;
-                V ty_4 = _o172.ty_4;
-                V tz_4 = _o172.tz_4;
-                V vx_5 = _o172.vx_5;
-                V vy_5 = _o172.vy_5;
-                V vz_5 = _o172.vz_5;
-                V nx_5 = _o172.nx_5;
-                V ny_5 = _o172.ny_5;
-                V nz_5 = _o172.nz_5;
-                V turn_rate_5 = _o172.turn_rate_5;
-                V cos_5 = _o172.cos_5;
-                V sin_5 = _o172.sin_5;
-                V widened_5 = _o172.widened_5;
-                V near_5 = _o172.near_5;
-                const LANES(court_roll_5_out) _o173 =
-                    LANES(court_roll_5)(across_0, across_1, across_2, across_3, across_4, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, near_0, near_1, near_2, near_3, near_4, near_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, ring, round_0, round_1, round_2, round_3, round_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, widened_1, widened_2, widened_3, widened_4, widened_5);
-                V across_5 = _o173.across_5;
-                V round_5 = _o173.round_5;
-                V lift_5 = _o173.lift_5;
-                V tx_5 = _o173.tx_5;
-                V ty_5 = _o173.ty_5;
-                V tz_5 = _o173.tz_5;
-                V vx_6 = _o173.vx_6;
-                V vy_6 = _o173.vy_6;
-                V vz_6 = _o173.vz_6;
-                V nx_6 = _o173.nx_6;
-                V ny_6 = _o173.ny_6;
-                V nz_6 = _o173.nz_6;
-                V turn_rate_6 = _o173.turn_rate_6;
-                V cos_6 = _o173.cos_6;
-                V sin_6 = _o173.sin_6;
-                V widened_6 = _o173.widened_6;
-                V near_6 = _o173.near_6;
-                const LANES(court_roll_6_out) _o174 =
-                    LANES(court_roll_6)(across_0, across_1, across_2, across_3, across_4, across_5, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, near_0, near_1, near_2, near_3, near_4, near_5, near_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6);
-                V across_6 = _o174.across_6;
-                V round_6 = _o174.round_6;
-                V lift_6 = _o174.lift_6;
-                V tx_6 = _o174.tx_6;
-                V ty_6 = _o174.ty_6;
-                V tz_6 = _o174.tz_6;
-                V vx_7 = _o174.vx_7;
-                V vy_7 = _o174.vy_7;
-                V vz_7 = _o174.vz_7;
-                V nx_7 = _o174.nx_7;
-                V ny_7 = _o174.ny_7;
-                V nz_7 = _o174.nz_7;
-                V turn_rate_7 = _o174.turn_rate_7;
-                V cos_7 = _o174.cos_7;
-                V sin_7 = _o174.sin_7;
-                V widened_7 = _o174.widened_7;
-                V near_7 = _o174.near_7;
-                const LANES(court_roll_7_out) _o175 =
-                    LANES(court_roll_7)(across_0, across_1, across_2, across_3, across_4, across_5, across_6, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, round_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6, widened_7);
-                V lift_7 = _o175.lift_7;
-                V vx_8 = _o175.vx_8;
-                V vy_8 = _o175.vy_8;
-                V vz_8 = _o175.vz_8;
-                V nx_8 = _o175.nx_8;
-                V ny_8 = _o175.ny_8;
-                V nz_8 = _o175.nz_8;
-                V turn_rate_8 = _o175.turn_rate_8;
-                const LANES(court_roll_pace_out) _o176 =
-                    LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-                V stride = _o176.stride;
-                V strongest = _o176.strongest;
-                V fastest = _o176.fastest;
-                V force = _o176.force;
-                V force_rate = _o176.force_rate;
-                V force_bend = _o176.force_bend;
-                const LANES(court_pulled_out) _o177 =
-                    LANES(court_pulled)(p_gravity, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                V drag = _o177.drag;
-                V drag_rate = _o177.drag_rate;
-                V strain = _o177.strain;
-                V strain_rate = _o177.strain_rate;
-                const LANES(court_holding_out) _o178 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o178.here;
-                const M _m179 = lanes_both(active, here);
-                {
-                    const LANES(court_ring_impact_strained_out) _o180 =
-                        LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_ring_friction);
-                    strain = lanes_select(_m179, _o180.strain, strain);
-                    strain_rate = lanes_select(_m179, _o180.strain_rate, strain_rate);
-                }
-                const LANES(court_holding_out) _o181 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o181.here;
-                const M _m182 = lanes_both(active, here);
-                {
-                    const LANES(court_ring_impact_strained_out) _o183 =
-                        LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_backboard_friction);
-                    strain = lanes_select(_m182, _o183.strain, strain);
-                    strain_rate = lanes_select(_m182, _o183.strain_rate, strain_rate);
-                }
-                const LANES(court_holding_out) _o184 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o184.here;
-                const M _m185 = lanes_both(active, here);
-                {
-                    const LANES(court_ring_impact_strained_out) _o186 =
-                        LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_bridge_friction);
-                    strain = lanes_select(_m185, _o186.strain, strain);
-                    strain_rate = lanes_select(_m185, _o186.strain_rate, strain_rate);
-                }
-                const LANES(court_losing_out) _o187 =
-                    LANES(court_losing)(grip_lost, strain);
-                M loses = _o187.loses;
-                const M _m188 = lanes_both(active, loses);
-                if (lanes_any(_m188)) {
-                    const LANES(court_lost_grip_out) _o189 =
-                        LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                    grip_lost = lanes_select(_m188, _o189.grip_lost, grip_lost);
-                }
-                const LANES(court_tightened_out) _o190 =
-                    LANES(court_tightened)(clock, strain, strain_rate);
-                taut = _o190.taut;
-                taut_rate = _o190.taut_rate;
-                taut_clock = _o190.taut_clock;
-                const LANES(court_leaving_force_out) _o191 =
-                    LANES(court_leaving_force)(p_ball_radius, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-                stride = _o191.stride;
-                which = _o191.which;
-                M rests = _o191.rests;
-                doubt = _o191.doubt;
-                const LANES(court_beside_out) _o192 =
-                    LANES(court_beside)(held, K(0.0));
-                M beside = _o192.beside;
-                const M _m193 = lanes_both(active, beside);
-                if (lanes_any(_m193)) {
-                    const LANES(court_ring_beside_out) _o194 =
-                        LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o194.gap;
-                    V nearing = _o194.nearing;
-                    V dent = _o194.dent;
-                    const LANES(court_beside_body_out) _o195 =
-                        LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                    stride = lanes_select(_m193, _o195.stride, stride);
-                    which = lanes_select(_m193, _o195.which, which);
-                    doubt = lanes_select(_m193, _o195.doubt, doubt);
-                    late = lanes_select(_m193, _o195.late, late);
-                }
-                const LANES(court_beside_out) _o196 =
-                    LANES(court_beside)(held, K(1.0));
-                beside = _o196.beside;
-                const M _m197 = lanes_both(active, beside);
-                if (lanes_any(_m197)) {
-                    const LANES(court_backboard_beside_out) _o198 =
-                        LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    V gap = _o198.gap;
-                    V nearing = _o198.nearing;
-                    V dent = _o198.dent;
-                    const LANES(court_beside_body_out) _o199 =
-                        LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                    stride = lanes_select(_m197, _o199.stride, stride);
-                    which = lanes_select(_m197, _o199.which, which);
-                    doubt = lanes_select(_m197, _o199.doubt, doubt);
-                    late = lanes_select(_m197, _o199.late, late);
-                }
-                const LANES(court_beside_out) _o200 =
-                    LANES(court_beside)(held, K(2.0));
-                beside = _o200.beside;
-                const M _m201 = lanes_both(active, beside);
-                if (lanes_any(_m201)) {
-                    const LANES(court_bridge_beside_out) _o202 =
-                        LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o202.gap;
-                    V nearing = _o202.nearing;
-                    V dent = _o202.dent;
-                    const LANES(court_beside_body_out) _o203 =
-                        LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                    stride = lanes_select(_m201, _o203.stride, stride);
-                    which = lanes_select(_m201, _o203.which, which);
-                    doubt = lanes_select(_m201, _o203.doubt, doubt);
-                    late = lanes_select(_m201, _o203.late, late);
-                }
-                const LANES(court_end_beside_out) _o204 =
-                    LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o204.gap;
-                V nearing = _o204.nearing;
-                V dent = _o204.dent;
-                const LANES(court_beside_gate_out) _o205 =
-                    LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = _o205.stride;
-                which = _o205.which;
-                doubt = _o205.doubt;
-                late = _o205.late;
-                const LANES(court_holding_out) _o206 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o206.here;
-                const M _m207 = lanes_both(active, here);
-                if (lanes_any(_m207)) {
-                    const LANES(court_backboard_seam0_out) _o208 =
-                        LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                    gap = lanes_select(_m207, _o208.gap, gap);
-                    V nearing = _o208.nearing;
-                    V near = _o208.near;
-                    const LANES(court_beside_seam_out) _o209 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m207, _o209.stride, stride);
-                    const LANES(court_backboard_seam1_out) _o210 =
-                        LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                    gap = lanes_select(_m207, _o210.gap, gap);
-                    nearing = _o210.nearing;
-                    near = _o210.near;
-                    const LANES(court_beside_seam_out) _o211 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m207, _o211.stride, stride);
-                    const LANES(court_backboard_seam2_out) _o212 =
-                        LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                    gap = lanes_select(_m207, _o212.gap, gap);
-                    nearing = _o212.nearing;
-                    near = _o212.near;
-                    const LANES(court_beside_seam_out) _o213 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m207, _o213.stride, stride);
-                    const LANES(court_backboard_seam3_out) _o214 =
-                        LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                    gap = lanes_select(_m207, _o214.gap, gap);
-                    nearing = _o214.nearing;
-                    near = _o214.near;
-                    const LANES(court_beside_seam_out) _o215 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m207, _o215.stride, stride);
-                    const LANES(court_backboard_seam4_out) _o216 =
-                        LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                    gap = lanes_select(_m207, _o216.gap, gap);
-                    nearing = _o216.nearing;
-                    near = _o216.near;
-                    const LANES(court_beside_seam_out) _o217 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m207, _o217.stride, stride);
-                    const LANES(court_backboard_seam5_out) _o218 =
-                        LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                    gap = lanes_select(_m207, _o218.gap, gap);
-                    nearing = _o218.nearing;
-                    near = _o218.near;
-                    const LANES(court_beside_seam_out) _o219 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m207, _o219.stride, stride);
-                }
-                const LANES(court_holding_out) _o220 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o220.here;
-                const M _m221 = lanes_both(active, here);
-                if (lanes_any(_m221)) {
-                    const LANES(court_bridge_seam0_out) _o222 =
-                        LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                    gap = lanes_select(_m221, _o222.gap, gap);
-                    V nearing = _o222.nearing;
-                    V near = _o222.near;
-                    const LANES(court_beside_seam_out) _o223 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m221, _o223.stride, stride);
-                    const LANES(court_bridge_seam1_out) _o224 =
-                        LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                    gap = lanes_select(_m221, _o224.gap, gap);
-                    nearing = _o224.nearing;
-                    near = _o224.near;
-                    const LANES(court_beside_seam_out) _o225 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m221, _o225.stride, stride);
-                    const LANES(court_bridge_seam2_out) _o226 =
-                        LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                    gap = lanes_select(_m221, _o226.gap, gap);
-                    nearing = _o226.nearing;
-                    near = _o226.near;
-                    const LANES(court_beside_seam_out) _o227 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m221, _o227.stride, stride);
-                    const LANES(court_bridge_seam3_out) _o228 =
-                        LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                    gap = lanes_select(_m221, _o228.gap, gap);
-                    nearing = _o228.nearing;
-                    near = _o228.near;
-                    const LANES(court_beside_seam_out) _o229 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m221, _o229.stride, stride);
-                    const LANES(court_bridge_seam4_out) _o230 =
-                        LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                    gap = lanes_select(_m221, _o230.gap, gap);
-                    nearing = _o230.nearing;
-                    near = _o230.near;
-                    const LANES(court_beside_seam_out) _o231 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m221, _o231.stride, stride);
-                    const LANES(court_bridge_seam5_out) _o232 =
-                        LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                    gap = lanes_select(_m221, _o232.gap, gap);
-                    nearing = _o232.nearing;
-                    near = _o232.near;
-                    const LANES(court_beside_seam_out) _o233 =
-                        LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                    stride = lanes_select(_m221, _o233.stride, stride);
-                }
-                const LANES(court_beside_time_out) _o234 =
-                    LANES(court_beside_time)(clock, stride, time_limit, which);
-                stride = _o234.stride;
-                which = _o234.which;
-                const LANES(court_apart_out) _o235 =
-                    LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-                V apart = _o235.apart;
-                const LANES(court_neighbour_out) _o236 =
-                    LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-                V far_x = _o236.far_x;
-                V far_y = _o236.far_y;
-                V far_z = _o236.far_z;
-                V far_vx = _o236.far_vx;
-                V far_vy = _o236.far_vy;
-                V far_vz = _o236.far_vz;
-                V far_wx = _o236.far_wx;
-                V far_wy = _o236.far_wy;
-                V far_wz = _o236.far_wz;
-                const LANES(court_passing_from_out) _o237 =
-                    LANES(court_passing_from)(z);
-                M over = _o237.over;
-                const LANES(court_roll_moved_out) _o238 =
-                    LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-                x = _o238.x;
-                vx = _o238.vx;
-                y = _o238.y;
-                vy = _o238.vy;
-                z = _o238.z;
-                vz = _o238.vz;
-                V turn_rate = _o238.turn_rate;
-                const LANES(court_holding_out) _o239 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o239.here;
-                const M _m240 = lanes_both(active, here);
-                if (lanes_any(_m240)) {
-                    const LANES(court_ring_normal_out) _o241 =
-                        LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m240, _o241.nx, nx);
-                    ny = lanes_select(_m240, _o241.ny, ny);
-                    nz = lanes_select(_m240, _o241.nz, nz);
-                    const LANES(court_ring_off_out) _o242 =
-                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = lanes_select(_m240, _o242.gap, gap);
-                }
-                const LANES(court_holding_out) _o243 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o243.here;
-                const M _m244 = lanes_both(active, here);
-                if (lanes_any(_m244)) {
-                    const LANES(court_backboard_normal_out) _o245 =
-                        LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m244, _o245.nx, nx);
-                    ny = lanes_select(_m244, _o245.ny, ny);
-                    nz = lanes_select(_m244, _o245.nz, nz);
-                    const LANES(court_backboard_off_out) _o246 =
-                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = lanes_select(_m244, _o246.gap, gap);
-                }
-                const LANES(court_holding_out) _o247 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o247.here;
-                const M _m248 = lanes_both(active, here);
-                if (lanes_any(_m248)) {
-                    const LANES(court_bridge_normal_out) _o249 =
-                        LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m248, _o249.nx, nx);
-                    ny = lanes_select(_m248, _o249.ny, ny);
-                    nz = lanes_select(_m248, _o249.nz, nz);
-                    const LANES(court_bridge_off_out) _o250 =
-                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = lanes_select(_m248, _o250.gap, gap);
-                }
-                const LANES(court_roll_placed_out) _o251 =
-                    LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-                x = _o251.x;
-                y = _o251.y;
-                z = _o251.z;
-                vx = _o251.vx;
-                vy = _o251.vy;
-                vz = _o251.vz;
-                wx = _o251.wx;
-                wy = _o251.wy;
-                wz = _o251.wz;
-                const LANES(court_passing_in_contact_out) _o252 =
-                    LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-                through = _o252.through;
-                const LANES(court_holding_out) _o253 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o253.here;
-                const M _m254 = lanes_both(active, here);
-                {
-                    const LANES(court_ring_normal_out) _o255 =
-                        LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m254, _o255.nx, nx);
-                    ny = lanes_select(_m254, _o255.ny, ny);
-                    nz = lanes_select(_m254, _o255.nz, nz);
-                }
-                const LANES(court_holding_out) _o256 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o256.here;
-                const M _m257 = lanes_both(active, here);
-                {
-                    const LANES(court_backboard_normal_out) _o258 =
-                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m257, _o258.nx, nx);
-                    ny = lanes_select(_m257, _o258.ny, ny);
-                    nz = lanes_select(_m257, _o258.nz, nz);
-                }
-                const LANES(court_holding_out) _o259 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o259.here;
-                const M _m260 = lanes_both(active, here);
-                {
-                    const LANES(court_bridge_normal_out) _o261 =
-                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m260, _o261.nx, nx);
-                    ny = lanes_select(_m260, _o261.ny, ny);
-                    nz = lanes_select(_m260, _o261.nz, nz);
-                }
-                const LANES(court_roll_turn_rate_out) _o262 =
-                    LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, far_wx, far_wy, far_wz);
-                turn_rate = _o262.turn_rate;
-                const LANES(court_holding_out) _o263 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o263.here;
-                const M _m264 = lanes_both(active, here);
-                if (lanes_any(_m264)) {
-                    const LANES(court_ring_normal_out) _o265 =
-                        LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m264, _o265.nx, nx);
-                    ny = lanes_select(_m264, _o265.ny, ny);
-                    nz = lanes_select(_m264, _o265.nz, nz);
-                    const LANES(court_ring_off_out) _o266 =
-                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    gap = lanes_select(_m264, _o266.gap, gap);
-                }
-                const LANES(court_holding_out) _o267 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o267.here;
-                const M _m268 = lanes_both(active, here);
-                if (lanes_any(_m268)) {
-                    const LANES(court_backboard_normal_out) _o269 =
-                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m268, _o269.nx, nx);
-                    ny = lanes_select(_m268, _o269.ny, ny);
-                    nz = lanes_select(_m268, _o269.nz, nz);
-                    const LANES(court_backboard_off_out) _o270 =
-                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                    gap = lanes_select(_m268, _o270.gap, gap);
-                }
-                const LANES(court_holding_out) _o271 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o271.here;
-                const M _m272 = lanes_both(active, here);
-                if (lanes_any(_m272)) {
-                    const LANES(court_bridge_normal_out) _o273 =
-                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m272, _o273.nx, nx);
-                    ny = lanes_select(_m272, _o273.ny, ny);
-                    nz = lanes_select(_m272, _o273.nz, nz);
-                    const LANES(court_bridge_off_out) _o274 =
-                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    gap = lanes_select(_m272, _o274.gap, gap);
-                }
-                const LANES(court_roll_placed_out) _o275 =
-                    LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-                far_x = _o275.x;
-                far_y = _o275.y;
-                far_z = _o275.z;
-                far_vx = _o275.vx;
-                far_vy = _o275.vy;
-                far_vz = _o275.vz;
-                far_wx = _o275.wx;
-                far_wy = _o275.wy;
-                far_wz = _o275.wz;
-                const LANES(court_roll_start_out) _o276 =
-                    LANES(court_roll_start)(p_ball_radius, nx, ny, nz, ring, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y);
-                vx_0 = _o276.vx_0;
-                vy_0 = _o276.vy_0;
-                vz_0 = _o276.vz_0;
-                nx_0 = _o276.nx_0;
-                ny_0 = _o276.ny_0;
-                nz_0 = _o276.nz_0;
-                turn_rate_0 = _o276.turn_rate_0;
-                cos_0 = _o276.cos_0;
-                sin_0 = _o276.sin_0;
-                near_0 = _o276.near_0;
-                const LANES(court_roll_0_out) _o277 =
-                    LANES(court_roll_0)(bent_x, bent_y, bent_z, cos_0, p_gravity, near_0, nx_0, ny_0, nz_0, per_reach, ring, sin_0, turn_rate_0, vx_0, vy_0, vz_0);
-                across_0 = _o277.across_0;
-                round_0 = _o277.round_0;
-                lift_0 = _o277.lift_0;
-                tx_0 = _o277.tx_0;
-                ty_0 = _o277.ty_0;
-                tz_0 = _o277.tz_0;
-                vx_1 = _o277.vx_1;
-                vy_1 = _o277.vy_1;
-                vz_1 = _o277.vz_1;
-                nx_1 = _o277.nx_1;
-                ny_1 = _o277.ny_1;
-                nz_1 = _o277.nz_1;
-                turn_rate_1 = _o277.turn_rate_1;
-                cos_1 = _o277.cos_1;
-                sin_1 = _o277.sin_1;
-                widened_1 = _o277.widened_1;
-                near_1 = _o277.near_1;
-                const LANES(court_roll_1_out) _o278 =
-                    LANES(court_roll_1)(across_0, bent_x, bent_y, bent_z, cos_0, cos_1, p_gravity, lift_0, near_0, near_1, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, ring, round_0, sin_0, sin_1, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, widened_1);
-                across_1 = _o278.across_1;
-                round_1 = _o278.round_1;
-                lift_1 = _o278.lift_1;
-                tx_1 = _o278.tx_1;
-                ty_1 = _o278.ty_1;
-                tz_1 = _o278.tz_1;
-                vx_2 = _o278.vx_2;
-                vy_2 = _o278.vy_2;
-                vz_2 = _o278.vz_2;
-                nx_2 = _o278.nx_2;
-                ny_2 = _o278.ny_2;
-                nz_2 = _o278.nz_2;
-                turn_rate_2 = _o278.turn_rate_2;
-                cos_2 = _o278.cos_2;
-                sin_2 = _o278.sin_2;
-                widened_2 = _o278.widened_2;
-                near_2 = _o278.near_2;
-                const LANES(court_roll_2_out) _o279 =
-                    LANES(court_roll_2)(across_0, across_1, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, p_gravity, lift_0, lift_1, near_0, near_1, near_2, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, ring, round_0, round_1, sin_0, sin_1, sin_2, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, widened_1, widened_2);
-                across_2 = _o279.across_2;
-                round_2 = _o279.round_2;
-                lift_2 = _o279.lift_2;
-                tx_2 = _o279.tx_2;
-                ty_2 = _o279.ty_2;
-                tz_2 = _o279.tz_2;
-                vx_3 = _o279.vx_3;
-                vy_3 = _o279.vy_3;
-                vz_3 = _o279.vz_3;
-                nx_3 = _o279.nx_3;
-                ny_3 = _o279.ny_3;
-                nz_3 = _o279.nz_3;
-                turn_rate_3 = _o279.turn_rate_3;
-                cos_3 = _o279.cos_3;
-                sin_3 = _o279.sin_3;
-                widened_3 = _o279.widened_3;
-                near_3 = _o279.near_3;
-                const LANES(court_roll_3_out) _o280 =
-                    LANES(court_roll_3)(across_0, across_1, across_2, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, p_gravity, lift_0, lift_1, lift_2, near_0, near_1, near_2, near_3, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, ring, round_0, round_1, round_2, sin_0, sin_1, sin_2, sin_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, widened_1, widened_2, widened_3);
-                across_3 = _o280.across_3;
-                round_3 = _o280.round_3;
-                lift_3 = _o280.lift_3;
-                tx_3 = _o280.tx_3;
-                ty_3 = _o280.ty_3;
-                tz_3 = _o280.tz_3;
-                vx_4 = _o280.vx_4;
-                vy_4 = _o280.vy_4;
-                vz_4 = _o280.vz_4;
-                nx_4 = _o280.nx_4;
-                ny_4 = _o280.ny_4;
-                nz_4 = _o280.nz_4;
-                turn_rate_4 = _o280.turn_rate_4;
-                cos_4 = _o280.cos_4;
-                sin_4 = _o280.sin_4;
-                widened_4 = _o280.widened_4;
-                near_4 = _o280.near_4;
-                const LANES(court_roll_4_out) _o281 =
-                    LANES(court_roll_4)(across_0, across_1, across_2, across_3, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, p_gravity, lift_0, lift_1, lift_2, lift_3, near_0, near_1, near_2, near_3, near_4, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, ring, round_0, round_1, round_2, round_3, sin_0, sin_1, sin_2, sin_3, sin_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, widened_1, widened_2, widened_3, widened_4);
-                across_4 = _o281.across_4;
-                round_4 = _o281.round_4;
-                lift_4 = _o281.lift_4;
-                tx_4 = _o281.tx_4;
-                ty_4 = _o281.ty_4;
-                tz_4 = _o281.tz_4;
-                vx_5 = _o281.vx_5;
-                vy_5 = _o281.vy_5;
-                vz_5 = _o281.vz_5;
-                nx_5 = _o281.nx_5;
-                ny_5 = _o281.ny_5;
-                nz_5 = _o281.nz_5;
-                turn_rate_5 = _o281.turn_rate_5;
-                cos_5 = _o281.cos_5;
-                sin_5 = _o281.sin_5;
-                widened_5 = _o281.widened_5;
-                near_5 = _o281.near_5;
-                const LANES(court_roll_5_out) _o282 =
-                    LANES(court_roll_5)(across_0, across_1, across_2, across_3, across_4, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, near_0, near_1, near_2, near_3, near_4, near_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, ring, round_0, round_1, round_2, round_3, round_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, widened_1, widened_2, widened_3, widened_4, widened_5);
-                across_5 = _o282.across_5;
-                round_5 = _o282.round_5;
-                lift_5 = _o282.lift_5;
-                tx_5 = _o282.tx_5;
-                ty_5 = _o282.ty_5;
-                tz_5 = _o282.tz_5;
-                vx_6 = _o282.vx_6;
-                vy_6 = _o282.vy_6;
-                vz_6 = _o282.vz_6;
-                nx_6 = _o282.nx_6;
-                ny_6 = _o282.ny_6;
-                nz_6 = _o282.nz_6;
-                turn_rate_6 = _o282.turn_rate_6;
-                cos_6 = _o282.cos_6;
-                sin_6 = _o282.sin_6;
-                widened_6 = _o282.widened_6;
-                near_6 = _o282.near_6;
-                const LANES(court_roll_6_out) _o283 =
-                    LANES(court_roll_6)(across_0, across_1, across_2, across_3, across_4, across_5, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, near_0, near_1, near_2, near_3, near_4, near_5, near_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6);
-                across_6 = _o283.across_6;
-                round_6 = _o283.round_6;
-                lift_6 = _o283.lift_6;
-                tx_6 = _o283.tx_6;
-                ty_6 = _o283.ty_6;
-                tz_6 = _o283.tz_6;
-                vx_7 = _o283.vx_7;
-                vy_7 = _o283.vy_7;
-                vz_7 = _o283.vz_7;
-                nx_7 = _o283.nx_7;
-                ny_7 = _o283.ny_7;
-                nz_7 = _o283.nz_7;
-                turn_rate_7 = _o283.turn_rate_7;
-                cos_7 = _o283.cos_7;
-                sin_7 = _o283.sin_7;
-                widened_7 = _o283.widened_7;
-                near_7 = _o283.near_7;
-                const LANES(court_roll_7_out) _o284 =
-                    LANES(court_roll_7)(across_0, across_1, across_2, across_3, across_4, across_5, across_6, bent_x, bent_y, bent_z, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, ring, round_0, round_1, round_2, round_3, round_4, round_5, round_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, widened_1, widened_2, widened_3, widened_4, widened_5, widened_6, widened_7);
-                vx_8 = _o284.vx_8;
-                vy_8 = _o284.vy_8;
-                vz_8 = _o284.vz_8;
-                turn_rate_8 = _o284.turn_rate_8;
-                const LANES(court_roll_moved_out) _o285 =
-                    LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-                far_x = _o285.x;
-                far_vx = _o285.vx;
-                far_y = _o285.y;
-                far_vy = _o285.vy;
-                far_z = _o285.z;
-                far_vz = _o285.vz;
-                turn_rate = _o285.turn_rate;
-                const LANES(court_holding_out) _o286 =
-                    LANES(court_holding)(held, K(0.0));
-                here = _o286.here;
-                const M _m287 = lanes_both(active, here);
-                if (lanes_any(_m287)) {
-                    const LANES(court_ring_normal_out) _o288 =
-                        LANES(court_ring_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m287, _o288.nx, nx);
-                    ny = lanes_select(_m287, _o288.ny, ny);
-                    nz = lanes_select(_m287, _o288.nz, nz);
-                    const LANES(court_ring_off_out) _o289 =
-                        LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    gap = lanes_select(_m287, _o289.gap, gap);
-                }
-                const LANES(court_holding_out) _o290 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o290.here;
-                const M _m291 = lanes_both(active, here);
-                if (lanes_any(_m291)) {
-                    const LANES(court_backboard_normal_out) _o292 =
-                        LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m291, _o292.nx, nx);
-                    ny = lanes_select(_m291, _o292.ny, ny);
-                    nz = lanes_select(_m291, _o292.nz, nz);
-                    const LANES(court_backboard_off_out) _o293 =
-                        LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                    gap = lanes_select(_m291, _o293.gap, gap);
-                }
-                const LANES(court_holding_out) _o294 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o294.here;
-                const M _m295 = lanes_both(active, here);
-                if (lanes_any(_m295)) {
-                    const LANES(court_bridge_normal_out) _o296 =
-                        LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m295, _o296.nx, nx);
-                    ny = lanes_select(_m295, _o296.ny, ny);
-                    nz = lanes_select(_m295, _o296.nz, nz);
-                    const LANES(court_bridge_off_out) _o297 =
-                        LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    gap = lanes_select(_m295, _o297.gap, gap);
-                }
-                const LANES(court_roll_placed_out) _o298 =
-                    LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-                far_x = _o298.x;
-                far_y = _o298.y;
-                far_z = _o298.z;
-                far_vx = _o298.vx;
-                far_vy = _o298.vy;
-                far_vz = _o298.vz;
-                far_wx = _o298.wx;
-                far_wy = _o298.wy;
-                far_wz = _o298.wz;
-                const LANES(court_compared_out) _o299 =
-                    LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-                dx = _o299.dx;
-                dy = _o299.dy;
-                dz = _o299.dz;
-                dvx = _o299.dvx;
-                dvy = _o299.dvy;
-                dvz = _o299.dvz;
-                dwx = _o299.dwx;
-                dwy = _o299.dwy;
-                dwz = _o299.dwz;
-                const LANES(court_rolled_on_out) _o300 =
-                    LANES(court_rolled_on)(clock, rests, stride, which);
-                clock = _o300.clock;
-                rolling = _o300.rolling;
-                turns = lanes_add(turns, K(1.0));
-                const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(64.0)))));
-                if (lanes_any(ended)) {
-                    double ended_row[LANES_WIDTH];
-                    lanes_store(ended_row, row);
-                    double ended_clock[LANES_WIDTH];
-                    lanes_store(ended_clock, clock);
-                    double ended_doubt[LANES_WIDTH];
-                    lanes_store(ended_doubt, doubt);
-                    double ended_dvx[LANES_WIDTH];
-                    lanes_store(ended_dvx, dvx);
-                    double ended_dvy[LANES_WIDTH];
-                    lanes_store(ended_dvy, dvy);
-                    double ended_dvz[LANES_WIDTH];
-                    lanes_store(ended_dvz, dvz);
-                    double ended_dwx[LANES_WIDTH];
-                    lanes_store(ended_dwx, dwx);
-                    double ended_dwy[LANES_WIDTH];
-                    lanes_store(ended_dwy, dwy);
-                    double ended_dwz[LANES_WIDTH];
-                    lanes_store(ended_dwz, dwz);
-                    double ended_dx[LANES_WIDTH];
-                    lanes_store(ended_dx, dx);
-                    double ended_dy[LANES_WIDTH];
-                    lanes_store(ended_dy, dy);
-                    double ended_dz[LANES_WIDTH];
-                    lanes_store(ended_dz, dz);
-                    double ended_grip_lost[LANES_WIDTH];
-                    lanes_store(ended_grip_lost, grip_lost);
-                    double ended_late[LANES_WIDTH];
-                    lanes_store(ended_late, late);
-                    double ended_per_reach[LANES_WIDTH];
-                    lanes_store(ended_per_reach, per_reach);
-                    double ended_position_error[LANES_WIDTH];
-                    lanes_store(ended_position_error, position_error);
-                    double ended_rests[LANES_WIDTH];
-                    lanes_store(ended_rests, lanes_select(rests, K(1.0), K(0.0)));
-                    double ended_rolling[LANES_WIDTH];
-                    lanes_store(ended_rolling, lanes_select(rolling, K(1.0), K(0.0)));
-                    double ended_taut[LANES_WIDTH];
-                    lanes_store(ended_taut, taut);
-                    double ended_taut_clock[LANES_WIDTH];
-                    lanes_store(ended_taut_clock, taut_clock);
-                    double ended_taut_rate[LANES_WIDTH];
-                    lanes_store(ended_taut_rate, taut_rate);
-                    double ended_through[LANES_WIDTH];
-                    lanes_store(ended_through, through);
-                    double ended_velocity_error[LANES_WIDTH];
-                    lanes_store(ended_velocity_error, velocity_error);
-                    double ended_vx[LANES_WIDTH];
-                    lanes_store(ended_vx, vx);
-                    double ended_vy[LANES_WIDTH];
-                    lanes_store(ended_vy, vy);
-                    double ended_vz[LANES_WIDTH];
-                    lanes_store(ended_vz, vz);
-                    double ended_which[LANES_WIDTH];
-                    lanes_store(ended_which, which);
-                    double ended_wx[LANES_WIDTH];
-                    lanes_store(ended_wx, wx);
-                    double ended_wy[LANES_WIDTH];
-                    lanes_store(ended_wy, wy);
-                    double ended_wz[LANES_WIDTH];
-                    lanes_store(ended_wz, wz);
-                    double ended_x[LANES_WIDTH];
-                    lanes_store(ended_x, x);
-                    double ended_y[LANES_WIDTH];
-                    lanes_store(ended_y, y);
-                    double ended_z[LANES_WIDTH];
-                    lanes_store(ended_z, z);
-                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
-                        const int lane = LANES_LOWEST(bits);
-                        const size_t k = (size_t)ended_row[lane];
-                        lists->kept_clock[k] = ended_clock[lane];
-                        lists->kept_doubt[k] = ended_doubt[lane];
-                        lists->kept_dvx[k] = ended_dvx[lane];
-                        lists->kept_dvy[k] = ended_dvy[lane];
-                        lists->kept_dvz[k] = ended_dvz[lane];
-                        lists->kept_dwx[k] = ended_dwx[lane];
-                        lists->kept_dwy[k] = ended_dwy[lane];
-                        lists->kept_dwz[k] = ended_dwz[lane];
-                        lists->kept_dx[k] = ended_dx[lane];
-                        lists->kept_dy[k] = ended_dy[lane];
-                        lists->kept_dz[k] = ended_dz[lane];
-                        lists->kept_grip_lost[k] = ended_grip_lost[lane];
-                        lists->kept_late[k] = ended_late[lane];
-                        lists->kept_per_reach[k] = ended_per_reach[lane];
-                        lists->kept_position_error[k] = ended_position_error[lane];
-                        lists->kept_rests[k] = ended_rests[lane];
-                        lists->kept_rolling[k] = ended_rolling[lane];
-                        lists->kept_taut[k] = ended_taut[lane];
-                        lists->kept_taut_clock[k] = ended_taut_clock[lane];
-                        lists->kept_taut_rate[k] = ended_taut_rate[lane];
-                        lists->kept_through[k] = ended_through[lane];
-                        lists->kept_velocity_error[k] = ended_velocity_error[lane];
-                        lists->kept_vx[k] = ended_vx[lane];
-                        lists->kept_vy[k] = ended_vy[lane];
-                        lists->kept_vz[k] = ended_vz[lane];
-                        lists->kept_which[k] = ended_which[lane];
-                        lists->kept_wx[k] = ended_wx[lane];
-                        lists->kept_wy[k] = ended_wy[lane];
-                        lists->kept_wz[k] = ended_wz[lane];
-                        lists->kept_x[k] = ended_x[lane];
-                        lists->kept_y[k] = ended_y[lane];
-                        lists->kept_z[k] = ended_z[lane];
-                    }
-                    busy -= lanes_many(ended);
-                    active = lanes_both(active, lanes_not(ended));
-                }
-            }
-        }
-        }
-        for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(kept_shots - i);
-            V clock_error = lanes_load(lists->kept_clock_error + i);
-            V doubt = lanes_load(lists->kept_doubt + i);
-            V dvx = lanes_load(lists->kept_dvx + i);
-            V dvy = lanes_load(lists->kept_dvy + i);
-            V dvz = lanes_load(lists->kept_dvz + i);
-            V dwx = lanes_load(lists->kept_dwx + i);
-            V dwy = lanes_load(lists->kept_dwy + i);
-            V dwz = lanes_load(lists->kept_dwz + i);
-            V dx = lanes_load(lists->kept_dx + i);
-            V dy = lanes_load(lists->kept_dy + i);
-            V dz = lanes_load(lists->kept_dz + i);
-            V held = lanes_load(lists->kept_held + i);
-            M leaves = lanes_less(K(0.0), lanes_load(lists->kept_leaves + i));
-            V lift = lanes_load(lists->kept_lift + i);
-            const V p_ball_radius = lanes_load(varying ? lists->kept_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_bottom = lanes_load(varying ? lists->kept_p_board_bottom + i : lists->p_board_bottom);
-            const V p_board_distance = lanes_load(varying ? lists->kept_p_board_distance + i : lists->p_board_distance);
-            const V p_board_half_width = lanes_load(varying ? lists->kept_p_board_half_width + i : lists->p_board_half_width);
-            const V p_board_thickness = lanes_load(varying ? lists->kept_p_board_thickness + i : lists->p_board_thickness);
-            const V p_board_top = lanes_load(varying ? lists->kept_p_board_top + i : lists->p_board_top);
-            const V p_bridge_depth = lanes_load(varying ? lists->kept_p_bridge_depth + i : lists->p_bridge_depth);
-            const V p_bridge_half_width = lanes_load(varying ? lists->kept_p_bridge_half_width + i : lists->p_bridge_half_width);
-            const V p_end_depth = lanes_load(varying ? lists->kept_p_end_depth + i : lists->p_end_depth);
-            const V p_gravity = lanes_load(varying ? lists->kept_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
-            V per_reach = lanes_load(lists->kept_per_reach + i);
-            V position_error = lanes_load(lists->kept_position_error + i);
-            V snap = lanes_load(lists->kept_snap + i);
-            V surge = lanes_load(lists->kept_surge + i);
-            V velocity_error = lanes_load(lists->kept_velocity_error + i);
-            V vx = lanes_load(lists->kept_vx + i);
-            V vy = lanes_load(lists->kept_vy + i);
-            V vz = lanes_load(lists->kept_vz + i);
-            V when = lanes_load(lists->kept_when + i);
-            V which = lanes_load(lists->kept_which + i);
-            V x = lanes_load(lists->kept_x + i);
-            V y = lanes_load(lists->kept_y + i);
-            V z = lanes_load(lists->kept_z + i);
-            const M _m301 = lanes_both(rows, leaves);
-            if (lanes_any(_m301)) {
-                const LANES(court_error_bounds_out) _o302 =
-                    LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_error = lanes_select(_m301, _o302.position_error, position_error);
-                velocity_error = lanes_select(_m301, _o302.velocity_error, velocity_error);
-                const LANES(court_holding_out) _o303 =
-                    LANES(court_holding)(held, K(0.0));
-                M here = _o303.here;
-                const M _m304 = lanes_both(_m301, here);
-                if (lanes_any(_m304)) {
-                    const LANES(court_ring_tube_out) _o305 =
-                        LANES(court_ring_tube)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    per_reach = lanes_select(_m304, _o305.per_reach, per_reach);
-                    const LANES(court_ring_parting_out) _o306 =
-                        LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                    lift = lanes_select(_m304, _o306.lift, lift);
-                    surge = lanes_select(_m304, _o306.surge, surge);
-                    snap = lanes_select(_m304, _o306.snap, snap);
-                }
-                const LANES(court_holding_out) _o307 =
-                    LANES(court_holding)(held, K(1.0));
-                here = _o307.here;
-                const M _m308 = lanes_both(_m301, here);
-                if (lanes_any(_m308)) {
-                    const LANES(court_backboard_tube_out) _o309 =
-                        LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    per_reach = lanes_select(_m308, _o309.per_reach, per_reach);
-                    const LANES(court_backboard_parting_out) _o310 =
-                        LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                    lift = lanes_select(_m308, _o310.lift, lift);
-                    surge = lanes_select(_m308, _o310.surge, surge);
-                    snap = lanes_select(_m308, _o310.snap, snap);
-                }
-                const LANES(court_holding_out) _o311 =
-                    LANES(court_holding)(held, K(2.0));
-                here = _o311.here;
-                const M _m312 = lanes_both(_m301, here);
-                if (lanes_any(_m312)) {
-                    const LANES(court_bridge_tube_out) _o313 =
-                        LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    per_reach = lanes_select(_m312, _o313.per_reach, per_reach);
-                    const LANES(court_bridge_parting_out) _o314 =
-                        LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    lift = lanes_select(_m312, _o314.lift, lift);
-                    surge = lanes_select(_m312, _o314.surge, surge);
-                    snap = lanes_select(_m312, _o314.snap, snap);
-                }
-                const LANES(court_alone_out) _o315 =
-                    LANES(court_alone)();
-                V nearest = _o315.nearest;
-                const LANES(court_beside_out) _o316 =
-                    LANES(court_beside)(held, K(0.0));
-                M beside = _o316.beside;
-                const M _m317 = lanes_both(_m301, beside);
-                if (lanes_any(_m317)) {
-                    const LANES(court_ring_beside_out) _o318 =
-                        LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o318.gap;
-                    const LANES(court_neared_out) _o319 =
-                        LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m317, _o319.nearest, nearest);
-                }
-                const LANES(court_beside_out) _o320 =
-                    LANES(court_beside)(held, K(1.0));
-                beside = _o320.beside;
-                const M _m321 = lanes_both(_m301, beside);
-                if (lanes_any(_m321)) {
-                    const LANES(court_backboard_beside_out) _o322 =
-                        LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                    V gap = _o322.gap;
-                    const LANES(court_neared_out) _o323 =
-                        LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m321, _o323.nearest, nearest);
-                }
-                const LANES(court_beside_out) _o324 =
-                    LANES(court_beside)(held, K(2.0));
-                beside = _o324.beside;
-                const M _m325 = lanes_both(_m301, beside);
-                if (lanes_any(_m325)) {
-                    const LANES(court_bridge_beside_out) _o326 =
-                        LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                    V gap = _o326.gap;
-                    const LANES(court_neared_out) _o327 =
-                        LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m325, _o327.nearest, nearest);
-                }
-                const LANES(court_beside_out) _o328 =
-                    LANES(court_beside)(held, K(3.0));
-                beside = _o328.beside;
-                const M _m329 = lanes_both(_m301, beside);
-                {
-                    const LANES(court_end_beside_out) _o330 =
-                        LANES(court_end_beside)(p_end_depth, vz, z);
-                    V gap = _o330.gap;
-                    const LANES(court_neared_out) _o331 =
-                        LANES(court_neared)(gap, nearest);
-                    nearest = lanes_select(_m329, _o331.nearest, nearest);
-                }
-                const LANES(court_parted_out) _o332 =
-                    LANES(court_parted)(doubt, p_gravity, lift, nearest, per_reach, position_error, snap, surge, velocity_error, vx, vy, vz);
-                when = lanes_select(_m301, _o332.when, when);
-                doubt = lanes_select(_m301, _o332.doubt, doubt);
-                const LANES(court_hopping_out) _o333 =
-                    LANES(court_hopping)();
-                which = lanes_select(_m301, _o333.which, which);
-            }
-            lanes_store(lists->kept_doubt + i, doubt);
-            lanes_store(lists->kept_position_error + i, position_error);
-            lanes_store(lists->kept_velocity_error + i, velocity_error);
-            lanes_store(lists->kept_when + i, when);
-            lanes_store(lists->kept_which + i, which);
-        }
+        if (kept_shots)
+            LANES(court_bounded_kept)(lists, kept_shots, varying, time_limit);
         for (size_t k = 0; k < kept_shots; k++) {
             const size_t row = (size_t)lists->kept_row[k];
             lists->began[row] = lists->kept_began[k];
+            lists->circled[row] = lists->kept_circled[k];
             lists->clock[row] = lists->kept_clock[k];
             lists->doubt[row] = lists->kept_doubt[k];
             lists->dvx[row] = lists->kept_dvx[k];
@@ -7801,90 +8790,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o334 =
+            const LANES(court_departed_out) _o381 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o334.moves;
-            M ends = _o334.ends;
-            M touches = _o334.touches;
-            V reached = _o334.reached;
-            M edge = _o334.edge;
-            const LANES(court_body_of_out) _o335 =
+            M moves = _o381.moves;
+            M ends = _o381.ends;
+            M touches = _o381.touches;
+            V reached = _o381.reached;
+            M edge = _o381.edge;
+            const LANES(court_body_of_out) _o382 =
                 LANES(court_body_of)(which);
-            V body = _o335.body;
-            const M _m336 = lanes_both(rows, moves);
-            if (lanes_any(_m336)) {
-                const LANES(court_passing_doubt_out) _o337 =
+            V body = _o382.body;
+            const M _m383 = lanes_both(rows, moves);
+            if (lanes_any(_m383)) {
+                const LANES(court_passing_doubt_out) _o384 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o337.unsure;
-                const LANES(court_undecided_out) _o338 =
+                M unsure = _o384.unsure;
+                const LANES(court_undecided_out) _o385 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m336, _o338.uncertain, uncertain);
-                const LANES(court_passing_out) _o339 =
+                uncertain = lanes_select(_m383, _o385.uncertain, uncertain);
+                const LANES(court_passing_out) _o386 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m336, _o339.through, through);
-                const LANES(court_flight_out) _o340 =
+                through = lanes_select(_m383, _o386.through, through);
+                const LANES(court_flight_out) _o387 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m336, _o340.x, x);
-                y = lanes_select(_m336, _o340.y, y);
-                z = lanes_select(_m336, _o340.z, z);
-                vx = lanes_select(_m336, _o340.vx, vx);
-                vy = lanes_select(_m336, _o340.vy, vy);
-                vz = lanes_select(_m336, _o340.vz, vz);
-                const LANES(court_ticked_out) _o341 =
+                x = lanes_select(_m383, _o387.x, x);
+                y = lanes_select(_m383, _o387.y, y);
+                z = lanes_select(_m383, _o387.z, z);
+                vx = lanes_select(_m383, _o387.vx, vx);
+                vy = lanes_select(_m383, _o387.vy, vy);
+                vz = lanes_select(_m383, _o387.vz, vz);
+                const LANES(court_ticked_out) _o388 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m336, _o341.clock, clock);
+                clock = lanes_select(_m383, _o388.clock, clock);
             }
-            const M _m342 = lanes_both(rows, limited);
-            if (lanes_any(_m342)) {
-                const LANES(court_expired_out) _o343 =
+            const M _m389 = lanes_both(rows, limited);
+            if (lanes_any(_m389)) {
+                const LANES(court_expired_out) _o390 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m342, _o343.clock, clock);
-                body = lanes_select(_m342, _o343.body, body);
-                reached = lanes_select(_m342, _o343.reached, reached);
-                ends = lanes_choose(_m342, _o343.ends, ends);
+                clock = lanes_select(_m389, _o390.clock, clock);
+                body = lanes_select(_m389, _o390.body, body);
+                reached = lanes_select(_m389, _o390.reached, reached);
+                ends = lanes_choose(_m389, _o390.ends, ends);
             }
-            const LANES(court_unhopped_out) _o344 =
+            const LANES(court_unhopped_out) _o391 =
                 LANES(court_unhopped)();
-            M hopped = _o344.hopped;
-            const M _m345 = lanes_both(rows, kept);
-            if (lanes_any(_m345)) {
-                const LANES(court_kept_on_out) _o346 =
+            M hopped = _o391.hopped;
+            const M _m392 = lanes_both(rows, kept);
+            if (lanes_any(_m392)) {
+                const LANES(court_kept_on_out) _o393 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m345, _o346.body, body);
-                reached = lanes_select(_m345, _o346.reached, reached);
-                doubt = lanes_select(_m345, _o346.doubt, doubt);
-                ends = lanes_choose(_m345, _o346.ends, ends);
-                hopped = lanes_choose(_m345, _o346.hopped, hopped);
-                last = lanes_select(_m345, _o346.last, last);
-                mode = lanes_select(_m345, _o346.mode, mode);
-                held = lanes_select(_m345, _o346.held, held);
-                rolls = lanes_select(_m345, _o346.rolls, rolls);
+                body = lanes_select(_m392, _o393.body, body);
+                reached = lanes_select(_m392, _o393.reached, reached);
+                doubt = lanes_select(_m392, _o393.doubt, doubt);
+                ends = lanes_choose(_m392, _o393.ends, ends);
+                hopped = lanes_choose(_m392, _o393.hopped, hopped);
+                last = lanes_select(_m392, _o393.last, last);
+                mode = lanes_select(_m392, _o393.mode, mode);
+                held = lanes_select(_m392, _o393.held, held);
+                rolls = lanes_select(_m392, _o393.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o347 =
+            const LANES(court_displacement_out) _o394 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o347.margin;
-            const LANES(court_here_out) _o348 =
+            V slack = _o394.margin;
+            const LANES(court_here_out) _o395 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o348.here;
-            const M _m349 = lanes_both(rows, here);
+            M here = _o395.here;
+            const M _m396 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o350 =
+                const LANES(court_end_bounds_out) _o397 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o350.g0;
-                const LANES(court_end_reached_out) _o351 =
+                V g0 = _o397.g0;
+                const LANES(court_end_reached_out) _o398 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m349, _o351.reached, reached);
-                const LANES(court_end_edge_out) _o352 =
+                reached = lanes_select(_m396, _o398.reached, reached);
+                const LANES(court_end_edge_out) _o399 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m349, _o352.edge, edge);
+                edge = lanes_choose(_m396, _o399.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o353 =
+            const LANES(court_doubted_in_contact_out) _o400 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o353.uncertain;
-            const LANES(court_accounted_out) _o354 =
+            uncertain = _o400.uncertain;
+            const LANES(court_accounted_out) _o401 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o354.contacts;
-            V outcome = _o354.outcome;
+            contacts = _o401.contacts;
+            V outcome = _o401.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -7897,459 +8886,459 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o355 =
+            const LANES(court_meeting_out) _o402 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o355.meeting;
-            const M _m356 = lanes_both(rows, meeting);
-            if (lanes_any(_m356)) {
-                const LANES(court_end_normal_out) _o357 =
+            M meeting = _o402.meeting;
+            const M _m403 = lanes_both(rows, meeting);
+            if (lanes_any(_m403)) {
+                const LANES(court_end_normal_out) _o404 =
                     LANES(court_end_normal)();
-                V nx = _o357.nx;
-                V ny = _o357.ny;
-                V nz = _o357.nz;
-                const LANES(court_here_out) _o358 =
+                V nx = _o404.nx;
+                V ny = _o404.ny;
+                V nz = _o404.nz;
+                const LANES(court_here_out) _o405 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o358.here;
-                const M _m359 = lanes_both(_m356, here);
+                M here = _o405.here;
+                const M _m406 = lanes_both(_m403, here);
                 {
-                    const LANES(court_ring_normal_out) _o360 =
+                    const LANES(court_ring_normal_out) _o407 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m359, _o360.nx, nx);
-                    ny = lanes_select(_m359, _o360.ny, ny);
-                    nz = lanes_select(_m359, _o360.nz, nz);
-                    const LANES(court_counted_out) _o361 =
+                    nx = lanes_select(_m406, _o407.nx, nx);
+                    ny = lanes_select(_m406, _o407.ny, ny);
+                    nz = lanes_select(_m406, _o407.nz, nz);
+                    const LANES(court_counted_out) _o408 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m359, _o361.count, count_0);
+                    count_0 = lanes_select(_m406, _o408.count, count_0);
                 }
-                const LANES(court_here_out) _o362 =
+                const LANES(court_here_out) _o409 =
                     LANES(court_here)(K(1.0), which);
-                here = _o362.here;
-                const M _m363 = lanes_both(_m356, here);
+                here = _o409.here;
+                const M _m410 = lanes_both(_m403, here);
                 {
-                    const LANES(court_backboard_normal_out) _o364 =
+                    const LANES(court_backboard_normal_out) _o411 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m363, _o364.nx, nx);
-                    ny = lanes_select(_m363, _o364.ny, ny);
-                    nz = lanes_select(_m363, _o364.nz, nz);
-                    const LANES(court_counted_out) _o365 =
+                    nx = lanes_select(_m410, _o411.nx, nx);
+                    ny = lanes_select(_m410, _o411.ny, ny);
+                    nz = lanes_select(_m410, _o411.nz, nz);
+                    const LANES(court_counted_out) _o412 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m363, _o365.count, count_1);
+                    count_1 = lanes_select(_m410, _o412.count, count_1);
                 }
-                const LANES(court_here_out) _o366 =
+                const LANES(court_here_out) _o413 =
                     LANES(court_here)(K(2.0), which);
-                here = _o366.here;
-                const M _m367 = lanes_both(_m356, here);
+                here = _o413.here;
+                const M _m414 = lanes_both(_m403, here);
                 {
-                    const LANES(court_bridge_normal_out) _o368 =
+                    const LANES(court_bridge_normal_out) _o415 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m367, _o368.nx, nx);
-                    ny = lanes_select(_m367, _o368.ny, ny);
-                    nz = lanes_select(_m367, _o368.nz, nz);
-                    const LANES(court_counted_out) _o369 =
+                    nx = lanes_select(_m414, _o415.nx, nx);
+                    ny = lanes_select(_m414, _o415.ny, ny);
+                    nz = lanes_select(_m414, _o415.nz, nz);
+                    const LANES(court_counted_out) _o416 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m367, _o369.count, count_2);
+                    count_2 = lanes_select(_m414, _o416.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o370 =
+                const LANES(court_elsewhere_out) _o417 =
                     LANES(court_elsewhere)();
-                V curving = _o370.curving;
-                const LANES(court_again_out) _o371 =
+                V curving = _o417.curving;
+                const LANES(court_again_out) _o418 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o371.again;
-                const M _m372 = lanes_both(_m356, again);
+                M again = _o418.again;
+                const M _m419 = lanes_both(_m403, again);
                 {
-                    const LANES(court_ring_curvature_out) _o373 =
+                    const LANES(court_ring_curvature_out) _o420 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m372, _o373.curvature, curving);
+                    curving = lanes_select(_m419, _o420.curvature, curving);
                 }
-                const LANES(court_again_out) _o374 =
+                const LANES(court_again_out) _o421 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o374.again;
-                const M _m375 = lanes_both(_m356, again);
+                again = _o421.again;
+                const M _m422 = lanes_both(_m403, again);
                 {
-                    const LANES(court_backboard_curvature_out) _o376 =
+                    const LANES(court_backboard_curvature_out) _o423 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m375, _o376.curvature, curving);
+                    curving = lanes_select(_m422, _o423.curvature, curving);
                 }
-                const LANES(court_again_out) _o377 =
+                const LANES(court_again_out) _o424 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o377.again;
-                const M _m378 = lanes_both(_m356, again);
+                again = _o424.again;
+                const M _m425 = lanes_both(_m403, again);
                 {
-                    const LANES(court_bridge_curvature_out) _o379 =
+                    const LANES(court_bridge_curvature_out) _o426 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m378, _o379.curvature, curving);
+                    curving = lanes_select(_m425, _o426.curvature, curving);
                 }
-                const LANES(court_carry_flight_out) _o380 =
+                const LANES(court_carry_flight_out) _o427 =
                     LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m356, _o380.dx, dx);
-                dy = lanes_select(_m356, _o380.dy, dy);
-                dz = lanes_select(_m356, _o380.dz, dz);
-                dvx = lanes_select(_m356, _o380.dvx, dvx);
-                dvy = lanes_select(_m356, _o380.dvy, dvy);
-                dvz = lanes_select(_m356, _o380.dvz, dvz);
-                V delay = _o380.delay;
-                V shift = _o380.shift;
-                const LANES(court_delayed_out) _o381 =
+                dx = lanes_select(_m403, _o427.dx, dx);
+                dy = lanes_select(_m403, _o427.dy, dy);
+                dz = lanes_select(_m403, _o427.dz, dz);
+                dvx = lanes_select(_m403, _o427.dvx, dvx);
+                dvy = lanes_select(_m403, _o427.dvy, dvy);
+                dvz = lanes_select(_m403, _o427.dvz, dvz);
+                V delay = _o427.delay;
+                V shift = _o427.shift;
+                const LANES(court_delayed_out) _o428 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m356, _o381.clock_error, clock_error);
-                const M _m382 = lanes_both(_m356, ends);
+                clock_error = lanes_select(_m403, _o428.clock_error, clock_error);
+                const M _m429 = lanes_both(_m403, ends);
                 {
-                    const LANES(court_floored_out) _o383 =
+                    const LANES(court_floored_out) _o430 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m382, _o383.dx, dx);
-                    dy = lanes_select(_m382, _o383.dy, dy);
-                    dz = lanes_select(_m382, _o383.dz, dz);
+                    dx = lanes_select(_m429, _o430.dx, dx);
+                    dy = lanes_select(_m429, _o430.dy, dy);
+                    dz = lanes_select(_m429, _o430.dz, dz);
                 }
-                const LANES(court_unturned_out) _o384 =
+                const LANES(court_unturned_out) _o431 =
                     LANES(court_unturned)();
-                V dnx = _o384.dnx;
-                V dny = _o384.dny;
-                V dnz = _o384.dnz;
-                V turn = _o384.turn;
-                const LANES(court_here_out) _o385 =
+                V dnx = _o431.dnx;
+                V dny = _o431.dny;
+                V dnz = _o431.dnz;
+                V turn = _o431.turn;
+                const LANES(court_here_out) _o432 =
                     LANES(court_here)(K(0.0), which);
-                here = _o385.here;
-                const M _m386 = lanes_both(_m356, here);
-                if (lanes_any(_m386)) {
-                    const LANES(court_ring_carry_normal_out) _o387 =
+                here = _o432.here;
+                const M _m433 = lanes_both(_m403, here);
+                if (lanes_any(_m433)) {
+                    const LANES(court_ring_carry_normal_out) _o434 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m386, _o387.dnx, dnx);
-                    dny = lanes_select(_m386, _o387.dny, dny);
-                    dnz = lanes_select(_m386, _o387.dnz, dnz);
-                    turn = lanes_select(_m386, _o387.turn, turn);
+                    dnx = lanes_select(_m433, _o434.dnx, dnx);
+                    dny = lanes_select(_m433, _o434.dny, dny);
+                    dnz = lanes_select(_m433, _o434.dnz, dnz);
+                    turn = lanes_select(_m433, _o434.turn, turn);
                 }
-                const LANES(court_here_out) _o388 =
+                const LANES(court_here_out) _o435 =
                     LANES(court_here)(K(1.0), which);
-                here = _o388.here;
-                const M _m389 = lanes_both(_m356, here);
+                here = _o435.here;
+                const M _m436 = lanes_both(_m403, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o390 =
+                    const LANES(court_backboard_carry_normal_out) _o437 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m389, _o390.dnx, dnx);
-                    dny = lanes_select(_m389, _o390.dny, dny);
-                    dnz = lanes_select(_m389, _o390.dnz, dnz);
-                    turn = lanes_select(_m389, _o390.turn, turn);
+                    dnx = lanes_select(_m436, _o437.dnx, dnx);
+                    dny = lanes_select(_m436, _o437.dny, dny);
+                    dnz = lanes_select(_m436, _o437.dnz, dnz);
+                    turn = lanes_select(_m436, _o437.turn, turn);
                 }
-                const LANES(court_here_out) _o391 =
+                const LANES(court_here_out) _o438 =
                     LANES(court_here)(K(2.0), which);
-                here = _o391.here;
-                const M _m392 = lanes_both(_m356, here);
+                here = _o438.here;
+                const M _m439 = lanes_both(_m403, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o393 =
+                    const LANES(court_bridge_carry_normal_out) _o440 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m392, _o393.dnx, dnx);
-                    dny = lanes_select(_m392, _o393.dny, dny);
-                    dnz = lanes_select(_m392, _o393.dnz, dnz);
-                    turn = lanes_select(_m392, _o393.turn, turn);
+                    dnx = lanes_select(_m439, _o440.dnx, dnx);
+                    dny = lanes_select(_m439, _o440.dny, dny);
+                    dnz = lanes_select(_m439, _o440.dnz, dnz);
+                    turn = lanes_select(_m439, _o440.turn, turn);
                 }
                 {
-                    const double *const _t395[][2] = {
+                    const double *const _t442[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t396[][1] = {
+                    static const double _t443[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k394 = 0; _k394 < 3; _k394++) {
-                        const V own_1 = lanes_load(_t395[_k394][0] + (i & varying));
-                        const V own_2 = lanes_load(_t395[_k394][1] + (i & varying));
-                        const V own_index = K(_t396[_k394][0]);
-                        const LANES(court_here_out) _o397 =
+                    for (size_t _k441 = 0; _k441 < 3; _k441++) {
+                        const V own_1 = lanes_load(_t442[_k441][0] + (i & varying));
+                        const V own_2 = lanes_load(_t442[_k441][1] + (i & varying));
+                        const V own_index = K(_t443[_k441][0]);
+                        const LANES(court_here_out) _o444 =
                             LANES(court_here)(own_index, which);
-                        M here = _o397.here;
-                        const M _m398 = lanes_both(_m356, here);
-                        if (lanes_any(_m398)) {
-                            const LANES(court_ring_impact_doubt_out) _o399 =
+                        M here = _o444.here;
+                        const M _m445 = lanes_both(_m403, here);
+                        if (lanes_any(_m445)) {
+                            const LANES(court_ring_impact_doubt_out) _o446 =
                                 LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            M unsure = _o399.unsure;
-                            const LANES(court_undecided_out) _o400 =
+                            M unsure = _o446.unsure;
+                            const LANES(court_undecided_out) _o447 =
                                 LANES(court_undecided)(uncertain, unsure);
-                            uncertain = lanes_select(_m398, _o400.uncertain, uncertain);
-                            const LANES(court_carry_ring_impact_out) _o401 =
+                            uncertain = lanes_select(_m445, _o447.uncertain, uncertain);
+                            const LANES(court_carry_ring_impact_out) _o448 =
                                 LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            dvx = lanes_select(_m398, _o401.dvx, dvx);
-                            dvy = lanes_select(_m398, _o401.dvy, dvy);
-                            dvz = lanes_select(_m398, _o401.dvz, dvz);
-                            dwx = lanes_select(_m398, _o401.dwx, dwx);
-                            dwy = lanes_select(_m398, _o401.dwy, dwy);
-                            dwz = lanes_select(_m398, _o401.dwz, dwz);
-                            const LANES(court_ring_impact_out) _o402 =
+                            dvx = lanes_select(_m445, _o448.dvx, dvx);
+                            dvy = lanes_select(_m445, _o448.dvy, dvy);
+                            dvz = lanes_select(_m445, _o448.dvz, dvz);
+                            dwx = lanes_select(_m445, _o448.dwx, dwx);
+                            dwy = lanes_select(_m445, _o448.dwy, dwy);
+                            dwz = lanes_select(_m445, _o448.dwz, dwz);
+                            const LANES(court_ring_impact_out) _o449 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m398, _o402.vx, vx);
-                            vy = lanes_select(_m398, _o402.vy, vy);
-                            vz = lanes_select(_m398, _o402.vz, vz);
-                            wx = lanes_select(_m398, _o402.wx, wx);
-                            wy = lanes_select(_m398, _o402.wy, wy);
-                            wz = lanes_select(_m398, _o402.wz, wz);
+                            vx = lanes_select(_m445, _o449.vx, vx);
+                            vy = lanes_select(_m445, _o449.vy, vy);
+                            vz = lanes_select(_m445, _o449.vz, vz);
+                            wx = lanes_select(_m445, _o449.wx, wx);
+                            wy = lanes_select(_m445, _o449.wy, wy);
+                            wz = lanes_select(_m445, _o449.wz, wz);
                         }
                     }
                 }
-                const M _m403 = lanes_both(_m356, touches);
+                const M _m450 = lanes_both(_m403, touches);
                 {
-                    const LANES(court_touched_out) _o404 =
+                    const LANES(court_touched_out) _o451 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m403, _o404.first, first);
-                    last = lanes_select(_m403, _o404.last, last);
+                    first = lanes_select(_m450, _o451.first, first);
+                    last = lanes_select(_m450, _o451.last, last);
                 }
-                const M _m405 = lanes_both(_m356, touches);
-                if (lanes_any(_m405)) {
-                    const LANES(court_slowed_out) _o406 =
+                const M _m452 = lanes_both(_m403, touches);
+                if (lanes_any(_m452)) {
+                    const LANES(court_slowed_out) _o453 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o406.slow;
-                    assured = lanes_select(_m405, _o406.assured, assured);
-                    const M _m407 = lanes_both(_m405, slow);
-                    if (lanes_any(_m407)) {
-                        const LANES(court_gripped_out) _o408 =
+                    M slow = _o453.slow;
+                    assured = lanes_select(_m452, _o453.assured, assured);
+                    const M _m454 = lanes_both(_m452, slow);
+                    if (lanes_any(_m454)) {
+                        const LANES(court_gripped_out) _o455 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o408.rolled_x;
-                        V rolled_y = _o408.rolled_y;
-                        V rolled_z = _o408.rolled_z;
-                        V slip = _o408.slip;
-                        V bounce = _o408.bounce;
-                        const LANES(court_here_out) _o409 =
+                        V rolled_x = _o455.rolled_x;
+                        V rolled_y = _o455.rolled_y;
+                        V rolled_z = _o455.rolled_z;
+                        V slip = _o455.slip;
+                        V bounce = _o455.bounce;
+                        const LANES(court_here_out) _o456 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o409.here;
-                        const M _m410 = lanes_both(_m407, here);
-                        if (lanes_any(_m410)) {
-                            const LANES(court_ring_turning_out) _o411 =
+                        M here = _o456.here;
+                        const M _m457 = lanes_both(_m454, here);
+                        if (lanes_any(_m457)) {
+                            const LANES(court_ring_turning_out) _o458 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o411.turning_x;
-                            V turning_y = _o411.turning_y;
-                            V turning_z = _o411.turning_z;
-                            const LANES(court_pressed_on_out) _o412 =
+                            V turning_x = _o458.turning_x;
+                            V turning_y = _o458.turning_y;
+                            V turning_z = _o458.turning_z;
+                            const LANES(court_pressed_on_out) _o459 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o412.press;
-                            V weight = _o412.weight;
-                            V drag = _o412.drag;
-                            V thrust_x = _o412.thrust_x;
-                            V thrust_y = _o412.thrust_y;
-                            V thrust_z = _o412.thrust_z;
-                            const LANES(court_alone_out) _o413 =
+                            V press = _o459.press;
+                            V weight = _o459.weight;
+                            V drag = _o459.drag;
+                            V thrust_x = _o459.thrust_x;
+                            V thrust_y = _o459.thrust_y;
+                            V thrust_z = _o459.thrust_z;
+                            const LANES(court_alone_out) _o460 =
                                 LANES(court_alone)();
-                            V nearest = _o413.nearest;
-                            V wedge = _o413.wedge;
-                            const LANES(court_backboard_closing_out) _o414 =
+                            V nearest = _o460.nearest;
+                            V wedge = _o460.wedge;
+                            const LANES(court_backboard_closing_out) _o461 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o414.gap;
-                            V nearing = _o414.nearing;
-                            V swerve = _o414.swerve;
-                            V facing = _o414.facing;
-                            const LANES(court_neared_body_out) _o415 =
+                            V gap = _o461.gap;
+                            V nearing = _o461.nearing;
+                            V swerve = _o461.swerve;
+                            V facing = _o461.facing;
+                            const LANES(court_neared_body_out) _o462 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o415.nearest;
-                            wedge = _o415.wedge;
-                            const LANES(court_bridge_closing_out) _o416 =
+                            nearest = _o462.nearest;
+                            wedge = _o462.wedge;
+                            const LANES(court_bridge_closing_out) _o463 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o416.gap;
-                            nearing = _o416.nearing;
-                            swerve = _o416.swerve;
-                            facing = _o416.facing;
-                            const LANES(court_neared_body_out) _o417 =
+                            gap = _o463.gap;
+                            nearing = _o463.nearing;
+                            swerve = _o463.swerve;
+                            facing = _o463.facing;
+                            const LANES(court_neared_body_out) _o464 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o417.nearest;
-                            wedge = _o417.wedge;
-                            const LANES(court_end_beside_out) _o418 =
+                            nearest = _o464.nearest;
+                            wedge = _o464.wedge;
+                            const LANES(court_end_beside_out) _o465 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o418.gap;
-                            const LANES(court_neared_out) _o419 =
+                            gap = _o465.gap;
+                            const LANES(court_neared_out) _o466 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o419.nearest;
-                            const LANES(court_ring_parting_out) _o420 =
+                            nearest = _o466.nearest;
+                            const LANES(court_ring_parting_out) _o467 =
                                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o420.lift;
-                            const LANES(court_ring_impact_settling_out) _o421 =
+                            V lift = _o467.lift;
+                            const LANES(court_ring_impact_settling_out) _o468 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o421.settles;
-                            M lodges = _o421.lodges;
-                            M slides = _o421.slides;
-                            M parts = _o421.parts;
-                            assured = lanes_select(_m410, _o421.assured, assured);
-                            M unsure = _o421.unsure;
-                            const LANES(court_settled_out) _o422 =
+                            M settles = _o468.settles;
+                            M lodges = _o468.lodges;
+                            M slides = _o468.slides;
+                            M parts = _o468.parts;
+                            assured = lanes_select(_m457, _o468.assured, assured);
+                            M unsure = _o468.unsure;
+                            const LANES(court_settled_out) _o469 =
                                 LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m410, _o422.mode, mode);
-                            held = lanes_select(_m410, _o422.held, held);
-                            outcome = lanes_select(_m410, _o422.outcome, outcome);
-                            slip_left = lanes_select(_m410, _o422.slip_left, slip_left);
-                            uncertain = lanes_select(_m410, _o422.uncertain, uncertain);
+                            mode = lanes_select(_m457, _o469.mode, mode);
+                            held = lanes_select(_m457, _o469.held, held);
+                            outcome = lanes_select(_m457, _o469.outcome, outcome);
+                            slip_left = lanes_select(_m457, _o469.slip_left, slip_left);
+                            uncertain = lanes_select(_m457, _o469.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o423 =
+                        const LANES(court_here_out) _o470 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o423.here;
-                        const M _m424 = lanes_both(_m407, here);
-                        if (lanes_any(_m424)) {
-                            const LANES(court_backboard_turning_out) _o425 =
+                        here = _o470.here;
+                        const M _m471 = lanes_both(_m454, here);
+                        if (lanes_any(_m471)) {
+                            const LANES(court_backboard_turning_out) _o472 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o425.turning_x;
-                            V turning_y = _o425.turning_y;
-                            V turning_z = _o425.turning_z;
-                            const LANES(court_pressed_on_out) _o426 =
+                            V turning_x = _o472.turning_x;
+                            V turning_y = _o472.turning_y;
+                            V turning_z = _o472.turning_z;
+                            const LANES(court_pressed_on_out) _o473 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o426.press;
-                            V weight = _o426.weight;
-                            V drag = _o426.drag;
-                            V thrust_x = _o426.thrust_x;
-                            V thrust_y = _o426.thrust_y;
-                            V thrust_z = _o426.thrust_z;
-                            const LANES(court_alone_out) _o427 =
+                            V press = _o473.press;
+                            V weight = _o473.weight;
+                            V drag = _o473.drag;
+                            V thrust_x = _o473.thrust_x;
+                            V thrust_y = _o473.thrust_y;
+                            V thrust_z = _o473.thrust_z;
+                            const LANES(court_alone_out) _o474 =
                                 LANES(court_alone)();
-                            V nearest = _o427.nearest;
-                            V wedge = _o427.wedge;
-                            const LANES(court_ring_closing_out) _o428 =
+                            V nearest = _o474.nearest;
+                            V wedge = _o474.wedge;
+                            const LANES(court_ring_closing_out) _o475 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o428.gap;
-                            V nearing = _o428.nearing;
-                            V swerve = _o428.swerve;
-                            V facing = _o428.facing;
-                            const LANES(court_neared_body_out) _o429 =
+                            V gap = _o475.gap;
+                            V nearing = _o475.nearing;
+                            V swerve = _o475.swerve;
+                            V facing = _o475.facing;
+                            const LANES(court_neared_body_out) _o476 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o429.nearest;
-                            wedge = _o429.wedge;
-                            const LANES(court_bridge_closing_out) _o430 =
+                            nearest = _o476.nearest;
+                            wedge = _o476.wedge;
+                            const LANES(court_bridge_closing_out) _o477 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o430.gap;
-                            nearing = _o430.nearing;
-                            swerve = _o430.swerve;
-                            facing = _o430.facing;
-                            const LANES(court_neared_body_out) _o431 =
+                            gap = _o477.gap;
+                            nearing = _o477.nearing;
+                            swerve = _o477.swerve;
+                            facing = _o477.facing;
+                            const LANES(court_neared_body_out) _o478 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o431.nearest;
-                            wedge = _o431.wedge;
-                            const LANES(court_end_beside_out) _o432 =
+                            nearest = _o478.nearest;
+                            wedge = _o478.wedge;
+                            const LANES(court_end_beside_out) _o479 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o432.gap;
-                            const LANES(court_neared_out) _o433 =
+                            gap = _o479.gap;
+                            const LANES(court_neared_out) _o480 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o433.nearest;
-                            const LANES(court_backboard_parting_out) _o434 =
+                            nearest = _o480.nearest;
+                            const LANES(court_backboard_parting_out) _o481 =
                                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o434.lift;
-                            const LANES(court_ring_impact_settling_out) _o435 =
+                            V lift = _o481.lift;
+                            const LANES(court_ring_impact_settling_out) _o482 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o435.settles;
-                            M lodges = _o435.lodges;
-                            M slides = _o435.slides;
-                            M parts = _o435.parts;
-                            assured = lanes_select(_m424, _o435.assured, assured);
-                            M unsure = _o435.unsure;
-                            const LANES(court_settled_out) _o436 =
+                            M settles = _o482.settles;
+                            M lodges = _o482.lodges;
+                            M slides = _o482.slides;
+                            M parts = _o482.parts;
+                            assured = lanes_select(_m471, _o482.assured, assured);
+                            M unsure = _o482.unsure;
+                            const LANES(court_settled_out) _o483 =
                                 LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m424, _o436.mode, mode);
-                            held = lanes_select(_m424, _o436.held, held);
-                            outcome = lanes_select(_m424, _o436.outcome, outcome);
-                            slip_left = lanes_select(_m424, _o436.slip_left, slip_left);
-                            uncertain = lanes_select(_m424, _o436.uncertain, uncertain);
+                            mode = lanes_select(_m471, _o483.mode, mode);
+                            held = lanes_select(_m471, _o483.held, held);
+                            outcome = lanes_select(_m471, _o483.outcome, outcome);
+                            slip_left = lanes_select(_m471, _o483.slip_left, slip_left);
+                            uncertain = lanes_select(_m471, _o483.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o437 =
+                        const LANES(court_here_out) _o484 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o437.here;
-                        const M _m438 = lanes_both(_m407, here);
-                        if (lanes_any(_m438)) {
-                            const LANES(court_bridge_turning_out) _o439 =
+                        here = _o484.here;
+                        const M _m485 = lanes_both(_m454, here);
+                        if (lanes_any(_m485)) {
+                            const LANES(court_bridge_turning_out) _o486 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o439.turning_x;
-                            V turning_y = _o439.turning_y;
-                            V turning_z = _o439.turning_z;
-                            const LANES(court_pressed_on_out) _o440 =
+                            V turning_x = _o486.turning_x;
+                            V turning_y = _o486.turning_y;
+                            V turning_z = _o486.turning_z;
+                            const LANES(court_pressed_on_out) _o487 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o440.press;
-                            V weight = _o440.weight;
-                            V drag = _o440.drag;
-                            V thrust_x = _o440.thrust_x;
-                            V thrust_y = _o440.thrust_y;
-                            V thrust_z = _o440.thrust_z;
-                            const LANES(court_alone_out) _o441 =
+                            V press = _o487.press;
+                            V weight = _o487.weight;
+                            V drag = _o487.drag;
+                            V thrust_x = _o487.thrust_x;
+                            V thrust_y = _o487.thrust_y;
+                            V thrust_z = _o487.thrust_z;
+                            const LANES(court_alone_out) _o488 =
                                 LANES(court_alone)();
-                            V nearest = _o441.nearest;
-                            V wedge = _o441.wedge;
-                            const LANES(court_ring_closing_out) _o442 =
+                            V nearest = _o488.nearest;
+                            V wedge = _o488.wedge;
+                            const LANES(court_ring_closing_out) _o489 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o442.gap;
-                            V nearing = _o442.nearing;
-                            V swerve = _o442.swerve;
-                            V facing = _o442.facing;
-                            const LANES(court_neared_body_out) _o443 =
+                            V gap = _o489.gap;
+                            V nearing = _o489.nearing;
+                            V swerve = _o489.swerve;
+                            V facing = _o489.facing;
+                            const LANES(court_neared_body_out) _o490 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o443.nearest;
-                            wedge = _o443.wedge;
-                            const LANES(court_backboard_closing_out) _o444 =
+                            nearest = _o490.nearest;
+                            wedge = _o490.wedge;
+                            const LANES(court_backboard_closing_out) _o491 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o444.gap;
-                            nearing = _o444.nearing;
-                            swerve = _o444.swerve;
-                            facing = _o444.facing;
-                            const LANES(court_neared_body_out) _o445 =
+                            gap = _o491.gap;
+                            nearing = _o491.nearing;
+                            swerve = _o491.swerve;
+                            facing = _o491.facing;
+                            const LANES(court_neared_body_out) _o492 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o445.nearest;
-                            wedge = _o445.wedge;
-                            const LANES(court_end_beside_out) _o446 =
+                            nearest = _o492.nearest;
+                            wedge = _o492.wedge;
+                            const LANES(court_end_beside_out) _o493 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o446.gap;
-                            const LANES(court_neared_out) _o447 =
+                            gap = _o493.gap;
+                            const LANES(court_neared_out) _o494 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o447.nearest;
-                            const LANES(court_bridge_parting_out) _o448 =
+                            nearest = _o494.nearest;
+                            const LANES(court_bridge_parting_out) _o495 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o448.lift;
-                            const LANES(court_ring_impact_settling_out) _o449 =
+                            V lift = _o495.lift;
+                            const LANES(court_ring_impact_settling_out) _o496 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o449.settles;
-                            M lodges = _o449.lodges;
-                            M slides = _o449.slides;
-                            M parts = _o449.parts;
-                            assured = lanes_select(_m438, _o449.assured, assured);
-                            M unsure = _o449.unsure;
-                            const LANES(court_settled_out) _o450 =
+                            M settles = _o496.settles;
+                            M lodges = _o496.lodges;
+                            M slides = _o496.slides;
+                            M parts = _o496.parts;
+                            assured = lanes_select(_m485, _o496.assured, assured);
+                            M unsure = _o496.unsure;
+                            const LANES(court_settled_out) _o497 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m438, _o450.mode, mode);
-                            held = lanes_select(_m438, _o450.held, held);
-                            outcome = lanes_select(_m438, _o450.outcome, outcome);
-                            slip_left = lanes_select(_m438, _o450.slip_left, slip_left);
-                            uncertain = lanes_select(_m438, _o450.uncertain, uncertain);
+                            mode = lanes_select(_m485, _o497.mode, mode);
+                            held = lanes_select(_m485, _o497.held, held);
+                            outcome = lanes_select(_m485, _o497.outcome, outcome);
+                            slip_left = lanes_select(_m485, _o497.slip_left, slip_left);
+                            uncertain = lanes_select(_m485, _o497.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m451 = lanes_both(rows, limited);
-            if (lanes_any(_m451)) {
-                const LANES(court_timed_out) _o452 =
+            const M _m498 = lanes_both(rows, limited);
+            if (lanes_any(_m498)) {
+                const LANES(court_timed_out) _o499 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o452.timed;
-                const M _m453 = lanes_both(_m451, timed);
-                if (lanes_any(_m453)) {
-                    const LANES(court_carry_time_out) _o454 =
+                M timed = _o499.timed;
+                const M _m500 = lanes_both(_m498, timed);
+                if (lanes_any(_m500)) {
+                    const LANES(court_carry_time_out) _o501 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m453, _o454.dx, dx);
-                    dy = lanes_select(_m453, _o454.dy, dy);
-                    dz = lanes_select(_m453, _o454.dz, dz);
-                    dvx = lanes_select(_m453, _o454.dvx, dvx);
-                    dvy = lanes_select(_m453, _o454.dvy, dvy);
-                    dvz = lanes_select(_m453, _o454.dvz, dvz);
-                    clock_error = lanes_select(_m453, _o454.clock_error, clock_error);
+                    dx = lanes_select(_m500, _o501.dx, dx);
+                    dy = lanes_select(_m500, _o501.dy, dy);
+                    dz = lanes_select(_m500, _o501.dz, dz);
+                    dvx = lanes_select(_m500, _o501.dvx, dvx);
+                    dvy = lanes_select(_m500, _o501.dvy, dvy);
+                    dvz = lanes_select(_m500, _o501.dvz, dvz);
+                    clock_error = lanes_select(_m500, _o501.clock_error, clock_error);
                 }
             }
-            const M _m455 = lanes_both(rows, hopped);
-            if (lanes_any(_m455)) {
-                const LANES(court_carry_hop_out) _o456 =
+            const M _m502 = lanes_both(rows, hopped);
+            if (lanes_any(_m502)) {
+                const LANES(court_carry_hop_out) _o503 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m455, _o456.dx, dx);
-                dy = lanes_select(_m455, _o456.dy, dy);
-                dz = lanes_select(_m455, _o456.dz, dz);
+                dx = lanes_select(_m502, _o503.dx, dx);
+                dy = lanes_select(_m502, _o503.dy, dy);
+                dz = lanes_select(_m502, _o503.dz, dz);
             }
-            const LANES(court_closing_out) _o457 =
+            const LANES(court_closing_out) _o504 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o457.closed;
-            const M _m458 = lanes_both(rows, closed);
+            M closed = _o504.closed;
+            const M _m505 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o459 =
+                const LANES(court_claimed_errors_out) _o506 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m458, _o459.position_error, position_claim);
-                velocity_claim = lanes_select(_m458, _o459.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m458, _o459.spin_error, spin_claim);
-                time_claim = lanes_select(_m458, _o459.time_error, time_claim);
+                position_claim = lanes_select(_m505, _o506.position_error, position_claim);
+                velocity_claim = lanes_select(_m505, _o506.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m505, _o506.spin_error, spin_claim);
+                time_claim = lanes_select(_m505, _o506.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);

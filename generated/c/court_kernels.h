@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 47d312e35352038d,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 242f75b350b20aff,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -563,18 +563,6 @@ LANES(court_sooner)(M arrives, V index, V time, V when, V which)
     return (LANES(court_sooner_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
 }
 
-/* Where a surface is not certainly missed.
-   Table 1. 2 operations: 1 comparison, 1 complement. */
-typedef struct {
-    M open;
-} LANES(court_opens_out);
-
-LANES_INLINE LANES(court_opens_out)
-LANES(court_opens)(V clear)
-{
-    return (LANES(court_opens_out)){ lanes_not(lanes_less(K(0.0), clear)) };
-}
-
 /* How a search begins: with the errors that it allows for, and nothing found.
    Table 1. No operations. */
 typedef struct {
@@ -1045,11 +1033,75 @@ LANES(court_accounted)(V contacts, V most_contacts, V reached, M touches)
     return (LANES(court_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
 }
 
-/* The terms of order 1 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 59 operations: 8 additions, 8 subtractions, 40 multiplications, 3 negations. */
+/* Which of the balls in contact are on the ring.
+   Table 1. 4 operations: 1 comparison, 2 conjunctions, 1 complement. */
 typedef struct {
-    V across_0;
-    V round_0;
+    M circling;
+    M rolling;
+} LANES(court_circles_out);
+
+LANES_INLINE LANES(court_circles_out)
+LANES(court_circles)(V held, V index, M rolling)
+{
+    const M _s0 = lanes_equal(held, index);
+    return (LANES(court_circles_out)){ lanes_both(rolling, _s0), lanes_both(rolling, lanes_not(_s0)) };
+}
+
+/* From where half a step is looked over.
+   Table 1. 2 operations: 1 multiplication, 1 negation. */
+typedef struct {
+    V forth;
+    V back;
+} LANES(court_leaps_out);
+
+LANES_INLINE LANES(court_leaps_out)
+LANES(court_leaps)(V stride)
+{
+    const V _s0 = lanes_mul(K(0.5), stride);
+    return (LANES(court_leaps_out)){ _s0, lanes_neg(_s0) };
+}
+
+/* What is nearest.
+   tangents. 6 operations: 1 addition, 1 multiplication, 2 comparisons, 2 selections. */
+typedef struct {
+    V berth;
+} LANES(court_cleared_out);
+
+LANES_INLINE LANES(court_cleared_out)
+LANES(court_cleared)(V berth, V gap, V leap, V nearing)
+{
+    const V _s0 = lanes_mul(leap, nearing);
+    const V _s1 = lanes_add(gap, lanes_min(_s0, K(0.0)));
+    return (LANES(court_cleared_out)){ lanes_min(_s1, berth) };
+}
+
+/* That a ball rolls for ever ends its shot.
+   Table 1. 1 operation: 1 selection. */
+typedef struct {
+    V which;
+} LANES(court_for_ever_out);
+
+LANES_INLINE LANES(court_for_ever_out)
+LANES(court_for_ever)(M endless, V which)
+{
+    return (LANES(court_for_ever_out)){ lanes_select(endless, K(8.0), which) };
+}
+
+/* All that go on.
+   Table 1. 1 operation: 1 disjunction. */
+typedef struct {
+    M rolling;
+} LANES(court_rejoined_out);
+
+LANES_INLINE LANES(court_rejoined_out)
+LANES(court_rejoined)(M circling, M rolling)
+{
+    return (LANES(court_rejoined_out)){ lanes_either(rolling, circling) };
+}
+
+/* The terms of order 1 of a ball that rolls, from those before.
+   Newton, Euler and rolling without slip. 42 operations: 7 additions, 5 subtractions, 29 multiplications, 1 negation. */
+typedef struct {
     V lift_0;
     V tx_0;
     V ty_0;
@@ -1061,36 +1113,25 @@ typedef struct {
     V ny_1;
     V nz_1;
     V turn_rate_1;
-    V cos_1;
-    V sin_1;
-    V widened_1;
-    V near_1;
 } LANES(court_roll_0_out);
 
 LANES_INLINE LANES(court_roll_0_out)
-LANES(court_roll_0)(V bent_x, V bent_y, V bent_z, V cos_0, V p_gravity, V near_0, V nx_0, V ny_0, V nz_0, V per_reach, V ring, V sin_0, V turn_rate_0, V vx_0, V vy_0, V vz_0)
+LANES(court_roll_0)(V bent_x, V bent_y, V bent_z, V p_gravity, V nx_0, V ny_0, V nz_0, V per_reach, V turn_rate_0, V vx_0, V vy_0, V vz_0)
 {
-    const V _s0 = lanes_sub(lanes_mul(cos_0, vy_0), lanes_mul(sin_0, vx_0));
-    const V _s1 = lanes_mul(near_0, _s0);
-    const V _s2 = lanes_mul(K(0.6), p_gravity);
-    const V _s3 = lanes_neg(lanes_mul(sin_0, _s1));
-    const V _s4 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_0), lanes_mul(ring, _s3)));
-    const V _s5 = lanes_mul(cos_0, _s1);
-    const V _s6 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_0), lanes_mul(ring, _s5)));
-    const V _s7 = lanes_mul(lanes_mul(bent_z, per_reach), vz_0);
-    const V _s8 = lanes_sub(lanes_mul(_s2, nz_0), lanes_add(lanes_add(lanes_mul(vx_0, _s4), lanes_mul(vy_0, _s6)), lanes_mul(vz_0, _s7)));
-    const V _s9 = lanes_sub(lanes_mul(ny_0, _s7), lanes_mul(nz_0, _s6));
-    const V _s10 = lanes_sub(lanes_mul(nz_0, _s4), lanes_mul(nx_0, _s7));
-    const V _s11 = lanes_sub(lanes_mul(nx_0, _s6), lanes_mul(ny_0, _s4));
-    const V _s12 = lanes_add(lanes_mul(cos_0, vx_0), lanes_mul(sin_0, vy_0));
-    return (LANES(court_roll_0_out)){ _s0, _s1, _s8, _s9, _s10, _s11, lanes_add(lanes_mul(nx_0, _s8), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s9))), lanes_add(lanes_mul(ny_0, _s8), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s10))), lanes_sub(lanes_add(lanes_mul(nz_0, _s8), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s11))), _s2), _s4, _s6, _s7, lanes_neg(lanes_add(lanes_add(lanes_mul(vx_0, _s9), lanes_mul(vy_0, _s10)), lanes_mul(vz_0, _s11))), _s3, _s5, _s12, lanes_neg(lanes_mul(near_0, lanes_mul(near_0, _s12))) };
+    const V _s0 = lanes_mul(K(0.6), p_gravity);
+    const V _s1 = lanes_mul(lanes_mul(bent_x, per_reach), vx_0);
+    const V _s2 = lanes_mul(lanes_mul(bent_y, per_reach), vy_0);
+    const V _s3 = lanes_mul(lanes_mul(bent_z, per_reach), vz_0);
+    const V _s4 = lanes_sub(lanes_mul(_s0, nz_0), lanes_add(lanes_add(lanes_mul(vx_0, _s1), lanes_mul(vy_0, _s2)), lanes_mul(vz_0, _s3)));
+    const V _s5 = lanes_sub(lanes_mul(ny_0, _s3), lanes_mul(nz_0, _s2));
+    const V _s6 = lanes_sub(lanes_mul(nz_0, _s1), lanes_mul(nx_0, _s3));
+    const V _s7 = lanes_sub(lanes_mul(nx_0, _s2), lanes_mul(ny_0, _s1));
+    return (LANES(court_roll_0_out)){ _s4, _s5, _s6, _s7, lanes_add(lanes_mul(nx_0, _s4), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s5))), lanes_add(lanes_mul(ny_0, _s4), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s6))), lanes_sub(lanes_add(lanes_mul(nz_0, _s4), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s7))), _s0), _s1, _s2, _s3, lanes_neg(lanes_add(lanes_add(lanes_mul(vx_0, _s5), lanes_mul(vy_0, _s6)), lanes_mul(vz_0, _s7))) };
 }
 
 /* The terms of order 2 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 117 operations: 34 additions, 7 subtractions, 73 multiplications, 3 negations. */
+   Newton, Euler and rolling without slip. 81 operations: 25 additions, 4 subtractions, 51 multiplications, 1 negation. */
 typedef struct {
-    V across_1;
-    V round_1;
     V lift_1;
     V tx_1;
     V ty_1;
@@ -1102,39 +1143,28 @@ typedef struct {
     V ny_2;
     V nz_2;
     V turn_rate_2;
-    V cos_2;
-    V sin_2;
-    V widened_2;
-    V near_2;
 } LANES(court_roll_1_out);
 
 LANES_INLINE LANES(court_roll_1_out)
-LANES(court_roll_1)(V across_0, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V p_gravity, V lift_0, V near_0, V near_1, V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V per_reach, V ring, V round_0, V sin_0, V sin_1, V turn_rate_0, V turn_rate_1, V tx_0, V ty_0, V tz_0, V vx_0, V vx_1, V vy_0, V vy_1, V vz_0, V vz_1, V widened_1)
+LANES(court_roll_1)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V per_reach, V turn_rate_0, V turn_rate_1, V tx_0, V ty_0, V tz_0, V vx_0, V vx_1, V vy_0, V vy_1, V vz_0, V vz_1)
 {
-    const V _s0 = lanes_sub(lanes_add(lanes_mul(cos_0, vy_1), lanes_mul(cos_1, vy_0)), lanes_add(lanes_mul(sin_0, vx_1), lanes_mul(sin_1, vx_0)));
-    const V _s1 = lanes_add(lanes_mul(across_0, near_1), lanes_mul(near_0, _s0));
-    const V _s2 = lanes_neg(lanes_add(lanes_mul(round_0, sin_1), lanes_mul(sin_0, _s1)));
-    const V _s3 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_1), lanes_mul(ring, _s2)));
-    const V _s4 = lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, round_0));
-    const V _s5 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_1), lanes_mul(ring, _s4)));
-    const V _s6 = lanes_mul(lanes_mul(bent_z, per_reach), vz_1);
-    const V _s7 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_1), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_1), lanes_mul(vx_0, _s3)), lanes_add(lanes_mul(ny_1, vy_1), lanes_mul(vy_0, _s5))), lanes_add(lanes_mul(nz_1, vz_1), lanes_mul(vz_0, _s6))));
-    const V _s8 = lanes_mul(ny_1, nz_1);
-    const V _s9 = lanes_sub(lanes_add(lanes_mul(ny_0, _s6), _s8), lanes_add(_s8, lanes_mul(nz_0, _s5)));
-    const V _s10 = lanes_mul(nx_1, nz_1);
-    const V _s11 = lanes_sub(lanes_add(_s10, lanes_mul(nz_0, _s3)), lanes_add(lanes_mul(nx_0, _s6), _s10));
-    const V _s12 = lanes_mul(nx_1, ny_1);
-    const V _s13 = lanes_sub(lanes_add(lanes_mul(nx_0, _s5), _s12), lanes_add(_s12, lanes_mul(ny_0, _s3)));
-    const V _s14 = lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_1), lanes_mul(vx_0, _s9)), lanes_add(lanes_mul(ty_0, vy_1), lanes_mul(vy_0, _s11))), lanes_add(lanes_mul(tz_0, vz_1), lanes_mul(vz_0, _s13)))));
-    const V _s15 = lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(cos_0, vx_1), lanes_mul(cos_1, vx_0)), lanes_add(lanes_mul(sin_0, vy_1), lanes_mul(sin_1, vy_0))));
-    return (LANES(court_roll_1_out)){ _s0, _s1, _s7, _s9, _s11, _s13, lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, nx_1), lanes_mul(nx_0, _s7)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s9), lanes_mul(turn_rate_1, tx_0))))), lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, ny_1), lanes_mul(ny_0, _s7)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s11), lanes_mul(turn_rate_1, ty_0))))), lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, nz_1), lanes_mul(nz_0, _s7)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s13), lanes_mul(turn_rate_1, tz_0))))), lanes_mul(K(0.5), _s3), lanes_mul(K(0.5), _s5), lanes_mul(K(0.5), _s6), _s14, lanes_mul(K(0.5), _s2), lanes_mul(K(0.5), _s4), _s15, lanes_neg(lanes_mul(near_0, lanes_add(lanes_mul(near_0, _s15), lanes_mul(near_1, widened_1)))) };
+    const V _s0 = lanes_mul(lanes_mul(bent_x, per_reach), vx_1);
+    const V _s1 = lanes_mul(lanes_mul(bent_y, per_reach), vy_1);
+    const V _s2 = lanes_mul(lanes_mul(bent_z, per_reach), vz_1);
+    const V _s3 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_1), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_1), lanes_mul(vx_0, _s0)), lanes_add(lanes_mul(ny_1, vy_1), lanes_mul(vy_0, _s1))), lanes_add(lanes_mul(nz_1, vz_1), lanes_mul(vz_0, _s2))));
+    const V _s4 = lanes_mul(ny_1, nz_1);
+    const V _s5 = lanes_sub(lanes_add(lanes_mul(ny_0, _s2), _s4), lanes_add(_s4, lanes_mul(nz_0, _s1)));
+    const V _s6 = lanes_mul(nx_1, nz_1);
+    const V _s7 = lanes_sub(lanes_add(_s6, lanes_mul(nz_0, _s0)), lanes_add(lanes_mul(nx_0, _s2), _s6));
+    const V _s8 = lanes_mul(nx_1, ny_1);
+    const V _s9 = lanes_sub(lanes_add(lanes_mul(nx_0, _s1), _s8), lanes_add(_s8, lanes_mul(ny_0, _s0)));
+    const V _s10 = lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_1), lanes_mul(vx_0, _s5)), lanes_add(lanes_mul(ty_0, vy_1), lanes_mul(vy_0, _s7))), lanes_add(lanes_mul(tz_0, vz_1), lanes_mul(vz_0, _s9)))));
+    return (LANES(court_roll_1_out)){ _s3, _s5, _s7, _s9, lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, nx_1), lanes_mul(nx_0, _s3)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s5), lanes_mul(turn_rate_1, tx_0))))), lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, ny_1), lanes_mul(ny_0, _s3)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s7), lanes_mul(turn_rate_1, ty_0))))), lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, nz_1), lanes_mul(nz_0, _s3)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s9), lanes_mul(turn_rate_1, tz_0))))), lanes_mul(K(0.5), _s0), lanes_mul(K(0.5), _s1), lanes_mul(K(0.5), _s2), _s10 };
 }
 
 /* The terms of order 3 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 177 operations: 60 additions, 7 subtractions, 107 multiplications, 3 negations. */
+   Newton, Euler and rolling without slip. 125 operations: 43 additions, 4 subtractions, 77 multiplications, 1 negation. */
 typedef struct {
-    V across_2;
-    V round_2;
     V lift_2;
     V tx_2;
     V ty_2;
@@ -1146,42 +1176,31 @@ typedef struct {
     V ny_3;
     V nz_3;
     V turn_rate_3;
-    V cos_3;
-    V sin_3;
-    V widened_3;
-    V near_3;
 } LANES(court_roll_2_out);
 
 LANES_INLINE LANES(court_roll_2_out)
-LANES(court_roll_2)(V across_0, V across_1, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V p_gravity, V lift_0, V lift_1, V near_0, V near_1, V near_2, V nx_0, V nx_1, V nx_2, V ny_0, V ny_1, V ny_2, V nz_0, V nz_1, V nz_2, V per_reach, V ring, V round_0, V round_1, V sin_0, V sin_1, V sin_2, V turn_rate_0, V turn_rate_1, V turn_rate_2, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V vx_0, V vx_1, V vx_2, V vy_0, V vy_1, V vy_2, V vz_0, V vz_1, V vz_2, V widened_1, V widened_2)
+LANES(court_roll_2)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V nx_0, V nx_1, V nx_2, V ny_0, V ny_1, V ny_2, V nz_0, V nz_1, V nz_2, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V vx_0, V vx_1, V vx_2, V vy_0, V vy_1, V vy_2, V vz_0, V vz_1, V vz_2)
 {
-    const V _s0 = lanes_sub(lanes_add(lanes_add(lanes_mul(cos_0, vy_2), lanes_mul(cos_1, vy_1)), lanes_mul(cos_2, vy_0)), lanes_add(lanes_add(lanes_mul(sin_0, vx_2), lanes_mul(sin_1, vx_1)), lanes_mul(sin_2, vx_0)));
-    const V _s1 = lanes_add(lanes_add(lanes_mul(across_0, near_2), lanes_mul(across_1, near_1)), lanes_mul(near_0, _s0));
-    const V _s2 = lanes_mul(K(2.0), nx_2);
-    const V _s3 = lanes_neg(lanes_add(lanes_add(lanes_mul(round_0, sin_2), lanes_mul(round_1, sin_1)), lanes_mul(sin_0, _s1)));
-    const V _s4 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_2), lanes_mul(ring, _s3)));
-    const V _s5 = lanes_mul(K(2.0), ny_2);
-    const V _s6 = lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, round_1)), lanes_mul(cos_2, round_0));
-    const V _s7 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_2), lanes_mul(ring, _s6)));
-    const V _s8 = lanes_mul(lanes_mul(bent_z, per_reach), vz_2);
-    const V _s9 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_2), lanes_mul(_s2, vx_1)), lanes_mul(vx_0, _s4)), lanes_add(lanes_add(lanes_mul(ny_1, vy_2), lanes_mul(_s5, vy_1)), lanes_mul(vy_0, _s7))), lanes_add(lanes_add(lanes_mul(nz_1, vz_2), lanes_mul(lanes_mul(K(2.0), nz_2), vz_1)), lanes_mul(vz_0, _s8))));
-    const V _s10 = lanes_sub(lanes_add(lanes_add(lanes_mul(ny_0, _s8), lanes_mul(lanes_mul(K(2.0), ny_1), nz_2)), lanes_mul(ny_2, nz_1)), lanes_add(lanes_add(lanes_mul(ny_1, nz_2), lanes_mul(_s5, nz_1)), lanes_mul(nz_0, _s7)));
-    const V _s11 = lanes_mul(K(2.0), nx_1);
-    const V _s12 = lanes_sub(lanes_add(lanes_add(lanes_mul(nx_1, nz_2), lanes_mul(_s2, nz_1)), lanes_mul(nz_0, _s4)), lanes_add(lanes_add(lanes_mul(nx_0, _s8), lanes_mul(_s11, nz_2)), lanes_mul(nx_2, nz_1)));
-    const V _s13 = lanes_sub(lanes_add(lanes_add(lanes_mul(nx_0, _s7), lanes_mul(_s11, ny_2)), lanes_mul(nx_2, ny_1)), lanes_add(lanes_add(lanes_mul(nx_1, ny_2), lanes_mul(_s2, ny_1)), lanes_mul(ny_0, _s4)));
-    const V _s14 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_2), lanes_mul(lift_1, nx_1)), lanes_mul(nx_0, _s9)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s10), lanes_mul(turn_rate_1, tx_1)), lanes_mul(turn_rate_2, tx_0)))));
-    const V _s15 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_2), lanes_mul(lift_1, ny_1)), lanes_mul(ny_0, _s9)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s12), lanes_mul(turn_rate_1, ty_1)), lanes_mul(turn_rate_2, ty_0)))));
-    const V _s16 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_2), lanes_mul(lift_1, nz_1)), lanes_mul(nz_0, _s9)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s13), lanes_mul(turn_rate_1, tz_1)), lanes_mul(turn_rate_2, tz_0)))));
-    const V _s17 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_2), lanes_mul(tx_1, vx_1)), lanes_mul(vx_0, _s10)), lanes_add(lanes_add(lanes_mul(ty_0, vy_2), lanes_mul(ty_1, vy_1)), lanes_mul(vy_0, _s12))), lanes_add(lanes_add(lanes_mul(tz_0, vz_2), lanes_mul(tz_1, vz_1)), lanes_mul(vz_0, _s13))));
-    const V _s18 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_2), lanes_mul(cos_1, vx_1)), lanes_mul(cos_2, vx_0)), lanes_add(lanes_add(lanes_mul(sin_0, vy_2), lanes_mul(sin_1, vy_1)), lanes_mul(sin_2, vy_0))));
-    return (LANES(court_roll_2_out)){ _s0, _s1, _s9, _s10, _s12, _s13, _s14, _s15, _s16, lanes_mul(K(0.3333333333333333), _s4), lanes_mul(K(0.3333333333333333), _s7), lanes_mul(K(0.3333333333333333), _s8), lanes_neg(_s17), lanes_mul(K(0.3333333333333333), _s3), lanes_mul(K(0.3333333333333333), _s6), _s18, lanes_neg(lanes_mul(near_0, lanes_add(lanes_add(lanes_mul(near_0, _s18), lanes_mul(near_1, widened_2)), lanes_mul(near_2, widened_1)))) };
+    const V _s0 = lanes_mul(K(2.0), nx_2);
+    const V _s1 = lanes_mul(lanes_mul(bent_x, per_reach), vx_2);
+    const V _s2 = lanes_mul(K(2.0), ny_2);
+    const V _s3 = lanes_mul(lanes_mul(bent_y, per_reach), vy_2);
+    const V _s4 = lanes_mul(lanes_mul(bent_z, per_reach), vz_2);
+    const V _s5 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_2), lanes_mul(_s0, vx_1)), lanes_mul(vx_0, _s1)), lanes_add(lanes_add(lanes_mul(ny_1, vy_2), lanes_mul(_s2, vy_1)), lanes_mul(vy_0, _s3))), lanes_add(lanes_add(lanes_mul(nz_1, vz_2), lanes_mul(lanes_mul(K(2.0), nz_2), vz_1)), lanes_mul(vz_0, _s4))));
+    const V _s6 = lanes_sub(lanes_add(lanes_add(lanes_mul(ny_0, _s4), lanes_mul(lanes_mul(K(2.0), ny_1), nz_2)), lanes_mul(ny_2, nz_1)), lanes_add(lanes_add(lanes_mul(ny_1, nz_2), lanes_mul(_s2, nz_1)), lanes_mul(nz_0, _s3)));
+    const V _s7 = lanes_mul(K(2.0), nx_1);
+    const V _s8 = lanes_sub(lanes_add(lanes_add(lanes_mul(nx_1, nz_2), lanes_mul(_s0, nz_1)), lanes_mul(nz_0, _s1)), lanes_add(lanes_add(lanes_mul(nx_0, _s4), lanes_mul(_s7, nz_2)), lanes_mul(nx_2, nz_1)));
+    const V _s9 = lanes_sub(lanes_add(lanes_add(lanes_mul(nx_0, _s3), lanes_mul(_s7, ny_2)), lanes_mul(nx_2, ny_1)), lanes_add(lanes_add(lanes_mul(nx_1, ny_2), lanes_mul(_s0, ny_1)), lanes_mul(ny_0, _s1)));
+    const V _s10 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_2), lanes_mul(lift_1, nx_1)), lanes_mul(nx_0, _s5)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s6), lanes_mul(turn_rate_1, tx_1)), lanes_mul(turn_rate_2, tx_0)))));
+    const V _s11 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_2), lanes_mul(lift_1, ny_1)), lanes_mul(ny_0, _s5)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s8), lanes_mul(turn_rate_1, ty_1)), lanes_mul(turn_rate_2, ty_0)))));
+    const V _s12 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_2), lanes_mul(lift_1, nz_1)), lanes_mul(nz_0, _s5)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s9), lanes_mul(turn_rate_1, tz_1)), lanes_mul(turn_rate_2, tz_0)))));
+    const V _s13 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_2), lanes_mul(tx_1, vx_1)), lanes_mul(vx_0, _s6)), lanes_add(lanes_add(lanes_mul(ty_0, vy_2), lanes_mul(ty_1, vy_1)), lanes_mul(vy_0, _s8))), lanes_add(lanes_add(lanes_mul(tz_0, vz_2), lanes_mul(tz_1, vz_1)), lanes_mul(vz_0, _s9))));
+    return (LANES(court_roll_2_out)){ _s5, _s6, _s8, _s9, _s10, _s11, _s12, lanes_mul(K(0.3333333333333333), _s1), lanes_mul(K(0.3333333333333333), _s3), lanes_mul(K(0.3333333333333333), _s4), lanes_neg(_s13) };
 }
 
 /* The terms of order 4 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 229 operations: 86 additions, 7 subtractions, 133 multiplications, 3 negations. */
+   Newton, Euler and rolling without slip. 161 operations: 61 additions, 4 subtractions, 95 multiplications, 1 negation. */
 typedef struct {
-    V across_3;
-    V round_3;
     V lift_3;
     V tx_3;
     V ty_3;
@@ -1193,49 +1212,37 @@ typedef struct {
     V ny_4;
     V nz_4;
     V turn_rate_4;
-    V cos_4;
-    V sin_4;
-    V widened_4;
-    V near_4;
 } LANES(court_roll_3_out);
 
 LANES_INLINE LANES(court_roll_3_out)
-LANES(court_roll_3)(V across_0, V across_1, V across_2, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V cos_3, V p_gravity, V lift_0, V lift_1, V lift_2, V near_0, V near_1, V near_2, V near_3, V nx_0, V nx_1, V nx_2, V nx_3, V ny_0, V ny_1, V ny_2, V ny_3, V nz_0, V nz_1, V nz_2, V nz_3, V per_reach, V ring, V round_0, V round_1, V round_2, V sin_0, V sin_1, V sin_2, V sin_3, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V tx_0, V tx_1, V tx_2, V ty_0, V ty_1, V ty_2, V tz_0, V tz_1, V tz_2, V vx_0, V vx_1, V vx_2, V vx_3, V vy_0, V vy_1, V vy_2, V vy_3, V vz_0, V vz_1, V vz_2, V vz_3, V widened_1, V widened_2, V widened_3)
+LANES(court_roll_3)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V lift_2, V nx_0, V nx_1, V nx_2, V nx_3, V ny_0, V ny_1, V ny_2, V ny_3, V nz_0, V nz_1, V nz_2, V nz_3, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V tx_0, V tx_1, V tx_2, V ty_0, V ty_1, V ty_2, V tz_0, V tz_1, V tz_2, V vx_0, V vx_1, V vx_2, V vx_3, V vy_0, V vy_1, V vy_2, V vy_3, V vz_0, V vz_1, V vz_2, V vz_3)
 {
-    const V _s0 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vy_3), lanes_mul(cos_1, vy_2)), lanes_mul(cos_2, vy_1)), lanes_mul(cos_3, vy_0)), lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vx_3), lanes_mul(sin_1, vx_2)), lanes_mul(sin_2, vx_1)), lanes_mul(sin_3, vx_0)));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(across_0, near_3), lanes_mul(across_1, near_2)), lanes_mul(across_2, near_1)), lanes_mul(near_0, _s0));
-    const V _s2 = lanes_mul(K(2.0), nx_2);
-    const V _s3 = lanes_mul(K(3.0), nx_3);
-    const V _s4 = lanes_neg(lanes_add(lanes_add(lanes_add(lanes_mul(round_0, sin_3), lanes_mul(round_1, sin_2)), lanes_mul(round_2, sin_1)), lanes_mul(sin_0, _s1)));
-    const V _s5 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_3), lanes_mul(ring, _s4)));
-    const V _s6 = lanes_mul(K(2.0), ny_2);
-    const V _s7 = lanes_mul(K(3.0), ny_3);
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, round_2)), lanes_mul(cos_2, round_1)), lanes_mul(cos_3, round_0));
-    const V _s9 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_3), lanes_mul(ring, _s8)));
-    const V _s10 = lanes_mul(lanes_mul(bent_z, per_reach), vz_3);
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_3), lanes_mul(_s2, vx_2)), lanes_mul(_s3, vx_1)), lanes_mul(vx_0, _s5)), lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_3), lanes_mul(_s6, vy_2)), lanes_mul(_s7, vy_1)), lanes_mul(vy_0, _s9))), lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_3), lanes_mul(lanes_mul(K(2.0), nz_2), vz_2)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_1)), lanes_mul(vz_0, _s10)));
-    const V _s12 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_3), _s11);
-    const V _s13 = lanes_mul(_s6, nz_2);
-    const V _s14 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s10), lanes_mul(lanes_mul(K(3.0), ny_1), nz_3)), _s13), lanes_mul(ny_3, nz_1)), lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_3), _s13), lanes_mul(_s7, nz_1)), lanes_mul(nz_0, _s9)));
-    const V _s15 = lanes_mul(_s2, nz_2);
-    const V _s16 = lanes_mul(K(3.0), nx_1);
-    const V _s17 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_3), _s15), lanes_mul(_s3, nz_1)), lanes_mul(nz_0, _s5)), lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s10), lanes_mul(_s16, nz_3)), _s15), lanes_mul(nx_3, nz_1)));
-    const V _s18 = lanes_mul(_s2, ny_2);
-    const V _s19 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s9), lanes_mul(_s16, ny_3)), _s18), lanes_mul(nx_3, ny_1)), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_3), _s18), lanes_mul(_s3, ny_1)), lanes_mul(ny_0, _s5)));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_3), lanes_mul(lift_1, nx_2)), lanes_mul(lift_2, nx_1)), lanes_mul(nx_0, _s12)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s14), lanes_mul(turn_rate_1, tx_2)), lanes_mul(turn_rate_2, tx_1)), lanes_mul(turn_rate_3, tx_0))));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_3), lanes_mul(lift_1, ny_2)), lanes_mul(lift_2, ny_1)), lanes_mul(ny_0, _s12)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s17), lanes_mul(turn_rate_1, ty_2)), lanes_mul(turn_rate_2, ty_1)), lanes_mul(turn_rate_3, ty_0))));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_3), lanes_mul(lift_1, nz_2)), lanes_mul(lift_2, nz_1)), lanes_mul(nz_0, _s12)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s19), lanes_mul(turn_rate_1, tz_2)), lanes_mul(turn_rate_2, tz_1)), lanes_mul(turn_rate_3, tz_0))));
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_3), lanes_mul(tx_1, vx_2)), lanes_mul(tx_2, vx_1)), lanes_mul(vx_0, _s14)), lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_3), lanes_mul(ty_1, vy_2)), lanes_mul(ty_2, vy_1)), lanes_mul(vy_0, _s17))), lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_3), lanes_mul(tz_1, vz_2)), lanes_mul(tz_2, vz_1)), lanes_mul(vz_0, _s19)));
-    const V _s24 = lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_3), lanes_mul(cos_1, vx_2)), lanes_mul(cos_2, vx_1)), lanes_mul(cos_3, vx_0)), lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vy_3), lanes_mul(sin_1, vy_2)), lanes_mul(sin_2, vy_1)), lanes_mul(sin_3, vy_0))));
-    const V _s25 = lanes_neg(lanes_mul(near_0, lanes_add(lanes_add(lanes_add(lanes_mul(near_0, _s24), lanes_mul(near_1, widened_3)), lanes_mul(near_2, widened_2)), lanes_mul(near_3, widened_1))));
-    return (LANES(court_roll_3_out)){ _s0, _s1, _s12, _s14, _s17, _s19, lanes_mul(K(0.25), _s20), lanes_mul(K(0.25), _s21), lanes_mul(K(0.25), _s22), lanes_mul(K(0.25), _s5), lanes_mul(K(0.25), _s9), lanes_mul(K(0.25), _s10), lanes_neg(lanes_mul(K(0.25), _s23)), lanes_mul(K(0.25), _s4), lanes_mul(K(0.25), _s8), _s24, _s25 };
+    const V _s0 = lanes_mul(K(2.0), nx_2);
+    const V _s1 = lanes_mul(K(3.0), nx_3);
+    const V _s2 = lanes_mul(lanes_mul(bent_x, per_reach), vx_3);
+    const V _s3 = lanes_mul(K(2.0), ny_2);
+    const V _s4 = lanes_mul(K(3.0), ny_3);
+    const V _s5 = lanes_mul(lanes_mul(bent_y, per_reach), vy_3);
+    const V _s6 = lanes_mul(lanes_mul(bent_z, per_reach), vz_3);
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_3), lanes_mul(_s0, vx_2)), lanes_mul(_s1, vx_1)), lanes_mul(vx_0, _s2)), lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_3), lanes_mul(_s3, vy_2)), lanes_mul(_s4, vy_1)), lanes_mul(vy_0, _s5))), lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_3), lanes_mul(lanes_mul(K(2.0), nz_2), vz_2)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_1)), lanes_mul(vz_0, _s6)));
+    const V _s8 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_3), _s7);
+    const V _s9 = lanes_mul(_s3, nz_2);
+    const V _s10 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s6), lanes_mul(lanes_mul(K(3.0), ny_1), nz_3)), _s9), lanes_mul(ny_3, nz_1)), lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_3), _s9), lanes_mul(_s4, nz_1)), lanes_mul(nz_0, _s5)));
+    const V _s11 = lanes_mul(_s0, nz_2);
+    const V _s12 = lanes_mul(K(3.0), nx_1);
+    const V _s13 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_3), _s11), lanes_mul(_s1, nz_1)), lanes_mul(nz_0, _s2)), lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s6), lanes_mul(_s12, nz_3)), _s11), lanes_mul(nx_3, nz_1)));
+    const V _s14 = lanes_mul(_s0, ny_2);
+    const V _s15 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s5), lanes_mul(_s12, ny_3)), _s14), lanes_mul(nx_3, ny_1)), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_3), _s14), lanes_mul(_s1, ny_1)), lanes_mul(ny_0, _s2)));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_3), lanes_mul(lift_1, nx_2)), lanes_mul(lift_2, nx_1)), lanes_mul(nx_0, _s8)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s10), lanes_mul(turn_rate_1, tx_2)), lanes_mul(turn_rate_2, tx_1)), lanes_mul(turn_rate_3, tx_0))));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_3), lanes_mul(lift_1, ny_2)), lanes_mul(lift_2, ny_1)), lanes_mul(ny_0, _s8)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s13), lanes_mul(turn_rate_1, ty_2)), lanes_mul(turn_rate_2, ty_1)), lanes_mul(turn_rate_3, ty_0))));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_3), lanes_mul(lift_1, nz_2)), lanes_mul(lift_2, nz_1)), lanes_mul(nz_0, _s8)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s15), lanes_mul(turn_rate_1, tz_2)), lanes_mul(turn_rate_2, tz_1)), lanes_mul(turn_rate_3, tz_0))));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_3), lanes_mul(tx_1, vx_2)), lanes_mul(tx_2, vx_1)), lanes_mul(vx_0, _s10)), lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_3), lanes_mul(ty_1, vy_2)), lanes_mul(ty_2, vy_1)), lanes_mul(vy_0, _s13))), lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_3), lanes_mul(tz_1, vz_2)), lanes_mul(tz_2, vz_1)), lanes_mul(vz_0, _s15)));
+    return (LANES(court_roll_3_out)){ _s8, _s10, _s13, _s15, lanes_mul(K(0.25), _s16), lanes_mul(K(0.25), _s17), lanes_mul(K(0.25), _s18), lanes_mul(K(0.25), _s2), lanes_mul(K(0.25), _s5), lanes_mul(K(0.25), _s6), lanes_neg(lanes_mul(K(0.25), _s19)) };
 }
 
 /* The terms of order 5 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 291 operations: 112 additions, 7 subtractions, 169 multiplications, 3 negations. */
+   Newton, Euler and rolling without slip. 207 operations: 79 additions, 4 subtractions, 123 multiplications, 1 negation. */
 typedef struct {
-    V across_4;
-    V round_4;
     V lift_4;
     V tx_4;
     V ty_4;
@@ -1247,57 +1254,44 @@ typedef struct {
     V ny_5;
     V nz_5;
     V turn_rate_5;
-    V cos_5;
-    V sin_5;
-    V widened_5;
-    V near_5;
 } LANES(court_roll_4_out);
 
 LANES_INLINE LANES(court_roll_4_out)
-LANES(court_roll_4)(V across_0, V across_1, V across_2, V across_3, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V near_0, V near_1, V near_2, V near_3, V near_4, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V per_reach, V ring, V round_0, V round_1, V round_2, V round_3, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V tx_0, V tx_1, V tx_2, V tx_3, V ty_0, V ty_1, V ty_2, V ty_3, V tz_0, V tz_1, V tz_2, V tz_3, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V widened_1, V widened_2, V widened_3, V widened_4)
+LANES(court_roll_4)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V tx_0, V tx_1, V tx_2, V tx_3, V ty_0, V ty_1, V ty_2, V ty_3, V tz_0, V tz_1, V tz_2, V tz_3, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4)
 {
-    const V _s0 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vy_4), lanes_mul(cos_1, vy_3)), lanes_mul(cos_2, vy_2)), lanes_mul(cos_3, vy_1)), lanes_mul(cos_4, vy_0)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vx_4), lanes_mul(sin_1, vx_3)), lanes_mul(sin_2, vx_2)), lanes_mul(sin_3, vx_1)), lanes_mul(sin_4, vx_0)));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(across_0, near_4), lanes_mul(across_1, near_3)), lanes_mul(across_2, near_2)), lanes_mul(across_3, near_1)), lanes_mul(near_0, _s0));
-    const V _s2 = lanes_mul(K(2.0), nx_2);
-    const V _s3 = lanes_mul(K(3.0), nx_3);
-    const V _s4 = lanes_mul(K(4.0), nx_4);
-    const V _s5 = lanes_neg(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(round_0, sin_4), lanes_mul(round_1, sin_3)), lanes_mul(round_2, sin_2)), lanes_mul(round_3, sin_1)), lanes_mul(sin_0, _s1)));
-    const V _s6 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_4), lanes_mul(ring, _s5)));
-    const V _s7 = lanes_mul(K(2.0), ny_2);
-    const V _s8 = lanes_mul(K(3.0), ny_3);
-    const V _s9 = lanes_mul(K(4.0), ny_4);
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, round_3)), lanes_mul(cos_2, round_2)), lanes_mul(cos_3, round_1)), lanes_mul(cos_4, round_0));
-    const V _s11 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_4), lanes_mul(ring, _s10)));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_4), lanes_mul(_s2, vx_3)), lanes_mul(_s3, vx_2)), lanes_mul(_s4, vx_1)), lanes_mul(vx_0, _s6)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_4), lanes_mul(_s7, vy_3)), lanes_mul(_s8, vy_2)), lanes_mul(_s9, vy_1)), lanes_mul(vy_0, _s11)));
-    const V _s13 = lanes_mul(lanes_mul(bent_z, per_reach), vz_4);
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_4), lanes_mul(lanes_mul(K(2.0), nz_2), vz_3)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_2)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_1)), lanes_mul(vz_0, _s13));
-    const V _s15 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_4), lanes_add(_s12, _s14));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s13), lanes_mul(lanes_mul(K(4.0), ny_1), nz_4)), lanes_mul(lanes_mul(K(3.0), ny_2), nz_3)), lanes_mul(lanes_mul(K(2.0), ny_3), nz_2)), lanes_mul(ny_4, nz_1));
-    const V _s17 = lanes_sub(_s16, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_4), lanes_mul(_s7, nz_3)), lanes_mul(_s8, nz_2)), lanes_mul(_s9, nz_1)), lanes_mul(nz_0, _s11)));
-    const V _s18 = lanes_mul(K(4.0), nx_1);
-    const V _s19 = lanes_mul(K(3.0), nx_2);
-    const V _s20 = lanes_mul(K(2.0), nx_3);
-    const V _s21 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_4), lanes_mul(_s2, nz_3)), lanes_mul(_s3, nz_2)), lanes_mul(_s4, nz_1)), lanes_mul(nz_0, _s6)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s13), lanes_mul(_s18, nz_4)), lanes_mul(_s19, nz_3)), lanes_mul(_s20, nz_2)), lanes_mul(nx_4, nz_1)));
-    const V _s22 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s11), lanes_mul(_s18, ny_4)), lanes_mul(_s19, ny_3)), lanes_mul(_s20, ny_2)), lanes_mul(nx_4, ny_1)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_4), lanes_mul(_s2, ny_3)), lanes_mul(_s3, ny_2)), lanes_mul(_s4, ny_1)), lanes_mul(ny_0, _s6)));
-    const V _s23 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s17), lanes_mul(turn_rate_1, tx_3)), lanes_mul(turn_rate_2, tx_2)), lanes_mul(turn_rate_3, tx_1)), lanes_mul(turn_rate_4, tx_0)));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_4), lanes_mul(lift_1, nx_3)), lanes_mul(lift_2, nx_2)), lanes_mul(lift_3, nx_1)), lanes_mul(nx_0, _s15)), _s23);
-    const V _s25 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s21), lanes_mul(turn_rate_1, ty_3)), lanes_mul(turn_rate_2, ty_2)), lanes_mul(turn_rate_3, ty_1)), lanes_mul(turn_rate_4, ty_0)));
-    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_4), lanes_mul(lift_1, ny_3)), lanes_mul(lift_2, ny_2)), lanes_mul(lift_3, ny_1)), lanes_mul(ny_0, _s15)), _s25);
-    const V _s27 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s22), lanes_mul(turn_rate_1, tz_3)), lanes_mul(turn_rate_2, tz_2)), lanes_mul(turn_rate_3, tz_1)), lanes_mul(turn_rate_4, tz_0)));
-    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_4), lanes_mul(lift_1, nz_3)), lanes_mul(lift_2, nz_2)), lanes_mul(lift_3, nz_1)), lanes_mul(nz_0, _s15)), _s27);
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_4), lanes_mul(tx_1, vx_3)), lanes_mul(tx_2, vx_2)), lanes_mul(tx_3, vx_1)), lanes_mul(vx_0, _s17)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_4), lanes_mul(ty_1, vy_3)), lanes_mul(ty_2, vy_2)), lanes_mul(ty_3, vy_1)), lanes_mul(vy_0, _s21)));
-    const V _s30 = lanes_add(_s29, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_4), lanes_mul(tz_1, vz_3)), lanes_mul(tz_2, vz_2)), lanes_mul(tz_3, vz_1)), lanes_mul(vz_0, _s22)));
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_4), lanes_mul(cos_1, vx_3)), lanes_mul(cos_2, vx_2)), lanes_mul(cos_3, vx_1)), lanes_mul(cos_4, vx_0)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vy_4), lanes_mul(sin_1, vy_3)), lanes_mul(sin_2, vy_2)), lanes_mul(sin_3, vy_1)), lanes_mul(sin_4, vy_0)));
-    const V _s32 = lanes_mul(K(0.2), _s31);
-    const V _s33 = lanes_mul(near_0, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(near_0, _s32), lanes_mul(near_1, widened_4)), lanes_mul(near_2, widened_3)), lanes_mul(near_3, widened_2)), lanes_mul(near_4, widened_1)));
-    return (LANES(court_roll_4_out)){ _s0, _s1, _s15, _s17, _s21, _s22, lanes_mul(K(0.2), _s24), lanes_mul(K(0.2), _s26), lanes_mul(K(0.2), _s28), lanes_mul(K(0.2), _s6), lanes_mul(K(0.2), _s11), lanes_mul(K(0.2), _s13), lanes_neg(lanes_mul(K(0.2), _s30)), lanes_mul(K(0.2), _s5), lanes_mul(K(0.2), _s10), _s32, lanes_neg(_s33) };
+    const V _s0 = lanes_mul(K(2.0), nx_2);
+    const V _s1 = lanes_mul(K(3.0), nx_3);
+    const V _s2 = lanes_mul(K(4.0), nx_4);
+    const V _s3 = lanes_mul(lanes_mul(bent_x, per_reach), vx_4);
+    const V _s4 = lanes_mul(K(2.0), ny_2);
+    const V _s5 = lanes_mul(K(3.0), ny_3);
+    const V _s6 = lanes_mul(K(4.0), ny_4);
+    const V _s7 = lanes_mul(lanes_mul(bent_y, per_reach), vy_4);
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_4), lanes_mul(_s0, vx_3)), lanes_mul(_s1, vx_2)), lanes_mul(_s2, vx_1)), lanes_mul(vx_0, _s3)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_4), lanes_mul(_s4, vy_3)), lanes_mul(_s5, vy_2)), lanes_mul(_s6, vy_1)), lanes_mul(vy_0, _s7)));
+    const V _s9 = lanes_mul(lanes_mul(bent_z, per_reach), vz_4);
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_4), lanes_mul(lanes_mul(K(2.0), nz_2), vz_3)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_2)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_1)), lanes_mul(vz_0, _s9));
+    const V _s11 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_4), lanes_add(_s8, _s10));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s9), lanes_mul(lanes_mul(K(4.0), ny_1), nz_4)), lanes_mul(lanes_mul(K(3.0), ny_2), nz_3)), lanes_mul(lanes_mul(K(2.0), ny_3), nz_2)), lanes_mul(ny_4, nz_1));
+    const V _s13 = lanes_sub(_s12, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_4), lanes_mul(_s4, nz_3)), lanes_mul(_s5, nz_2)), lanes_mul(_s6, nz_1)), lanes_mul(nz_0, _s7)));
+    const V _s14 = lanes_mul(K(4.0), nx_1);
+    const V _s15 = lanes_mul(K(3.0), nx_2);
+    const V _s16 = lanes_mul(K(2.0), nx_3);
+    const V _s17 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_4), lanes_mul(_s0, nz_3)), lanes_mul(_s1, nz_2)), lanes_mul(_s2, nz_1)), lanes_mul(nz_0, _s3)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s9), lanes_mul(_s14, nz_4)), lanes_mul(_s15, nz_3)), lanes_mul(_s16, nz_2)), lanes_mul(nx_4, nz_1)));
+    const V _s18 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s7), lanes_mul(_s14, ny_4)), lanes_mul(_s15, ny_3)), lanes_mul(_s16, ny_2)), lanes_mul(nx_4, ny_1)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_4), lanes_mul(_s0, ny_3)), lanes_mul(_s1, ny_2)), lanes_mul(_s2, ny_1)), lanes_mul(ny_0, _s3)));
+    const V _s19 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s13), lanes_mul(turn_rate_1, tx_3)), lanes_mul(turn_rate_2, tx_2)), lanes_mul(turn_rate_3, tx_1)), lanes_mul(turn_rate_4, tx_0)));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_4), lanes_mul(lift_1, nx_3)), lanes_mul(lift_2, nx_2)), lanes_mul(lift_3, nx_1)), lanes_mul(nx_0, _s11)), _s19);
+    const V _s21 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s17), lanes_mul(turn_rate_1, ty_3)), lanes_mul(turn_rate_2, ty_2)), lanes_mul(turn_rate_3, ty_1)), lanes_mul(turn_rate_4, ty_0)));
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_4), lanes_mul(lift_1, ny_3)), lanes_mul(lift_2, ny_2)), lanes_mul(lift_3, ny_1)), lanes_mul(ny_0, _s11)), _s21);
+    const V _s23 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s18), lanes_mul(turn_rate_1, tz_3)), lanes_mul(turn_rate_2, tz_2)), lanes_mul(turn_rate_3, tz_1)), lanes_mul(turn_rate_4, tz_0)));
+    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_4), lanes_mul(lift_1, nz_3)), lanes_mul(lift_2, nz_2)), lanes_mul(lift_3, nz_1)), lanes_mul(nz_0, _s11)), _s23);
+    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_4), lanes_mul(tx_1, vx_3)), lanes_mul(tx_2, vx_2)), lanes_mul(tx_3, vx_1)), lanes_mul(vx_0, _s13)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_4), lanes_mul(ty_1, vy_3)), lanes_mul(ty_2, vy_2)), lanes_mul(ty_3, vy_1)), lanes_mul(vy_0, _s17)));
+    const V _s26 = lanes_add(_s25, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_4), lanes_mul(tz_1, vz_3)), lanes_mul(tz_2, vz_2)), lanes_mul(tz_3, vz_1)), lanes_mul(vz_0, _s18)));
+    return (LANES(court_roll_4_out)){ _s11, _s13, _s17, _s18, lanes_mul(K(0.2), _s20), lanes_mul(K(0.2), _s22), lanes_mul(K(0.2), _s24), lanes_mul(K(0.2), _s3), lanes_mul(K(0.2), _s7), lanes_mul(K(0.2), _s9), lanes_neg(lanes_mul(K(0.2), _s26)) };
 }
 
 /* The terms of order 6 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 343 operations: 138 additions, 7 subtractions, 195 multiplications, 3 negations. */
+   Newton, Euler and rolling without slip. 243 operations: 97 additions, 4 subtractions, 141 multiplications, 1 negation. */
 typedef struct {
-    V across_5;
-    V round_5;
     V lift_5;
     V tx_5;
     V ty_5;
@@ -1309,73 +1303,56 @@ typedef struct {
     V ny_6;
     V nz_6;
     V turn_rate_6;
-    V cos_6;
-    V sin_6;
-    V widened_6;
-    V near_6;
 } LANES(court_roll_5_out);
 
 LANES_INLINE LANES(court_roll_5_out)
-LANES(court_roll_5)(V across_0, V across_1, V across_2, V across_3, V across_4, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V per_reach, V ring, V round_0, V round_1, V round_2, V round_3, V round_4, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V widened_1, V widened_2, V widened_3, V widened_4, V widened_5)
+LANES(court_roll_5)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vy_5), lanes_mul(cos_1, vy_4)), lanes_mul(cos_2, vy_3)), lanes_mul(cos_3, vy_2)), lanes_mul(cos_4, vy_1)), lanes_mul(cos_5, vy_0));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vx_5), lanes_mul(sin_1, vx_4)), lanes_mul(sin_2, vx_3)), lanes_mul(sin_3, vx_2)), lanes_mul(sin_4, vx_1)), lanes_mul(sin_5, vx_0));
-    const V _s2 = lanes_sub(_s0, _s1);
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(across_0, near_5), lanes_mul(across_1, near_4)), lanes_mul(across_2, near_3)), lanes_mul(across_3, near_2)), lanes_mul(across_4, near_1)), lanes_mul(near_0, _s2));
-    const V _s4 = lanes_mul(K(2.0), nx_2);
-    const V _s5 = lanes_mul(K(3.0), nx_3);
-    const V _s6 = lanes_mul(K(4.0), nx_4);
-    const V _s7 = lanes_mul(K(5.0), nx_5);
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(round_0, sin_5), lanes_mul(round_1, sin_4)), lanes_mul(round_2, sin_3)), lanes_mul(round_3, sin_2)), lanes_mul(round_4, sin_1)), lanes_mul(sin_0, _s3));
-    const V _s9 = lanes_neg(_s8);
-    const V _s10 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_5), lanes_mul(ring, _s9)));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_5), lanes_mul(_s4, vx_4)), lanes_mul(_s5, vx_3)), lanes_mul(_s6, vx_2)), lanes_mul(_s7, vx_1)), lanes_mul(vx_0, _s10));
-    const V _s12 = lanes_mul(K(2.0), ny_2);
-    const V _s13 = lanes_mul(K(3.0), ny_3);
-    const V _s14 = lanes_mul(K(4.0), ny_4);
-    const V _s15 = lanes_mul(K(5.0), ny_5);
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, round_4)), lanes_mul(cos_2, round_3)), lanes_mul(cos_3, round_2)), lanes_mul(cos_4, round_1)), lanes_mul(cos_5, round_0));
-    const V _s17 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_5), lanes_mul(ring, _s16)));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_5), lanes_mul(_s12, vy_4)), lanes_mul(_s13, vy_3)), lanes_mul(_s14, vy_2)), lanes_mul(_s15, vy_1)), lanes_mul(vy_0, _s17));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_5), lanes_mul(lanes_mul(K(2.0), nz_2), vz_4)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_3)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_2)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_1));
-    const V _s20 = lanes_mul(lanes_mul(bent_z, per_reach), vz_5);
-    const V _s21 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_5), lanes_add(lanes_add(_s11, _s18), lanes_add(_s19, lanes_mul(vz_0, _s20))));
-    const V _s22 = lanes_mul(_s13, nz_3);
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s20), lanes_mul(lanes_mul(K(5.0), ny_1), nz_5)), lanes_mul(lanes_mul(K(4.0), ny_2), nz_4)), _s22), lanes_mul(lanes_mul(K(2.0), ny_4), nz_2));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_5), lanes_mul(_s12, nz_4)), _s22), lanes_mul(_s14, nz_2)), lanes_mul(_s15, nz_1)), lanes_mul(nz_0, _s17));
-    const V _s25 = lanes_sub(lanes_add(_s23, lanes_mul(ny_5, nz_1)), _s24);
-    const V _s26 = lanes_mul(_s5, nz_3);
-    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_5), lanes_mul(_s4, nz_4)), _s26), lanes_mul(_s6, nz_2)), lanes_mul(_s7, nz_1)), lanes_mul(nz_0, _s10));
-    const V _s28 = lanes_mul(K(5.0), nx_1);
-    const V _s29 = lanes_mul(K(4.0), nx_2);
-    const V _s30 = lanes_mul(K(2.0), nx_4);
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s20), lanes_mul(_s28, nz_5)), lanes_mul(_s29, nz_4)), _s26), lanes_mul(_s30, nz_2)), lanes_mul(nx_5, nz_1));
-    const V _s32 = lanes_sub(_s27, _s31);
-    const V _s33 = lanes_mul(_s5, ny_3);
-    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s17), lanes_mul(_s28, ny_5)), lanes_mul(_s29, ny_4)), _s33), lanes_mul(_s30, ny_2)), lanes_mul(nx_5, ny_1));
-    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_5), lanes_mul(_s4, ny_4)), _s33), lanes_mul(_s6, ny_2)), lanes_mul(_s7, ny_1)), lanes_mul(ny_0, _s10));
-    const V _s36 = lanes_sub(_s34, _s35);
-    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_5), lanes_mul(lift_1, nx_4)), lanes_mul(lift_2, nx_3)), lanes_mul(lift_3, nx_2)), lanes_mul(lift_4, nx_1)), lanes_mul(nx_0, _s21));
-    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s25), lanes_mul(turn_rate_1, tx_4)), lanes_mul(turn_rate_2, tx_3)), lanes_mul(turn_rate_3, tx_2)), lanes_mul(turn_rate_4, tx_1)), lanes_mul(turn_rate_5, tx_0));
-    const V _s39 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_5), lanes_mul(lift_1, ny_4)), lanes_mul(lift_2, ny_3)), lanes_mul(lift_3, ny_2)), lanes_mul(lift_4, ny_1)), lanes_mul(ny_0, _s21));
-    const V _s40 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s32), lanes_mul(turn_rate_1, ty_4)), lanes_mul(turn_rate_2, ty_3)), lanes_mul(turn_rate_3, ty_2)), lanes_mul(turn_rate_4, ty_1)), lanes_mul(turn_rate_5, ty_0));
-    const V _s41 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_5), lanes_mul(lift_1, nz_4)), lanes_mul(lift_2, nz_3)), lanes_mul(lift_3, nz_2)), lanes_mul(lift_4, nz_1)), lanes_mul(nz_0, _s21));
-    const V _s42 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s36), lanes_mul(turn_rate_1, tz_4)), lanes_mul(turn_rate_2, tz_3)), lanes_mul(turn_rate_3, tz_2)), lanes_mul(turn_rate_4, tz_1)), lanes_mul(turn_rate_5, tz_0));
-    const V _s43 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_5), lanes_mul(tx_1, vx_4)), lanes_mul(tx_2, vx_3)), lanes_mul(tx_3, vx_2)), lanes_mul(tx_4, vx_1)), lanes_mul(vx_0, _s25));
-    const V _s44 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_5), lanes_mul(ty_1, vy_4)), lanes_mul(ty_2, vy_3)), lanes_mul(ty_3, vy_2)), lanes_mul(ty_4, vy_1)), lanes_mul(vy_0, _s32));
-    const V _s45 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_5), lanes_mul(tz_1, vz_4)), lanes_mul(tz_2, vz_3)), lanes_mul(tz_3, vz_2)), lanes_mul(tz_4, vz_1)), lanes_mul(vz_0, _s36));
-    const V _s46 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_5), lanes_mul(cos_1, vx_4)), lanes_mul(cos_2, vx_3)), lanes_mul(cos_3, vx_2)), lanes_mul(cos_4, vx_1)), lanes_mul(cos_5, vx_0));
-    const V _s47 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vy_5), lanes_mul(sin_1, vy_4)), lanes_mul(sin_2, vy_3)), lanes_mul(sin_3, vy_2)), lanes_mul(sin_4, vy_1)), lanes_mul(sin_5, vy_0));
-    const V _s48 = lanes_mul(K(0.16666666666666666), lanes_add(_s46, _s47));
-    const V _s49 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(near_0, _s48), lanes_mul(near_1, widened_5)), lanes_mul(near_2, widened_4)), lanes_mul(near_3, widened_3)), lanes_mul(near_4, widened_2)), lanes_mul(near_5, widened_1));
-    return (LANES(court_roll_5_out)){ _s2, _s3, _s21, _s25, _s32, _s36, lanes_mul(K(0.16666666666666666), lanes_add(_s37, lanes_mul(K(0.4), _s38))), lanes_mul(K(0.16666666666666666), lanes_add(_s39, lanes_mul(K(0.4), _s40))), lanes_mul(K(0.16666666666666666), lanes_add(_s41, lanes_mul(K(0.4), _s42))), lanes_mul(K(0.16666666666666666), _s10), lanes_mul(K(0.16666666666666666), _s17), lanes_mul(K(0.16666666666666666), _s20), lanes_neg(lanes_mul(K(0.16666666666666666), lanes_add(lanes_add(_s43, _s44), _s45))), lanes_mul(K(0.16666666666666666), _s9), lanes_mul(K(0.16666666666666666), _s16), _s48, lanes_neg(lanes_mul(near_0, _s49)) };
+    const V _s0 = lanes_mul(K(2.0), nx_2);
+    const V _s1 = lanes_mul(K(3.0), nx_3);
+    const V _s2 = lanes_mul(K(4.0), nx_4);
+    const V _s3 = lanes_mul(K(5.0), nx_5);
+    const V _s4 = lanes_mul(lanes_mul(bent_x, per_reach), vx_5);
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_5), lanes_mul(_s0, vx_4)), lanes_mul(_s1, vx_3)), lanes_mul(_s2, vx_2)), lanes_mul(_s3, vx_1)), lanes_mul(vx_0, _s4));
+    const V _s6 = lanes_mul(K(2.0), ny_2);
+    const V _s7 = lanes_mul(K(3.0), ny_3);
+    const V _s8 = lanes_mul(K(4.0), ny_4);
+    const V _s9 = lanes_mul(K(5.0), ny_5);
+    const V _s10 = lanes_mul(lanes_mul(bent_y, per_reach), vy_5);
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_5), lanes_mul(_s6, vy_4)), lanes_mul(_s7, vy_3)), lanes_mul(_s8, vy_2)), lanes_mul(_s9, vy_1)), lanes_mul(vy_0, _s10));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_5), lanes_mul(lanes_mul(K(2.0), nz_2), vz_4)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_3)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_2)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_1));
+    const V _s13 = lanes_mul(lanes_mul(bent_z, per_reach), vz_5);
+    const V _s14 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_5), lanes_add(lanes_add(_s5, _s11), lanes_add(_s12, lanes_mul(vz_0, _s13))));
+    const V _s15 = lanes_mul(_s7, nz_3);
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s13), lanes_mul(lanes_mul(K(5.0), ny_1), nz_5)), lanes_mul(lanes_mul(K(4.0), ny_2), nz_4)), _s15), lanes_mul(lanes_mul(K(2.0), ny_4), nz_2));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_5), lanes_mul(_s6, nz_4)), _s15), lanes_mul(_s8, nz_2)), lanes_mul(_s9, nz_1)), lanes_mul(nz_0, _s10));
+    const V _s18 = lanes_sub(lanes_add(_s16, lanes_mul(ny_5, nz_1)), _s17);
+    const V _s19 = lanes_mul(_s1, nz_3);
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_5), lanes_mul(_s0, nz_4)), _s19), lanes_mul(_s2, nz_2)), lanes_mul(_s3, nz_1)), lanes_mul(nz_0, _s4));
+    const V _s21 = lanes_mul(K(5.0), nx_1);
+    const V _s22 = lanes_mul(K(4.0), nx_2);
+    const V _s23 = lanes_mul(K(2.0), nx_4);
+    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s13), lanes_mul(_s21, nz_5)), lanes_mul(_s22, nz_4)), _s19), lanes_mul(_s23, nz_2)), lanes_mul(nx_5, nz_1));
+    const V _s25 = lanes_sub(_s20, _s24);
+    const V _s26 = lanes_mul(_s1, ny_3);
+    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s10), lanes_mul(_s21, ny_5)), lanes_mul(_s22, ny_4)), _s26), lanes_mul(_s23, ny_2)), lanes_mul(nx_5, ny_1));
+    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_5), lanes_mul(_s0, ny_4)), _s26), lanes_mul(_s2, ny_2)), lanes_mul(_s3, ny_1)), lanes_mul(ny_0, _s4));
+    const V _s29 = lanes_sub(_s27, _s28);
+    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_5), lanes_mul(lift_1, nx_4)), lanes_mul(lift_2, nx_3)), lanes_mul(lift_3, nx_2)), lanes_mul(lift_4, nx_1)), lanes_mul(nx_0, _s14));
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s18), lanes_mul(turn_rate_1, tx_4)), lanes_mul(turn_rate_2, tx_3)), lanes_mul(turn_rate_3, tx_2)), lanes_mul(turn_rate_4, tx_1)), lanes_mul(turn_rate_5, tx_0));
+    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_5), lanes_mul(lift_1, ny_4)), lanes_mul(lift_2, ny_3)), lanes_mul(lift_3, ny_2)), lanes_mul(lift_4, ny_1)), lanes_mul(ny_0, _s14));
+    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s25), lanes_mul(turn_rate_1, ty_4)), lanes_mul(turn_rate_2, ty_3)), lanes_mul(turn_rate_3, ty_2)), lanes_mul(turn_rate_4, ty_1)), lanes_mul(turn_rate_5, ty_0));
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_5), lanes_mul(lift_1, nz_4)), lanes_mul(lift_2, nz_3)), lanes_mul(lift_3, nz_2)), lanes_mul(lift_4, nz_1)), lanes_mul(nz_0, _s14));
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s29), lanes_mul(turn_rate_1, tz_4)), lanes_mul(turn_rate_2, tz_3)), lanes_mul(turn_rate_3, tz_2)), lanes_mul(turn_rate_4, tz_1)), lanes_mul(turn_rate_5, tz_0));
+    const V _s36 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_5), lanes_mul(tx_1, vx_4)), lanes_mul(tx_2, vx_3)), lanes_mul(tx_3, vx_2)), lanes_mul(tx_4, vx_1)), lanes_mul(vx_0, _s18));
+    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_5), lanes_mul(ty_1, vy_4)), lanes_mul(ty_2, vy_3)), lanes_mul(ty_3, vy_2)), lanes_mul(ty_4, vy_1)), lanes_mul(vy_0, _s25));
+    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_5), lanes_mul(tz_1, vz_4)), lanes_mul(tz_2, vz_3)), lanes_mul(tz_3, vz_2)), lanes_mul(tz_4, vz_1)), lanes_mul(vz_0, _s29));
+    return (LANES(court_roll_5_out)){ _s14, _s18, _s25, _s29, lanes_mul(K(0.16666666666666666), lanes_add(_s30, lanes_mul(K(0.4), _s31))), lanes_mul(K(0.16666666666666666), lanes_add(_s32, lanes_mul(K(0.4), _s33))), lanes_mul(K(0.16666666666666666), lanes_add(_s34, lanes_mul(K(0.4), _s35))), lanes_mul(K(0.16666666666666666), _s4), lanes_mul(K(0.16666666666666666), _s10), lanes_mul(K(0.16666666666666666), _s13), lanes_neg(lanes_mul(K(0.16666666666666666), lanes_add(lanes_add(_s36, _s37), _s38))) };
 }
 
 /* The terms of order 7 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 405 operations: 164 additions, 7 subtractions, 231 multiplications, 3 negations. */
+   Newton, Euler and rolling without slip. 289 operations: 115 additions, 4 subtractions, 169 multiplications, 1 negation. */
 typedef struct {
-    V across_6;
-    V round_6;
     V lift_6;
     V tx_6;
     V ty_6;
@@ -1387,77 +1364,58 @@ typedef struct {
     V ny_7;
     V nz_7;
     V turn_rate_7;
-    V cos_7;
-    V sin_7;
-    V widened_7;
-    V near_7;
 } LANES(court_roll_6_out);
 
 LANES_INLINE LANES(court_roll_6_out)
-LANES(court_roll_6)(V across_0, V across_1, V across_2, V across_3, V across_4, V across_5, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V per_reach, V ring, V round_0, V round_1, V round_2, V round_3, V round_4, V round_5, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V widened_1, V widened_2, V widened_3, V widened_4, V widened_5, V widened_6)
+LANES(court_roll_6)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vy_6), lanes_mul(cos_1, vy_5)), lanes_mul(cos_2, vy_4)), lanes_mul(cos_3, vy_3)), lanes_mul(cos_4, vy_2)), lanes_mul(cos_5, vy_1));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vx_6), lanes_mul(sin_1, vx_5)), lanes_mul(sin_2, vx_4)), lanes_mul(sin_3, vx_3)), lanes_mul(sin_4, vx_2)), lanes_mul(sin_5, vx_1));
-    const V _s2 = lanes_sub(lanes_add(_s0, lanes_mul(cos_6, vy_0)), lanes_add(_s1, lanes_mul(sin_6, vx_0)));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(across_0, near_6), lanes_mul(across_1, near_5)), lanes_mul(across_2, near_4)), lanes_mul(across_3, near_3)), lanes_mul(across_4, near_2)), lanes_mul(across_5, near_1));
-    const V _s4 = lanes_add(_s3, lanes_mul(near_0, _s2));
-    const V _s5 = lanes_mul(K(2.0), nx_2);
-    const V _s6 = lanes_mul(K(3.0), nx_3);
-    const V _s7 = lanes_mul(K(4.0), nx_4);
-    const V _s8 = lanes_mul(K(5.0), nx_5);
-    const V _s9 = lanes_mul(K(6.0), nx_6);
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_6), lanes_mul(_s5, vx_5)), lanes_mul(_s6, vx_4)), lanes_mul(_s7, vx_3)), lanes_mul(_s8, vx_2)), lanes_mul(_s9, vx_1));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(round_0, sin_6), lanes_mul(round_1, sin_5)), lanes_mul(round_2, sin_4)), lanes_mul(round_3, sin_3)), lanes_mul(round_4, sin_2)), lanes_mul(round_5, sin_1));
-    const V _s12 = lanes_neg(lanes_add(_s11, lanes_mul(sin_0, _s4)));
-    const V _s13 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_6), lanes_mul(ring, _s12)));
-    const V _s14 = lanes_mul(K(2.0), ny_2);
-    const V _s15 = lanes_mul(K(3.0), ny_3);
-    const V _s16 = lanes_mul(K(4.0), ny_4);
-    const V _s17 = lanes_mul(K(5.0), ny_5);
-    const V _s18 = lanes_mul(K(6.0), ny_6);
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_6), lanes_mul(_s14, vy_5)), lanes_mul(_s15, vy_4)), lanes_mul(_s16, vy_3)), lanes_mul(_s17, vy_2)), lanes_mul(_s18, vy_1));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, round_5)), lanes_mul(cos_2, round_4)), lanes_mul(cos_3, round_3)), lanes_mul(cos_4, round_2)), lanes_mul(cos_5, round_1));
-    const V _s21 = lanes_add(_s20, lanes_mul(cos_6, round_0));
-    const V _s22 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_6), lanes_mul(ring, _s21)));
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_6), lanes_mul(lanes_mul(K(2.0), nz_2), vz_5)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_4)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_3)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_2));
-    const V _s24 = lanes_mul(lanes_mul(bent_z, per_reach), vz_6);
-    const V _s25 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_6), lanes_add(lanes_add(lanes_add(_s10, lanes_mul(vx_0, _s13)), lanes_add(_s19, lanes_mul(vy_0, _s22))), lanes_add(lanes_add(_s23, lanes_mul(lanes_mul(K(6.0), nz_6), vz_1)), lanes_mul(vz_0, _s24))));
-    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s24), lanes_mul(lanes_mul(K(6.0), ny_1), nz_6)), lanes_mul(lanes_mul(K(5.0), ny_2), nz_5)), lanes_mul(lanes_mul(K(4.0), ny_3), nz_4)), lanes_mul(lanes_mul(K(3.0), ny_4), nz_3));
-    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_6), lanes_mul(_s14, nz_5)), lanes_mul(_s15, nz_4)), lanes_mul(_s16, nz_3)), lanes_mul(_s17, nz_2)), lanes_mul(_s18, nz_1));
-    const V _s28 = lanes_sub(lanes_add(lanes_add(_s26, lanes_mul(lanes_mul(K(2.0), ny_5), nz_2)), lanes_mul(ny_6, nz_1)), lanes_add(_s27, lanes_mul(nz_0, _s22)));
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_6), lanes_mul(_s5, nz_5)), lanes_mul(_s6, nz_4)), lanes_mul(_s7, nz_3)), lanes_mul(_s8, nz_2)), lanes_mul(_s9, nz_1));
-    const V _s30 = lanes_mul(K(6.0), nx_1);
-    const V _s31 = lanes_mul(K(5.0), nx_2);
-    const V _s32 = lanes_mul(K(4.0), nx_3);
-    const V _s33 = lanes_mul(K(3.0), nx_4);
-    const V _s34 = lanes_mul(K(2.0), nx_5);
-    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s24), lanes_mul(_s30, nz_6)), lanes_mul(_s31, nz_5)), lanes_mul(_s32, nz_4)), lanes_mul(_s33, nz_3)), lanes_mul(_s34, nz_2));
-    const V _s36 = lanes_sub(lanes_add(_s29, lanes_mul(nz_0, _s13)), lanes_add(_s35, lanes_mul(nx_6, nz_1)));
-    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s22), lanes_mul(_s30, ny_6)), lanes_mul(_s31, ny_5)), lanes_mul(_s32, ny_4)), lanes_mul(_s33, ny_3)), lanes_mul(_s34, ny_2));
-    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_6), lanes_mul(_s5, ny_5)), lanes_mul(_s6, ny_4)), lanes_mul(_s7, ny_3)), lanes_mul(_s8, ny_2)), lanes_mul(_s9, ny_1));
-    const V _s39 = lanes_sub(lanes_add(_s37, lanes_mul(nx_6, ny_1)), lanes_add(_s38, lanes_mul(ny_0, _s13)));
-    const V _s40 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_6), lanes_mul(lift_1, nx_5)), lanes_mul(lift_2, nx_4)), lanes_mul(lift_3, nx_3)), lanes_mul(lift_4, nx_2)), lanes_mul(lift_5, nx_1));
-    const V _s41 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s28), lanes_mul(turn_rate_1, tx_5)), lanes_mul(turn_rate_2, tx_4)), lanes_mul(turn_rate_3, tx_3)), lanes_mul(turn_rate_4, tx_2)), lanes_mul(turn_rate_5, tx_1));
-    const V _s42 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_6), lanes_mul(lift_1, ny_5)), lanes_mul(lift_2, ny_4)), lanes_mul(lift_3, ny_3)), lanes_mul(lift_4, ny_2)), lanes_mul(lift_5, ny_1));
-    const V _s43 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s36), lanes_mul(turn_rate_1, ty_5)), lanes_mul(turn_rate_2, ty_4)), lanes_mul(turn_rate_3, ty_3)), lanes_mul(turn_rate_4, ty_2)), lanes_mul(turn_rate_5, ty_1));
-    const V _s44 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_6), lanes_mul(lift_1, nz_5)), lanes_mul(lift_2, nz_4)), lanes_mul(lift_3, nz_3)), lanes_mul(lift_4, nz_2)), lanes_mul(lift_5, nz_1));
-    const V _s45 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s39), lanes_mul(turn_rate_1, tz_5)), lanes_mul(turn_rate_2, tz_4)), lanes_mul(turn_rate_3, tz_3)), lanes_mul(turn_rate_4, tz_2)), lanes_mul(turn_rate_5, tz_1));
-    const V _s46 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_6), lanes_mul(tx_1, vx_5)), lanes_mul(tx_2, vx_4)), lanes_mul(tx_3, vx_3)), lanes_mul(tx_4, vx_2)), lanes_mul(tx_5, vx_1));
-    const V _s47 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_6), lanes_mul(ty_1, vy_5)), lanes_mul(ty_2, vy_4)), lanes_mul(ty_3, vy_3)), lanes_mul(ty_4, vy_2)), lanes_mul(ty_5, vy_1));
-    const V _s48 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_6), lanes_mul(tz_1, vz_5)), lanes_mul(tz_2, vz_4)), lanes_mul(tz_3, vz_3)), lanes_mul(tz_4, vz_2)), lanes_mul(tz_5, vz_1));
-    const V _s49 = lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(lanes_add(_s46, lanes_mul(vx_0, _s28)), lanes_add(_s47, lanes_mul(vy_0, _s36))), lanes_add(_s48, lanes_mul(vz_0, _s39)))));
-    const V _s50 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_6), lanes_mul(cos_1, vx_5)), lanes_mul(cos_2, vx_4)), lanes_mul(cos_3, vx_3)), lanes_mul(cos_4, vx_2)), lanes_mul(cos_5, vx_1));
-    const V _s51 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vy_6), lanes_mul(sin_1, vy_5)), lanes_mul(sin_2, vy_4)), lanes_mul(sin_3, vy_3)), lanes_mul(sin_4, vy_2)), lanes_mul(sin_5, vy_1));
-    const V _s52 = lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s50, lanes_mul(cos_6, vx_0)), lanes_add(_s51, lanes_mul(sin_6, vy_0))));
-    const V _s53 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(near_0, _s52), lanes_mul(near_1, widened_6)), lanes_mul(near_2, widened_5)), lanes_mul(near_3, widened_4)), lanes_mul(near_4, widened_3)), lanes_mul(near_5, widened_2));
-    return (LANES(court_roll_6_out)){ _s2, _s4, _s25, _s28, _s36, _s39, lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s40, lanes_mul(nx_0, _s25)), lanes_mul(K(0.4), lanes_add(_s41, lanes_mul(turn_rate_6, tx_0))))), lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s42, lanes_mul(ny_0, _s25)), lanes_mul(K(0.4), lanes_add(_s43, lanes_mul(turn_rate_6, ty_0))))), lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s44, lanes_mul(nz_0, _s25)), lanes_mul(K(0.4), lanes_add(_s45, lanes_mul(turn_rate_6, tz_0))))), lanes_mul(K(0.14285714285714285), _s13), lanes_mul(K(0.14285714285714285), _s22), lanes_mul(K(0.14285714285714285), _s24), _s49, lanes_mul(K(0.14285714285714285), _s12), lanes_mul(K(0.14285714285714285), _s21), _s52, lanes_neg(lanes_mul(near_0, lanes_add(_s53, lanes_mul(near_6, widened_1)))) };
+    const V _s0 = lanes_mul(K(2.0), nx_2);
+    const V _s1 = lanes_mul(K(3.0), nx_3);
+    const V _s2 = lanes_mul(K(4.0), nx_4);
+    const V _s3 = lanes_mul(K(5.0), nx_5);
+    const V _s4 = lanes_mul(K(6.0), nx_6);
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_6), lanes_mul(_s0, vx_5)), lanes_mul(_s1, vx_4)), lanes_mul(_s2, vx_3)), lanes_mul(_s3, vx_2)), lanes_mul(_s4, vx_1));
+    const V _s6 = lanes_mul(lanes_mul(bent_x, per_reach), vx_6);
+    const V _s7 = lanes_mul(K(2.0), ny_2);
+    const V _s8 = lanes_mul(K(3.0), ny_3);
+    const V _s9 = lanes_mul(K(4.0), ny_4);
+    const V _s10 = lanes_mul(K(5.0), ny_5);
+    const V _s11 = lanes_mul(K(6.0), ny_6);
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_6), lanes_mul(_s7, vy_5)), lanes_mul(_s8, vy_4)), lanes_mul(_s9, vy_3)), lanes_mul(_s10, vy_2)), lanes_mul(_s11, vy_1));
+    const V _s13 = lanes_mul(lanes_mul(bent_y, per_reach), vy_6);
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_6), lanes_mul(lanes_mul(K(2.0), nz_2), vz_5)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_4)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_3)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_2));
+    const V _s15 = lanes_mul(lanes_mul(bent_z, per_reach), vz_6);
+    const V _s16 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_6), lanes_add(lanes_add(lanes_add(_s5, lanes_mul(vx_0, _s6)), lanes_add(_s12, lanes_mul(vy_0, _s13))), lanes_add(lanes_add(_s14, lanes_mul(lanes_mul(K(6.0), nz_6), vz_1)), lanes_mul(vz_0, _s15))));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s15), lanes_mul(lanes_mul(K(6.0), ny_1), nz_6)), lanes_mul(lanes_mul(K(5.0), ny_2), nz_5)), lanes_mul(lanes_mul(K(4.0), ny_3), nz_4)), lanes_mul(lanes_mul(K(3.0), ny_4), nz_3));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_6), lanes_mul(_s7, nz_5)), lanes_mul(_s8, nz_4)), lanes_mul(_s9, nz_3)), lanes_mul(_s10, nz_2)), lanes_mul(_s11, nz_1));
+    const V _s19 = lanes_sub(lanes_add(lanes_add(_s17, lanes_mul(lanes_mul(K(2.0), ny_5), nz_2)), lanes_mul(ny_6, nz_1)), lanes_add(_s18, lanes_mul(nz_0, _s13)));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_6), lanes_mul(_s0, nz_5)), lanes_mul(_s1, nz_4)), lanes_mul(_s2, nz_3)), lanes_mul(_s3, nz_2)), lanes_mul(_s4, nz_1));
+    const V _s21 = lanes_mul(K(6.0), nx_1);
+    const V _s22 = lanes_mul(K(5.0), nx_2);
+    const V _s23 = lanes_mul(K(4.0), nx_3);
+    const V _s24 = lanes_mul(K(3.0), nx_4);
+    const V _s25 = lanes_mul(K(2.0), nx_5);
+    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s15), lanes_mul(_s21, nz_6)), lanes_mul(_s22, nz_5)), lanes_mul(_s23, nz_4)), lanes_mul(_s24, nz_3)), lanes_mul(_s25, nz_2));
+    const V _s27 = lanes_sub(lanes_add(_s20, lanes_mul(nz_0, _s6)), lanes_add(_s26, lanes_mul(nx_6, nz_1)));
+    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s13), lanes_mul(_s21, ny_6)), lanes_mul(_s22, ny_5)), lanes_mul(_s23, ny_4)), lanes_mul(_s24, ny_3)), lanes_mul(_s25, ny_2));
+    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_6), lanes_mul(_s0, ny_5)), lanes_mul(_s1, ny_4)), lanes_mul(_s2, ny_3)), lanes_mul(_s3, ny_2)), lanes_mul(_s4, ny_1));
+    const V _s30 = lanes_sub(lanes_add(_s28, lanes_mul(nx_6, ny_1)), lanes_add(_s29, lanes_mul(ny_0, _s6)));
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_6), lanes_mul(lift_1, nx_5)), lanes_mul(lift_2, nx_4)), lanes_mul(lift_3, nx_3)), lanes_mul(lift_4, nx_2)), lanes_mul(lift_5, nx_1));
+    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s19), lanes_mul(turn_rate_1, tx_5)), lanes_mul(turn_rate_2, tx_4)), lanes_mul(turn_rate_3, tx_3)), lanes_mul(turn_rate_4, tx_2)), lanes_mul(turn_rate_5, tx_1));
+    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_6), lanes_mul(lift_1, ny_5)), lanes_mul(lift_2, ny_4)), lanes_mul(lift_3, ny_3)), lanes_mul(lift_4, ny_2)), lanes_mul(lift_5, ny_1));
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s27), lanes_mul(turn_rate_1, ty_5)), lanes_mul(turn_rate_2, ty_4)), lanes_mul(turn_rate_3, ty_3)), lanes_mul(turn_rate_4, ty_2)), lanes_mul(turn_rate_5, ty_1));
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_6), lanes_mul(lift_1, nz_5)), lanes_mul(lift_2, nz_4)), lanes_mul(lift_3, nz_3)), lanes_mul(lift_4, nz_2)), lanes_mul(lift_5, nz_1));
+    const V _s36 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s30), lanes_mul(turn_rate_1, tz_5)), lanes_mul(turn_rate_2, tz_4)), lanes_mul(turn_rate_3, tz_3)), lanes_mul(turn_rate_4, tz_2)), lanes_mul(turn_rate_5, tz_1));
+    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_6), lanes_mul(tx_1, vx_5)), lanes_mul(tx_2, vx_4)), lanes_mul(tx_3, vx_3)), lanes_mul(tx_4, vx_2)), lanes_mul(tx_5, vx_1));
+    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_6), lanes_mul(ty_1, vy_5)), lanes_mul(ty_2, vy_4)), lanes_mul(ty_3, vy_3)), lanes_mul(ty_4, vy_2)), lanes_mul(ty_5, vy_1));
+    const V _s39 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_6), lanes_mul(tz_1, vz_5)), lanes_mul(tz_2, vz_4)), lanes_mul(tz_3, vz_3)), lanes_mul(tz_4, vz_2)), lanes_mul(tz_5, vz_1));
+    const V _s40 = lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(lanes_add(_s37, lanes_mul(vx_0, _s19)), lanes_add(_s38, lanes_mul(vy_0, _s27))), lanes_add(_s39, lanes_mul(vz_0, _s30)))));
+    return (LANES(court_roll_6_out)){ _s16, _s19, _s27, _s30, lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s31, lanes_mul(nx_0, _s16)), lanes_mul(K(0.4), lanes_add(_s32, lanes_mul(turn_rate_6, tx_0))))), lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s33, lanes_mul(ny_0, _s16)), lanes_mul(K(0.4), lanes_add(_s34, lanes_mul(turn_rate_6, ty_0))))), lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s35, lanes_mul(nz_0, _s16)), lanes_mul(K(0.4), lanes_add(_s36, lanes_mul(turn_rate_6, tz_0))))), lanes_mul(K(0.14285714285714285), _s6), lanes_mul(K(0.14285714285714285), _s13), lanes_mul(K(0.14285714285714285), _s15), _s40 };
 }
 
 /* The terms of order 8 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 457 operations: 190 additions, 7 subtractions, 257 multiplications, 3 negations. */
+   Newton, Euler and rolling without slip. 325 operations: 133 additions, 4 subtractions, 187 multiplications, 1 negation. */
 typedef struct {
-    V across_7;
-    V round_7;
     V lift_7;
     V tx_7;
     V ty_7;
@@ -1469,83 +1427,66 @@ typedef struct {
     V ny_8;
     V nz_8;
     V turn_rate_8;
-    V cos_8;
-    V sin_8;
-    V widened_8;
-    V near_8;
 } LANES(court_roll_7_out);
 
 LANES_INLINE LANES(court_roll_7_out)
-LANES(court_roll_7)(V across_0, V across_1, V across_2, V across_3, V across_4, V across_5, V across_6, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V nx_7, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V ny_7, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V per_reach, V ring, V round_0, V round_1, V round_2, V round_3, V round_4, V round_5, V round_6, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V tx_6, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V ty_6, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V tz_6, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V widened_1, V widened_2, V widened_3, V widened_4, V widened_5, V widened_6, V widened_7)
+LANES(court_roll_7)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V nx_7, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V ny_7, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V tx_6, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V ty_6, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V tz_6, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vy_7), lanes_mul(cos_1, vy_6)), lanes_mul(cos_2, vy_5)), lanes_mul(cos_3, vy_4)), lanes_mul(cos_4, vy_3)), lanes_mul(cos_5, vy_2));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vx_7), lanes_mul(sin_1, vx_6)), lanes_mul(sin_2, vx_5)), lanes_mul(sin_3, vx_4)), lanes_mul(sin_4, vx_3)), lanes_mul(sin_5, vx_2));
-    const V _s2 = lanes_sub(lanes_add(lanes_add(_s0, lanes_mul(cos_6, vy_1)), lanes_mul(cos_7, vy_0)), lanes_add(lanes_add(_s1, lanes_mul(sin_6, vx_1)), lanes_mul(sin_7, vx_0)));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(across_0, near_7), lanes_mul(across_1, near_6)), lanes_mul(across_2, near_5)), lanes_mul(across_3, near_4)), lanes_mul(across_4, near_3)), lanes_mul(across_5, near_2));
-    const V _s4 = lanes_add(lanes_add(_s3, lanes_mul(across_6, near_1)), lanes_mul(near_0, _s2));
-    const V _s5 = lanes_mul(K(2.0), nx_2);
-    const V _s6 = lanes_mul(K(3.0), nx_3);
-    const V _s7 = lanes_mul(K(4.0), nx_4);
-    const V _s8 = lanes_mul(K(5.0), nx_5);
-    const V _s9 = lanes_mul(K(6.0), nx_6);
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_7), lanes_mul(_s5, vx_6)), lanes_mul(_s6, vx_5)), lanes_mul(_s7, vx_4)), lanes_mul(_s8, vx_3)), lanes_mul(_s9, vx_2));
-    const V _s11 = lanes_mul(K(7.0), nx_7);
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(round_0, sin_7), lanes_mul(round_1, sin_6)), lanes_mul(round_2, sin_5)), lanes_mul(round_3, sin_4)), lanes_mul(round_4, sin_3)), lanes_mul(round_5, sin_2));
-    const V _s13 = lanes_neg(lanes_add(lanes_add(_s12, lanes_mul(round_6, sin_1)), lanes_mul(sin_0, _s4)));
-    const V _s14 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_7), lanes_mul(ring, _s13)));
-    const V _s15 = lanes_mul(K(2.0), ny_2);
-    const V _s16 = lanes_mul(K(3.0), ny_3);
-    const V _s17 = lanes_mul(K(4.0), ny_4);
-    const V _s18 = lanes_mul(K(5.0), ny_5);
-    const V _s19 = lanes_mul(K(6.0), ny_6);
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_7), lanes_mul(_s15, vy_6)), lanes_mul(_s16, vy_5)), lanes_mul(_s17, vy_4)), lanes_mul(_s18, vy_3)), lanes_mul(_s19, vy_2));
-    const V _s21 = lanes_mul(K(7.0), ny_7);
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, round_6)), lanes_mul(cos_2, round_5)), lanes_mul(cos_3, round_4)), lanes_mul(cos_4, round_3)), lanes_mul(cos_5, round_2));
-    const V _s23 = lanes_add(lanes_add(_s22, lanes_mul(cos_6, round_1)), lanes_mul(cos_7, round_0));
-    const V _s24 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_7), lanes_mul(ring, _s23)));
-    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_7), lanes_mul(lanes_mul(K(2.0), nz_2), vz_6)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_5)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_4)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_3));
-    const V _s26 = lanes_mul(lanes_mul(bent_z, per_reach), vz_7);
-    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(_s11, vx_1)), lanes_mul(vx_0, _s14)), lanes_add(lanes_add(_s20, lanes_mul(_s21, vy_1)), lanes_mul(vy_0, _s24))), lanes_add(lanes_add(lanes_add(_s25, lanes_mul(lanes_mul(K(6.0), nz_6), vz_2)), lanes_mul(lanes_mul(K(7.0), nz_7), vz_1)), lanes_mul(vz_0, _s26)));
-    const V _s28 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_7), _s27);
-    const V _s29 = lanes_mul(_s17, nz_4);
-    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s26), lanes_mul(lanes_mul(K(7.0), ny_1), nz_7)), lanes_mul(lanes_mul(K(6.0), ny_2), nz_6)), lanes_mul(lanes_mul(K(5.0), ny_3), nz_5)), _s29);
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_7), lanes_mul(_s15, nz_6)), lanes_mul(_s16, nz_5)), _s29), lanes_mul(_s18, nz_3)), lanes_mul(_s19, nz_2));
-    const V _s32 = lanes_sub(lanes_add(lanes_add(lanes_add(_s30, lanes_mul(lanes_mul(K(3.0), ny_5), nz_3)), lanes_mul(lanes_mul(K(2.0), ny_6), nz_2)), lanes_mul(ny_7, nz_1)), lanes_add(lanes_add(_s31, lanes_mul(_s21, nz_1)), lanes_mul(nz_0, _s24)));
-    const V _s33 = lanes_mul(_s7, nz_4);
-    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_7), lanes_mul(_s5, nz_6)), lanes_mul(_s6, nz_5)), _s33), lanes_mul(_s8, nz_3)), lanes_mul(_s9, nz_2));
-    const V _s35 = lanes_mul(K(7.0), nx_1);
-    const V _s36 = lanes_mul(K(6.0), nx_2);
-    const V _s37 = lanes_mul(K(5.0), nx_3);
-    const V _s38 = lanes_mul(K(3.0), nx_5);
-    const V _s39 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s26), lanes_mul(_s35, nz_7)), lanes_mul(_s36, nz_6)), lanes_mul(_s37, nz_5)), _s33), lanes_mul(_s38, nz_3));
-    const V _s40 = lanes_mul(K(2.0), nx_6);
-    const V _s41 = lanes_sub(lanes_add(lanes_add(_s34, lanes_mul(_s11, nz_1)), lanes_mul(nz_0, _s14)), lanes_add(lanes_add(_s39, lanes_mul(_s40, nz_2)), lanes_mul(nx_7, nz_1)));
-    const V _s42 = lanes_mul(_s7, ny_4);
-    const V _s43 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s24), lanes_mul(_s35, ny_7)), lanes_mul(_s36, ny_6)), lanes_mul(_s37, ny_5)), _s42), lanes_mul(_s38, ny_3));
-    const V _s44 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_7), lanes_mul(_s5, ny_6)), lanes_mul(_s6, ny_5)), _s42), lanes_mul(_s8, ny_3)), lanes_mul(_s9, ny_2));
-    const V _s45 = lanes_sub(lanes_add(lanes_add(_s43, lanes_mul(_s40, ny_2)), lanes_mul(nx_7, ny_1)), lanes_add(lanes_add(_s44, lanes_mul(_s11, ny_1)), lanes_mul(ny_0, _s14)));
-    const V _s46 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_7), lanes_mul(lift_1, nx_6)), lanes_mul(lift_2, nx_5)), lanes_mul(lift_3, nx_4)), lanes_mul(lift_4, nx_3)), lanes_mul(lift_5, nx_2));
-    const V _s47 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s32), lanes_mul(turn_rate_1, tx_6)), lanes_mul(turn_rate_2, tx_5)), lanes_mul(turn_rate_3, tx_4)), lanes_mul(turn_rate_4, tx_3)), lanes_mul(turn_rate_5, tx_2));
-    const V _s48 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s46, lanes_mul(lift_6, nx_1)), lanes_mul(nx_0, _s28)), lanes_mul(K(0.4), lanes_add(lanes_add(_s47, lanes_mul(turn_rate_6, tx_1)), lanes_mul(turn_rate_7, tx_0)))));
-    const V _s49 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_7), lanes_mul(lift_1, ny_6)), lanes_mul(lift_2, ny_5)), lanes_mul(lift_3, ny_4)), lanes_mul(lift_4, ny_3)), lanes_mul(lift_5, ny_2));
-    const V _s50 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s41), lanes_mul(turn_rate_1, ty_6)), lanes_mul(turn_rate_2, ty_5)), lanes_mul(turn_rate_3, ty_4)), lanes_mul(turn_rate_4, ty_3)), lanes_mul(turn_rate_5, ty_2));
-    const V _s51 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s49, lanes_mul(lift_6, ny_1)), lanes_mul(ny_0, _s28)), lanes_mul(K(0.4), lanes_add(lanes_add(_s50, lanes_mul(turn_rate_6, ty_1)), lanes_mul(turn_rate_7, ty_0)))));
-    const V _s52 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_7), lanes_mul(lift_1, nz_6)), lanes_mul(lift_2, nz_5)), lanes_mul(lift_3, nz_4)), lanes_mul(lift_4, nz_3)), lanes_mul(lift_5, nz_2));
-    const V _s53 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s45), lanes_mul(turn_rate_1, tz_6)), lanes_mul(turn_rate_2, tz_5)), lanes_mul(turn_rate_3, tz_4)), lanes_mul(turn_rate_4, tz_3)), lanes_mul(turn_rate_5, tz_2));
-    const V _s54 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s52, lanes_mul(lift_6, nz_1)), lanes_mul(nz_0, _s28)), lanes_mul(K(0.4), lanes_add(lanes_add(_s53, lanes_mul(turn_rate_6, tz_1)), lanes_mul(turn_rate_7, tz_0)))));
-    const V _s55 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_7), lanes_mul(tx_1, vx_6)), lanes_mul(tx_2, vx_5)), lanes_mul(tx_3, vx_4)), lanes_mul(tx_4, vx_3)), lanes_mul(tx_5, vx_2));
-    const V _s56 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_7), lanes_mul(ty_1, vy_6)), lanes_mul(ty_2, vy_5)), lanes_mul(ty_3, vy_4)), lanes_mul(ty_4, vy_3)), lanes_mul(ty_5, vy_2));
-    const V _s57 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_7), lanes_mul(tz_1, vz_6)), lanes_mul(tz_2, vz_5)), lanes_mul(tz_3, vz_4)), lanes_mul(tz_4, vz_3)), lanes_mul(tz_5, vz_2));
-    const V _s58 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(lanes_add(_s55, lanes_mul(tx_6, vx_1)), lanes_mul(vx_0, _s32)), lanes_add(lanes_add(_s56, lanes_mul(ty_6, vy_1)), lanes_mul(vy_0, _s41))), lanes_add(lanes_add(_s57, lanes_mul(tz_6, vz_1)), lanes_mul(vz_0, _s45))));
-    const V _s59 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_7), lanes_mul(cos_1, vx_6)), lanes_mul(cos_2, vx_5)), lanes_mul(cos_3, vx_4)), lanes_mul(cos_4, vx_3)), lanes_mul(cos_5, vx_2));
-    const V _s60 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vy_7), lanes_mul(sin_1, vy_6)), lanes_mul(sin_2, vy_5)), lanes_mul(sin_3, vy_4)), lanes_mul(sin_4, vy_3)), lanes_mul(sin_5, vy_2));
-    const V _s61 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s59, lanes_mul(cos_6, vx_1)), lanes_mul(cos_7, vx_0)), lanes_add(lanes_add(_s60, lanes_mul(sin_6, vy_1)), lanes_mul(sin_7, vy_0))));
-    const V _s62 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(near_0, _s61), lanes_mul(near_1, widened_7)), lanes_mul(near_2, widened_6)), lanes_mul(near_3, widened_5)), lanes_mul(near_4, widened_4)), lanes_mul(near_5, widened_3));
-    return (LANES(court_roll_7_out)){ _s2, _s4, _s28, _s32, _s41, _s45, _s48, _s51, _s54, lanes_mul(K(0.125), _s14), lanes_mul(K(0.125), _s24), lanes_mul(K(0.125), _s26), lanes_neg(_s58), lanes_mul(K(0.125), _s13), lanes_mul(K(0.125), _s23), _s61, lanes_neg(lanes_mul(near_0, lanes_add(lanes_add(_s62, lanes_mul(near_6, widened_2)), lanes_mul(near_7, widened_1)))) };
+    const V _s0 = lanes_mul(K(2.0), nx_2);
+    const V _s1 = lanes_mul(K(3.0), nx_3);
+    const V _s2 = lanes_mul(K(4.0), nx_4);
+    const V _s3 = lanes_mul(K(5.0), nx_5);
+    const V _s4 = lanes_mul(K(6.0), nx_6);
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_7), lanes_mul(_s0, vx_6)), lanes_mul(_s1, vx_5)), lanes_mul(_s2, vx_4)), lanes_mul(_s3, vx_3)), lanes_mul(_s4, vx_2));
+    const V _s6 = lanes_mul(K(7.0), nx_7);
+    const V _s7 = lanes_mul(lanes_mul(bent_x, per_reach), vx_7);
+    const V _s8 = lanes_mul(K(2.0), ny_2);
+    const V _s9 = lanes_mul(K(3.0), ny_3);
+    const V _s10 = lanes_mul(K(4.0), ny_4);
+    const V _s11 = lanes_mul(K(5.0), ny_5);
+    const V _s12 = lanes_mul(K(6.0), ny_6);
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_7), lanes_mul(_s8, vy_6)), lanes_mul(_s9, vy_5)), lanes_mul(_s10, vy_4)), lanes_mul(_s11, vy_3)), lanes_mul(_s12, vy_2));
+    const V _s14 = lanes_mul(K(7.0), ny_7);
+    const V _s15 = lanes_mul(lanes_mul(bent_y, per_reach), vy_7);
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_7), lanes_mul(lanes_mul(K(2.0), nz_2), vz_6)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_5)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_4)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_3));
+    const V _s17 = lanes_mul(lanes_mul(bent_z, per_reach), vz_7);
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(_s6, vx_1)), lanes_mul(vx_0, _s7)), lanes_add(lanes_add(_s13, lanes_mul(_s14, vy_1)), lanes_mul(vy_0, _s15))), lanes_add(lanes_add(lanes_add(_s16, lanes_mul(lanes_mul(K(6.0), nz_6), vz_2)), lanes_mul(lanes_mul(K(7.0), nz_7), vz_1)), lanes_mul(vz_0, _s17)));
+    const V _s19 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_7), _s18);
+    const V _s20 = lanes_mul(_s10, nz_4);
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s17), lanes_mul(lanes_mul(K(7.0), ny_1), nz_7)), lanes_mul(lanes_mul(K(6.0), ny_2), nz_6)), lanes_mul(lanes_mul(K(5.0), ny_3), nz_5)), _s20);
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_7), lanes_mul(_s8, nz_6)), lanes_mul(_s9, nz_5)), _s20), lanes_mul(_s11, nz_3)), lanes_mul(_s12, nz_2));
+    const V _s23 = lanes_sub(lanes_add(lanes_add(lanes_add(_s21, lanes_mul(lanes_mul(K(3.0), ny_5), nz_3)), lanes_mul(lanes_mul(K(2.0), ny_6), nz_2)), lanes_mul(ny_7, nz_1)), lanes_add(lanes_add(_s22, lanes_mul(_s14, nz_1)), lanes_mul(nz_0, _s15)));
+    const V _s24 = lanes_mul(_s2, nz_4);
+    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_7), lanes_mul(_s0, nz_6)), lanes_mul(_s1, nz_5)), _s24), lanes_mul(_s3, nz_3)), lanes_mul(_s4, nz_2));
+    const V _s26 = lanes_mul(K(7.0), nx_1);
+    const V _s27 = lanes_mul(K(6.0), nx_2);
+    const V _s28 = lanes_mul(K(5.0), nx_3);
+    const V _s29 = lanes_mul(K(3.0), nx_5);
+    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s17), lanes_mul(_s26, nz_7)), lanes_mul(_s27, nz_6)), lanes_mul(_s28, nz_5)), _s24), lanes_mul(_s29, nz_3));
+    const V _s31 = lanes_mul(K(2.0), nx_6);
+    const V _s32 = lanes_sub(lanes_add(lanes_add(_s25, lanes_mul(_s6, nz_1)), lanes_mul(nz_0, _s7)), lanes_add(lanes_add(_s30, lanes_mul(_s31, nz_2)), lanes_mul(nx_7, nz_1)));
+    const V _s33 = lanes_mul(_s2, ny_4);
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s15), lanes_mul(_s26, ny_7)), lanes_mul(_s27, ny_6)), lanes_mul(_s28, ny_5)), _s33), lanes_mul(_s29, ny_3));
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_7), lanes_mul(_s0, ny_6)), lanes_mul(_s1, ny_5)), _s33), lanes_mul(_s3, ny_3)), lanes_mul(_s4, ny_2));
+    const V _s36 = lanes_sub(lanes_add(lanes_add(_s34, lanes_mul(_s31, ny_2)), lanes_mul(nx_7, ny_1)), lanes_add(lanes_add(_s35, lanes_mul(_s6, ny_1)), lanes_mul(ny_0, _s7)));
+    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_7), lanes_mul(lift_1, nx_6)), lanes_mul(lift_2, nx_5)), lanes_mul(lift_3, nx_4)), lanes_mul(lift_4, nx_3)), lanes_mul(lift_5, nx_2));
+    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s23), lanes_mul(turn_rate_1, tx_6)), lanes_mul(turn_rate_2, tx_5)), lanes_mul(turn_rate_3, tx_4)), lanes_mul(turn_rate_4, tx_3)), lanes_mul(turn_rate_5, tx_2));
+    const V _s39 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s37, lanes_mul(lift_6, nx_1)), lanes_mul(nx_0, _s19)), lanes_mul(K(0.4), lanes_add(lanes_add(_s38, lanes_mul(turn_rate_6, tx_1)), lanes_mul(turn_rate_7, tx_0)))));
+    const V _s40 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_7), lanes_mul(lift_1, ny_6)), lanes_mul(lift_2, ny_5)), lanes_mul(lift_3, ny_4)), lanes_mul(lift_4, ny_3)), lanes_mul(lift_5, ny_2));
+    const V _s41 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s32), lanes_mul(turn_rate_1, ty_6)), lanes_mul(turn_rate_2, ty_5)), lanes_mul(turn_rate_3, ty_4)), lanes_mul(turn_rate_4, ty_3)), lanes_mul(turn_rate_5, ty_2));
+    const V _s42 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s40, lanes_mul(lift_6, ny_1)), lanes_mul(ny_0, _s19)), lanes_mul(K(0.4), lanes_add(lanes_add(_s41, lanes_mul(turn_rate_6, ty_1)), lanes_mul(turn_rate_7, ty_0)))));
+    const V _s43 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_7), lanes_mul(lift_1, nz_6)), lanes_mul(lift_2, nz_5)), lanes_mul(lift_3, nz_4)), lanes_mul(lift_4, nz_3)), lanes_mul(lift_5, nz_2));
+    const V _s44 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s36), lanes_mul(turn_rate_1, tz_6)), lanes_mul(turn_rate_2, tz_5)), lanes_mul(turn_rate_3, tz_4)), lanes_mul(turn_rate_4, tz_3)), lanes_mul(turn_rate_5, tz_2));
+    const V _s45 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s43, lanes_mul(lift_6, nz_1)), lanes_mul(nz_0, _s19)), lanes_mul(K(0.4), lanes_add(lanes_add(_s44, lanes_mul(turn_rate_6, tz_1)), lanes_mul(turn_rate_7, tz_0)))));
+    const V _s46 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_7), lanes_mul(tx_1, vx_6)), lanes_mul(tx_2, vx_5)), lanes_mul(tx_3, vx_4)), lanes_mul(tx_4, vx_3)), lanes_mul(tx_5, vx_2));
+    const V _s47 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_7), lanes_mul(ty_1, vy_6)), lanes_mul(ty_2, vy_5)), lanes_mul(ty_3, vy_4)), lanes_mul(ty_4, vy_3)), lanes_mul(ty_5, vy_2));
+    const V _s48 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_7), lanes_mul(tz_1, vz_6)), lanes_mul(tz_2, vz_5)), lanes_mul(tz_3, vz_4)), lanes_mul(tz_4, vz_3)), lanes_mul(tz_5, vz_2));
+    const V _s49 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(lanes_add(_s46, lanes_mul(tx_6, vx_1)), lanes_mul(vx_0, _s23)), lanes_add(lanes_add(_s47, lanes_mul(ty_6, vy_1)), lanes_mul(vy_0, _s32))), lanes_add(lanes_add(_s48, lanes_mul(tz_6, vz_1)), lanes_mul(vz_0, _s36))));
+    return (LANES(court_roll_7_out)){ _s19, _s23, _s32, _s36, _s39, _s42, _s45, lanes_mul(K(0.125), _s7), lanes_mul(K(0.125), _s15), lanes_mul(K(0.125), _s17), lanes_neg(_s49) };
 }
 
 /* The constant terms.
-   rolling. 17 operations: 3 additions, 8 multiplications, 1 division, 1 square root, 1 comparison, 3 selections. */
+   rolling. 6 operations: 2 additions, 4 multiplications. */
 typedef struct {
     V vx_0;
     V vy_0;
@@ -1554,17 +1495,12 @@ typedef struct {
     V ny_0;
     V nz_0;
     V turn_rate_0;
-    V cos_0;
-    V sin_0;
-    V near_0;
 } LANES(court_roll_start_out);
 
 LANES_INLINE LANES(court_roll_start_out)
-LANES(court_roll_start)(V p_ball_radius, V nx, V ny, V nz, V ring, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y)
+LANES(court_roll_start)(V p_ball_radius, V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz)
 {
-    const V _s0 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))));
-    const M _s1 = lanes_less(K(0.0), ring);
-    return (LANES(court_roll_start_out)){ vx, vy, vz, nx, ny, nz, lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz))), lanes_select(_s1, lanes_mul(x, _s0), K(1.0)), lanes_select(_s1, lanes_mul(y, _s0), K(0.0)), lanes_select(_s1, _s0, K(1.0)) };
+    return (LANES(court_roll_start_out)){ vx, vy, vz, nx, ny, nz, lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz))) };
 }
 
 /* Where a rolling ball is at time t.
@@ -1650,7 +1586,7 @@ LANES(court_roll_pace)(V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V li
     const V _s5 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s2, _s0), lanes_sqrt(lanes_mul(p_gravity, _s2))), _s3), _s4);
     const V _s6 = lanes_mul(_s1, lanes_add(lanes_add(lanes_abs(nx_8), lanes_abs(ny_8)), lanes_abs(nz_8)));
     const V _s7 = lanes_sqrt(lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.1102230246251565e-16), _s1), lanes_max(_s5, _s6)))));
-    const V _s8 = lanes_min(_s7, K(0.0625));
+    const V _s8 = lanes_min(_s7, K(1.0));
     const V _s9 = lanes_mul(lanes_mul(K(2.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_2), lanes_abs(vx_2)), lanes_abs(vy_2)), lanes_abs(vz_2))), _s8);
     const V _s10 = lanes_mul(_s8, _s8);
     const V _s11 = lanes_mul(lanes_mul(K(3.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_3), lanes_abs(vx_3)), lanes_abs(vy_3)), lanes_abs(vz_3))), _s10);
@@ -2015,12 +1951,16 @@ typedef struct {
     V far_wx;
     V far_wy;
     V far_wz;
+    V far_nx;
+    V far_ny;
+    V far_nz;
+    V far_gap;
 } LANES(court_neighbour_out);
 
 LANES_INLINE LANES(court_neighbour_out)
 LANES(court_neighbour)(V apart, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
 {
-    return (LANES(court_neighbour_out)){ lanes_add(x, lanes_mul(apart, dx)), lanes_add(y, lanes_mul(apart, dy)), lanes_add(z, lanes_mul(apart, dz)), lanes_add(vx, lanes_mul(apart, dvx)), lanes_add(vy, lanes_mul(apart, dvy)), lanes_add(vz, lanes_mul(apart, dvz)), lanes_add(wx, lanes_mul(apart, dwx)), lanes_add(wy, lanes_mul(apart, dwy)), lanes_add(wz, lanes_mul(apart, dwz)) };
+    return (LANES(court_neighbour_out)){ lanes_add(x, lanes_mul(apart, dx)), lanes_add(y, lanes_mul(apart, dy)), lanes_add(z, lanes_mul(apart, dz)), lanes_add(vx, lanes_mul(apart, dvx)), lanes_add(vy, lanes_mul(apart, dvy)), lanes_add(vz, lanes_mul(apart, dvz)), lanes_add(wx, lanes_mul(apart, dwx)), lanes_add(wy, lanes_mul(apart, dwy)), lanes_add(wz, lanes_mul(apart, dwz)), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
 /* The errors after a step, with its roundings.
@@ -2097,6 +2037,18 @@ LANES(court_kept)(V mode, V when)
     return (LANES(court_kept_out)){ _s0, lanes_select(_s0, K(0.0), when), lanes_nowhere(), lanes_nowhere(), K(0.0) };
 }
 
+/* Where a surface is not certainly missed by a ball in flight.
+   Table 1. 4 operations: 1 comparison, 1 conjunction, 2 complements. */
+typedef struct {
+    M open;
+} LANES(court_opens_in_flight_out);
+
+LANES_INLINE LANES(court_opens_in_flight_out)
+LANES(court_opens_in_flight)(V clear, M kept)
+{
+    return (LANES(court_opens_in_flight_out)){ lanes_both(lanes_not(lanes_less(K(0.0), clear)), lanes_not(kept)) };
+}
+
 /* No event yet, of a ball in contact.
    Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
@@ -2118,13 +2070,12 @@ typedef struct {
     V surge;
     V snap;
     V per_reach;
-    V ring;
 } LANES(court_resumed_out);
 
 LANES_INLINE LANES(court_resumed_out)
 LANES(court_resumed)(V clock, V mode, V position_error, V velocity_error)
 {
-    return (LANES(court_resumed_out)){ K(-1.0), K(0.0), clock, lanes_select(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), K(INFINITY), K(0.0)), lanes_equal(mode, K(1.0)), lanes_equal(mode, K(2.0)), lanes_equal(mode, K(3.0)), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0) };
+    return (LANES(court_resumed_out)){ K(-1.0), K(0.0), clock, lanes_select(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), K(INFINITY), K(0.0)), lanes_equal(mode, K(1.0)), lanes_equal(mode, K(2.0)), lanes_equal(mode, K(3.0)), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
 /* 1 where a decision lies within its error; that a ball bounces on is none.
@@ -2180,12 +2131,13 @@ LANES(court_unhopped)(void)
    Table 1. No operations. */
 typedef struct {
     V which;
+    V circled;
 } LANES(court_beginning_contact_out);
 
 LANES_INLINE LANES(court_beginning_contact_out)
 LANES(court_beginning_contact)(void)
 {
-    return (LANES(court_beginning_contact_out)){ K(5.0) };
+    return (LANES(court_beginning_contact_out)){ K(5.0), K(0.0) };
 }
 
 /* The ball is off.
@@ -2201,7 +2153,7 @@ LANES(court_hopping)(void)
 }
 
 /* What comes of a ball in contact.
-   Table 1. 35 operations: 3 additions, 1 subtraction, 1 multiplication, 8 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 15 selections. */
+   Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections. */
 typedef struct {
     V body;
     V reached;
@@ -2221,9 +2173,10 @@ LANES(court_kept_on)(V began, V body, V clock, V doubt, M ends, V held, V last, 
     const V _s1 = lanes_mul(K(2.0), lanes_select(lanes_equal(held, K(2.0)), K(2.0), lanes_select(lanes_equal(held, K(1.0)), K(1.0), lanes_select(lanes_equal(held, K(0.0)), K(0.0), K(-1.0)))));
     const M _s2 = lanes_equal(which, K(6.0));
     const M _s3 = lanes_equal(which, K(7.0));
-    const M _s4 = lanes_both(rolling, lanes_at_most(lanes_sub(clock, began), K(5.960464477539063e-08)));
-    const M _s5 = lanes_less(K(4.0), which);
-    return (LANES(court_kept_on_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), body))), lanes_select(_s4, K(2.0), lanes_select(rests, K(5.0), lanes_select(lanes_either(_s5, rolling), K(-1.0), reached))), lanes_select(_s4, K(0.0), doubt), lanes_both(ends, lanes_not(_s5)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)), lanes_select(_s0, lanes_add(K(1.0), rolls), rolls) };
+    const M _s4 = lanes_equal(which, K(8.0));
+    const M _s5 = lanes_both(rolling, lanes_at_most(lanes_sub(clock, began), K(5.960464477539063e-08)));
+    const M _s6 = lanes_less(K(4.0), which);
+    return (LANES(court_kept_on_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), lanes_select(_s4, K(3.0), body)))), lanes_select(_s5, K(2.0), lanes_select(_s4, K(6.0), lanes_select(rests, K(5.0), lanes_select(lanes_either(_s6, rolling), K(-1.0), reached)))), lanes_select(_s5, K(0.0), doubt), lanes_both(ends, lanes_not(_s6)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)), lanes_select(_s0, lanes_add(K(1.0), rolls), rolls) };
 }
 
 /* Whether the ball stays on a surface, slides, leaves, or is wedged between two.
@@ -2930,13 +2883,12 @@ typedef struct {
     V bent_y;
     V bent_z;
     V per_reach;
-    V ring;
 } LANES(court_ring_tube_out);
 
 LANES_INLINE LANES(court_ring_tube_out)
-LANES(court_ring_tube)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
+LANES(court_ring_tube)(V p_ball_radius, V p_wire_radius)
 {
-    return (LANES(court_ring_tube_out)){ K(1.0), K(1.0), K(1.0), lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)), p_ring_radius };
+    return (LANES(court_ring_tube_out)){ K(1.0), K(1.0), K(1.0), lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)) };
 }
 
 /* The rate at which the normal turns.
@@ -2997,6 +2949,738 @@ LANES(court_ring_parting)(V p_gravity, V p_ring_radius, V vx, V vy, V vz, V x, V
     const V _s23 = lanes_mul(K(0.5), lanes_add(lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)), lanes_add(lanes_add(lanes_mul(lanes_mul(K(8.0), _s11), _s20), _s22), lanes_mul(K(6.0), lanes_mul(_s9, _s9)))));
     const V _s24 = lanes_sub(lanes_sub(lanes_add(lanes_div(_s23, _s4), lanes_div(lanes_mul(lanes_mul(K(2.25), _s15), _s12), _s17)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s15, _s15)), lanes_mul(_s13, _s16))), lanes_div(lanes_mul(K(0.75), lanes_mul(_s12, _s12)), _s13));
     return (LANES(court_ring_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s12), _s4), lanes_div(lanes_mul(K(0.25), _s15), _s13)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.375), lanes_mul(_s14, _s15)), _s17), lanes_div(lanes_mul(K(0.5), _s21), _s4)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s14), _s12), _s13)), lanes_sub(_s24, lanes_div(lanes_mul(_s21, _s14), _s13)) };
+}
+
+/* The constant terms, in the ring's coordinates.
+   Routh's equations. 36 operations: 7 additions, 3 subtractions, 20 multiplications, 4 divisions, 2 square roots. */
+typedef struct {
+    V cosine_0;
+    V sine_0;
+    V climb_0;
+    V along_0;
+    V turn_rate_0;
+    V cos_0;
+    V sin_0;
+    V near_0;
+} LANES(court_ring_round_start_out);
+
+LANES_INLINE LANES(court_ring_round_start_out)
+LANES(court_ring_round_start)(V p_ball_radius, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V wx, V wy, V wz, V x, V y, V z)
+{
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_sub(_s0, p_ring_radius);
+    const V _s2 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1))));
+    const V _s3 = lanes_mul(_s1, _s2);
+    const V _s4 = lanes_mul(z, _s2);
+    const V _s5 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s6 = lanes_div(K(1.0), _s0);
+    const V _s7 = lanes_mul(x, _s6);
+    const V _s8 = lanes_mul(y, _s6);
+    return (LANES(court_ring_round_start_out)){ _s3, _s4, lanes_div(lanes_sub(lanes_mul(vz, _s3), lanes_mul(_s4, lanes_add(lanes_mul(vx, _s7), lanes_mul(vy, _s8)))), _s5), lanes_sub(lanes_mul(vy, _s7), lanes_mul(vx, _s8)), lanes_mul(p_ball_radius, lanes_add(lanes_mul(wz, _s4), lanes_mul(_s3, lanes_add(lanes_mul(wx, _s7), lanes_mul(wy, _s8))))), _s7, _s8, lanes_div(K(1.0), lanes_add(p_ring_radius, lanes_mul(_s3, _s5))) };
+}
+
+/* Where a ball that rolls on the ring is at time t.
+   Routh's equations. 214 operations: 91 additions, 3 subtractions, 114 multiplications, 3 divisions, 2 square roots, 1 negation. */
+typedef struct {
+    V x;
+    V y;
+    V z;
+    V vx;
+    V vy;
+    V vz;
+    V wx;
+    V wy;
+    V wz;
+    V climb;
+} LANES(court_ring_round_moved_out);
+
+LANES_INLINE LANES(court_ring_round_moved_out)
+LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_11, V cos_12, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_12, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_ring_radius, V sin_0, V sin_1, V sin_10, V sin_11, V sin_12, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_11, V sine_12, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V t, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_12, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+{
+    const V _s0 = lanes_add(cos_9, lanes_mul(t, lanes_add(cos_10, lanes_mul(t, lanes_add(cos_11, lanes_mul(cos_12, t))))));
+    const V _s1 = lanes_add(cos_6, lanes_mul(t, lanes_add(cos_7, lanes_mul(t, lanes_add(cos_8, lanes_mul(t, _s0))))));
+    const V _s2 = lanes_add(cos_3, lanes_mul(t, lanes_add(cos_4, lanes_mul(t, lanes_add(cos_5, lanes_mul(t, _s1))))));
+    const V _s3 = lanes_add(cos_0, lanes_mul(t, lanes_add(cos_1, lanes_mul(t, lanes_add(cos_2, lanes_mul(t, _s2))))));
+    const V _s4 = lanes_add(sin_9, lanes_mul(t, lanes_add(sin_10, lanes_mul(t, lanes_add(sin_11, lanes_mul(sin_12, t))))));
+    const V _s5 = lanes_add(sin_6, lanes_mul(t, lanes_add(sin_7, lanes_mul(t, lanes_add(sin_8, lanes_mul(t, _s4))))));
+    const V _s6 = lanes_add(sin_3, lanes_mul(t, lanes_add(sin_4, lanes_mul(t, lanes_add(sin_5, lanes_mul(t, _s5))))));
+    const V _s7 = lanes_add(sin_0, lanes_mul(t, lanes_add(sin_1, lanes_mul(t, lanes_add(sin_2, lanes_mul(t, _s6))))));
+    const V _s8 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s7, _s7))));
+    const V _s9 = lanes_mul(_s3, _s8);
+    const V _s10 = lanes_add(cosine_9, lanes_mul(t, lanes_add(cosine_10, lanes_mul(t, lanes_add(cosine_11, lanes_mul(cosine_12, t))))));
+    const V _s11 = lanes_add(cosine_6, lanes_mul(t, lanes_add(cosine_7, lanes_mul(t, lanes_add(cosine_8, lanes_mul(t, _s10))))));
+    const V _s12 = lanes_add(cosine_3, lanes_mul(t, lanes_add(cosine_4, lanes_mul(t, lanes_add(cosine_5, lanes_mul(t, _s11))))));
+    const V _s13 = lanes_add(cosine_0, lanes_mul(t, lanes_add(cosine_1, lanes_mul(t, lanes_add(cosine_2, lanes_mul(t, _s12))))));
+    const V _s14 = lanes_add(sine_9, lanes_mul(t, lanes_add(sine_10, lanes_mul(t, lanes_add(sine_11, lanes_mul(sine_12, t))))));
+    const V _s15 = lanes_add(sine_6, lanes_mul(t, lanes_add(sine_7, lanes_mul(t, lanes_add(sine_8, lanes_mul(t, _s14))))));
+    const V _s16 = lanes_add(sine_3, lanes_mul(t, lanes_add(sine_4, lanes_mul(t, lanes_add(sine_5, lanes_mul(t, _s15))))));
+    const V _s17 = lanes_add(sine_0, lanes_mul(t, lanes_add(sine_1, lanes_mul(t, lanes_add(sine_2, lanes_mul(t, _s16))))));
+    const V _s18 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s17, _s17))));
+    const V _s19 = lanes_mul(_s13, _s18);
+    const V _s20 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s21 = lanes_add(p_ring_radius, lanes_mul(_s19, _s20));
+    const V _s22 = lanes_mul(_s7, _s8);
+    const V _s23 = lanes_mul(_s17, _s18);
+    const V _s24 = lanes_add(climb_9, lanes_mul(t, lanes_add(climb_10, lanes_mul(t, lanes_add(climb_11, lanes_mul(climb_12, t))))));
+    const V _s25 = lanes_add(climb_6, lanes_mul(t, lanes_add(climb_7, lanes_mul(t, lanes_add(climb_8, lanes_mul(t, _s24))))));
+    const V _s26 = lanes_add(climb_3, lanes_mul(t, lanes_add(climb_4, lanes_mul(t, lanes_add(climb_5, lanes_mul(t, _s25))))));
+    const V _s27 = lanes_add(climb_0, lanes_mul(t, lanes_add(climb_1, lanes_mul(t, lanes_add(climb_2, lanes_mul(t, _s26))))));
+    const V _s28 = lanes_mul(_s20, _s27);
+    const V _s29 = lanes_neg(lanes_mul(_s28, _s23));
+    const V _s30 = lanes_add(along_9, lanes_mul(t, lanes_add(along_10, lanes_mul(t, lanes_add(along_11, lanes_mul(along_12, t))))));
+    const V _s31 = lanes_add(along_6, lanes_mul(t, lanes_add(along_7, lanes_mul(t, lanes_add(along_8, lanes_mul(t, _s30))))));
+    const V _s32 = lanes_add(along_3, lanes_mul(t, lanes_add(along_4, lanes_mul(t, lanes_add(along_5, lanes_mul(t, _s31))))));
+    const V _s33 = lanes_add(along_0, lanes_mul(t, lanes_add(along_1, lanes_mul(t, lanes_add(along_2, lanes_mul(t, _s32))))));
+    const V _s34 = lanes_div(K(1.0), p_ball_radius);
+    const V _s35 = lanes_add(turn_rate_9, lanes_mul(t, lanes_add(turn_rate_10, lanes_mul(t, lanes_add(turn_rate_11, lanes_mul(t, turn_rate_12))))));
+    const V _s36 = lanes_add(turn_rate_6, lanes_mul(t, lanes_add(turn_rate_7, lanes_mul(t, lanes_add(turn_rate_8, lanes_mul(t, _s35))))));
+    const V _s37 = lanes_add(turn_rate_3, lanes_mul(t, lanes_add(turn_rate_4, lanes_mul(t, lanes_add(turn_rate_5, lanes_mul(t, _s36))))));
+    const V _s38 = lanes_add(turn_rate_0, lanes_mul(t, lanes_add(turn_rate_1, lanes_mul(t, lanes_add(turn_rate_2, lanes_mul(t, _s37))))));
+    const V _s39 = lanes_sub(lanes_mul(_s19, _s38), lanes_mul(_s23, _s33));
+    return (LANES(court_ring_round_moved_out)){ lanes_mul(_s9, _s21), lanes_mul(_s22, _s21), lanes_mul(_s23, _s20), lanes_sub(lanes_mul(_s29, _s9), lanes_mul(_s22, _s33)), lanes_add(lanes_mul(_s29, _s22), lanes_mul(_s9, _s33)), lanes_mul(_s28, _s19), lanes_mul(_s34, lanes_add(lanes_mul(_s28, _s22), lanes_mul(_s9, _s39))), lanes_mul(_s34, lanes_sub(lanes_mul(_s22, _s39), lanes_mul(_s28, _s9))), lanes_mul(_s34, lanes_add(lanes_mul(_s19, _s33), lanes_mul(_s23, _s38))), _s27 };
+}
+
+/* A step of the series, and bounds of the motion in it.
+   Routh's equations. 272 operations: 80 additions, 4 subtractions, 117 multiplications, 6 divisions, 7 square roots, 1 negation, 53 absolute values, 2 comparisons, 2 selections. */
+typedef struct {
+    V stride;
+    V strongest;
+    V fastest;
+    V sway;
+    V force;
+    V force_rate;
+    V force_bend;
+    V vx_1;
+    V vy_1;
+    V vz_1;
+} LANES(court_ring_round_pace_out);
+
+LANES_INLINE LANES(court_ring_round_pace_out)
+LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_12, V cosine_0, V cosine_12, V force_0, V force_1, V force_10, V force_11, V force_2, V force_3, V force_4, V force_5, V force_6, V force_7, V force_8, V force_9, V p_gravity, V omega_0, V p_ring_radius, V sin_0, V sin_12, V sine_0, V sine_12, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_12, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+{
+    const V _s0 = lanes_abs(climb_0);
+    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s2 = lanes_abs(along_0);
+    const V _s3 = lanes_abs(turn_rate_0);
+    const V _s4 = lanes_add(lanes_mul(_s0, _s1), lanes_add(_s2, _s3));
+    const V _s5 = lanes_add(lanes_mul(K(0.015625), p_gravity), _s4);
+    const V _s6 = lanes_abs(climb_11);
+    const V _s7 = lanes_abs(along_11);
+    const V _s8 = lanes_abs(turn_rate_11);
+    const V _s9 = lanes_abs(climb_12);
+    const V _s10 = lanes_abs(along_12);
+    const V _s11 = lanes_abs(turn_rate_12);
+    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(_s6, _s1), lanes_add(_s7, _s8))), lanes_add(lanes_div(_s4, _s1), lanes_sqrt(lanes_div(p_gravity, _s1)))), lanes_add(lanes_mul(_s9, _s1), lanes_add(_s10, _s11)));
+    const V _s13 = lanes_mul(_s5, lanes_add(lanes_add(lanes_add(lanes_abs(cos_12), lanes_abs(cosine_12)), lanes_abs(sin_12)), lanes_abs(sine_12)));
+    const V _s14 = lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.7763568394002505e-15), _s5), lanes_max(_s12, _s13))));
+    const V _s15 = lanes_sqrt(lanes_sqrt(_s14));
+    const V _s16 = lanes_mul(_s15, lanes_sqrt(lanes_sqrt(_s15)));
+    const V _s17 = lanes_add(lanes_div(_s14, lanes_mul(K(3.0), lanes_mul(_s16, _s16))), lanes_mul(K(0.6666666666666666), _s16));
+    const V _s18 = lanes_add(lanes_div(_s14, lanes_mul(K(3.0), lanes_mul(_s17, _s17))), lanes_mul(K(0.6666666666666666), _s17));
+    const V _s19 = lanes_min(_s18, K(0.0625));
+    const V _s20 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s11, _s19), _s8), _s19), lanes_abs(turn_rate_10)), _s19), lanes_abs(turn_rate_9));
+    const V _s21 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s20, _s19), lanes_abs(turn_rate_8)), _s19), lanes_abs(turn_rate_7)), _s19), lanes_abs(turn_rate_6));
+    const V _s22 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s21, _s19), lanes_abs(turn_rate_5)), _s19), lanes_abs(turn_rate_4)), _s19), lanes_abs(turn_rate_3));
+    const V _s23 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s22, _s19), lanes_abs(turn_rate_2)), _s19), lanes_abs(turn_rate_1)), _s19), _s3);
+    const V _s24 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s10, _s19), _s7), _s19), lanes_abs(along_10)), _s19), lanes_abs(along_9));
+    const V _s25 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s24, _s19), lanes_abs(along_8)), _s19), lanes_abs(along_7)), _s19), lanes_abs(along_6));
+    const V _s26 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s25, _s19), lanes_abs(along_5)), _s19), lanes_abs(along_4)), _s19), lanes_abs(along_3));
+    const V _s27 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s26, _s19), lanes_abs(along_2)), _s19), lanes_abs(along_1)), _s19), _s2);
+    const V _s28 = lanes_mul(_s27, lanes_div(K(1.0), lanes_sub(p_ring_radius, _s1)));
+    const V _s29 = lanes_abs(climb_10);
+    const V _s30 = lanes_abs(climb_9);
+    const V _s31 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s9, _s19), _s6), _s19), _s29), _s19), _s30);
+    const V _s32 = lanes_abs(climb_8);
+    const V _s33 = lanes_abs(climb_7);
+    const V _s34 = lanes_abs(climb_6);
+    const V _s35 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s31, _s19), _s32), _s19), _s33), _s19), _s34);
+    const V _s36 = lanes_abs(climb_5);
+    const V _s37 = lanes_abs(climb_4);
+    const V _s38 = lanes_abs(climb_3);
+    const V _s39 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s35, _s19), _s36), _s19), _s37), _s19), _s38);
+    const V _s40 = lanes_abs(climb_2);
+    const V _s41 = lanes_abs(climb_1);
+    const V _s42 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s39, _s19), _s40), _s19), _s41), _s19), _s0);
+    const V _s43 = lanes_mul(_s42, _s42);
+    const V _s44 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s9), _s19), lanes_mul(K(11.0), _s6)), _s19), lanes_mul(K(10.0), _s29)), _s19);
+    const V _s45 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s44, lanes_mul(K(9.0), _s30)), _s19), lanes_mul(K(8.0), _s32)), _s19), lanes_mul(K(7.0), _s33));
+    const V _s46 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s45, _s19), lanes_mul(K(6.0), _s34)), _s19), lanes_mul(K(5.0), _s36)), _s19), lanes_mul(K(4.0), _s37));
+    const V _s47 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s46, _s19), lanes_mul(K(3.0), _s38)), _s19), lanes_mul(K(2.0), _s40)), _s19), _s41);
+    const V _s48 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(110.0), lanes_abs(force_11)), _s19), lanes_mul(K(90.0), lanes_abs(force_10))), _s19), lanes_mul(K(72.0), lanes_abs(force_9)));
+    const V _s49 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s48, _s19), lanes_mul(K(56.0), lanes_abs(force_8))), _s19), lanes_mul(K(42.0), lanes_abs(force_7))), _s19);
+    const V _s50 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s49, lanes_mul(K(30.0), lanes_abs(force_6))), _s19), lanes_mul(K(20.0), lanes_abs(force_5))), _s19);
+    const V _s51 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s50, lanes_mul(K(12.0), lanes_abs(force_4))), _s19), lanes_mul(K(6.0), lanes_abs(force_3))), _s19);
+    const V _s52 = lanes_mul(lanes_mul(climb_0, climb_0), _s1);
+    const V _s53 = lanes_neg(lanes_add(lanes_add(lanes_mul(along_0, omega_0), lanes_mul(cosine_0, _s52)), lanes_mul(lanes_mul(climb_1, sine_0), _s1)));
+    const V _s54 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _s1)));
+    return (LANES(court_ring_round_pace_out)){ _s19, lanes_add(lanes_add(lanes_mul(K(0.6), p_gravity), lanes_mul(K(0.4), lanes_mul(_s23, lanes_add(_s28, _s42)))), lanes_add(lanes_mul(_s28, _s27), lanes_mul(_s1, _s43))), lanes_add(lanes_mul(_s1, _s42), _s27), lanes_mul(_s1, lanes_add(_s43, _s47)), force_0, force_1, lanes_add(_s51, lanes_mul(K(2.0), lanes_abs(force_2))), lanes_sub(lanes_mul(cos_0, _s53), lanes_mul(sin_0, _s54)), lanes_add(lanes_mul(cos_0, _s54), lanes_mul(sin_0, _s53)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _s1), lanes_mul(sine_0, _s52)) };
+}
+
+/* The square of the friction that rolling on the ring takes, and its rate.
+   Routh's equations. 24 operations: 6 additions, 18 multiplications. */
+typedef struct {
+    V drag;
+    V drag_rate;
+    V strain;
+    V strain_rate;
+} LANES(court_ring_round_pulled_out);
+
+LANES_INLINE LANES(court_ring_round_pulled_out)
+LANES(court_ring_round_pulled)(V climb_0, V climb_1, V cosine_0, V cosine_1, V p_gravity, V omega_0, V omega_1, V turn_rate_0, V turn_rate_1)
+{
+    const V _s0 = lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0));
+    const V _s1 = lanes_add(p_gravity, lanes_mul(omega_0, turn_rate_0));
+    const V _s2 = lanes_mul(K(0.4), lanes_mul(cosine_0, _s1));
+    const V _s3 = lanes_mul(_s2, lanes_mul(K(0.4), lanes_add(lanes_mul(cosine_0, lanes_add(lanes_mul(omega_0, turn_rate_1), lanes_mul(omega_1, turn_rate_0))), lanes_mul(cosine_1, _s1))));
+    const V _s4 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s0, lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0)))), _s3));
+    return (LANES(court_ring_round_pulled_out)){ lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s2, _s2)), _s4, K(-INFINITY), K(0.0) };
+}
+
+/* Whether it is certain to roll for ever.
+   Routh's equations. 49 operations: 4 additions, 3 subtractions, 21 multiplications, 1 division, 1 absolute value, 8 comparisons, 6 conjunctions, 1 complement, 4 selections. */
+typedef struct {
+    V circled;
+    M endless;
+    V doubt;
+} LANES(court_ring_swung_out);
+
+LANES_INLINE LANES(court_ring_swung_out)
+LANES(court_ring_swung)(V p_ball_radius, V berth, V circled, V climb, V climb_0, V doubt, V fastest, V force, V force_bend, V force_rate, V p_gravity, V position_error, V stride, V sway, V velocity_error, V which, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_mul(stride, stride);
+    const M _s2 = lanes_both(lanes_less(lanes_mul(K(0.000244140625), _s0), lanes_sub(berth, lanes_mul(lanes_mul(K(0.125), sway), _s1))), lanes_less(lanes_mul(K(0.00390625), p_gravity), lanes_sub(lanes_add(force, lanes_mul(stride, lanes_min(force_rate, K(0.0)))), lanes_mul(lanes_mul(K(0.5), force_bend), _s1))));
+    const M _s3 = lanes_both(_s2, lanes_equal(which, K(-1.0)));
+    const M _s4 = lanes_both(lanes_less(lanes_mul(climb, climb_0), K(0.0)), lanes_less(lanes_mul(lanes_mul(K(0.015625), p_gravity), stride), lanes_mul(lanes_abs(lanes_sub(climb, climb_0)), _s0)));
+    const M _s5 = lanes_both(lanes_both(_s3, _s4), lanes_less(K(0.0), circled));
+    const V _s6 = lanes_add(p_gravity, lanes_mul(lanes_mul(fastest, fastest), lanes_div(K(1.0), _s0)));
+    const M _s7 = lanes_not(lanes_less(lanes_mul(_s6, lanes_mul(K(512.0), lanes_add(lanes_mul(fastest, velocity_error), lanes_mul(position_error, _s6)))), lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s0)));
+    return (LANES(court_ring_swung_out)){ lanes_select(_s3, lanes_select(_s4, K(1.0), circled), K(0.0)), _s5, lanes_select(lanes_both(_s5, _s7), K(0.0), doubt) };
+}
+
+/* The terms of order 1, from those before.
+   Routh's equations. 32 operations: 2 additions, 4 subtractions, 22 multiplications, 1 division, 3 negations. */
+typedef struct {
+    V omega_0;
+    V around_0;
+    V tilted_0;
+    V pressed_0;
+    V force_0;
+    V cosine_1;
+    V sine_1;
+    V climb_1;
+    V along_1;
+    V turn_rate_1;
+    V cos_1;
+    V sin_1;
+} LANES(court_ring_round_0_out);
+
+LANES_INLINE LANES(court_ring_round_0_out)
+LANES(court_ring_round_0)(V along_0, V p_ball_radius, V climb_0, V cos_0, V cosine_0, V p_gravity, V near_0, V p_ring_radius, V sin_0, V sine_0, V turn_rate_0, V p_wire_radius)
+{
+    const V _s0 = lanes_mul(along_0, near_0);
+    const V _s1 = lanes_mul(climb_0, _s0);
+    const V _s2 = lanes_sub(lanes_mul(along_0, sine_0), lanes_mul(K(0.4), lanes_mul(cosine_0, turn_rate_0)));
+    const V _s3 = lanes_mul(along_0, cosine_0);
+    const V _s4 = lanes_add(p_ball_radius, p_wire_radius);
+    return (LANES(court_ring_round_0_out)){ _s0, _s1, _s2, _s3, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_0), lanes_mul(lanes_mul(climb_0, climb_0), _s4)), lanes_mul(_s3, _s0)), lanes_neg(lanes_mul(climb_0, sine_0)), lanes_mul(climb_0, cosine_0), lanes_neg(lanes_div(lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_0), p_gravity), lanes_mul(_s0, _s2)), _s4)), lanes_sub(lanes_mul(lanes_mul(sine_0, _s1), _s4), lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0))), lanes_mul(p_ring_radius, _s1), lanes_neg(lanes_mul(sin_0, _s0)), lanes_mul(cos_0, _s0) };
+}
+
+/* The terms of order 2, from those before.
+   Routh's equations. 70 operations: 15 additions, 4 subtractions, 46 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_1;
+    V omega_1;
+    V around_1;
+    V tilted_1;
+    V pressed_1;
+    V force_1;
+    V cosine_2;
+    V sine_2;
+    V climb_2;
+    V along_2;
+    V turn_rate_2;
+    V cos_2;
+    V sin_2;
+} LANES(court_ring_round_1_out);
+
+LANES_INLINE LANES(court_ring_round_1_out)
+LANES(court_ring_round_1)(V along_0, V along_1, V around_0, V p_ball_radius, V climb_0, V climb_1, V cos_0, V cos_1, V cosine_0, V cosine_1, V p_gravity, V near_0, V omega_0, V pressed_0, V p_ring_radius, V sin_0, V sin_1, V sine_0, V sine_1, V tilted_0, V turn_rate_0, V turn_rate_1, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, lanes_mul(cosine_1, near_0)), _s0));
+    const V _s2 = lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_0));
+    const V _s3 = lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_0));
+    const V _s4 = lanes_sub(lanes_add(lanes_mul(along_0, sine_1), lanes_mul(along_1, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_mul(cosine_0, turn_rate_1), lanes_mul(cosine_1, turn_rate_0))));
+    const V _s5 = lanes_add(lanes_mul(along_0, cosine_1), lanes_mul(along_1, cosine_0));
+    const V _s6 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_1), p_gravity), lanes_add(lanes_mul(omega_0, _s4), lanes_mul(tilted_0, _s2)))), _s0));
+    return (LANES(court_ring_round_1_out)){ _s1, _s2, _s3, _s4, _s5, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_1), lanes_mul(lanes_mul(lanes_mul(K(2.0), climb_0), climb_1), _s0)), lanes_add(lanes_mul(omega_0, _s5), lanes_mul(pressed_0, _s2))), lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, sine_1), lanes_mul(climb_1, sine_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, cosine_1), lanes_mul(climb_1, cosine_0))), _s6, lanes_mul(K(0.5), lanes_sub(lanes_mul(_s0, lanes_add(lanes_mul(around_0, sine_1), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0))))), lanes_mul(lanes_mul(K(0.5), p_ring_radius), _s3), lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(omega_0, sin_1), lanes_mul(sin_0, _s2)))), lanes_mul(K(0.5), lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_0))) };
+}
+
+/* The terms of order 3, from those before.
+   Routh's equations. 100 operations: 30 additions, 4 subtractions, 61 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_2;
+    V omega_2;
+    V around_2;
+    V tilted_2;
+    V pressed_2;
+    V force_2;
+    V cosine_3;
+    V sine_3;
+    V climb_3;
+    V along_3;
+    V turn_rate_3;
+    V cos_3;
+    V sin_3;
+} LANES(court_ring_round_2_out);
+
+LANES_INLINE LANES(court_ring_round_2_out)
+LANES(court_ring_round_2)(V along_0, V along_1, V along_2, V around_0, V around_1, V p_ball_radius, V climb_0, V climb_1, V climb_2, V cos_0, V cos_1, V cos_2, V cosine_0, V cosine_1, V cosine_2, V p_gravity, V near_0, V near_1, V omega_0, V omega_1, V pressed_0, V pressed_1, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sine_0, V sine_1, V sine_2, V tilted_0, V tilted_1, V turn_rate_0, V turn_rate_1, V turn_rate_2, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_mul(cosine_1, near_1), lanes_mul(cosine_2, near_0))));
+    const V _s2 = lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_1)), lanes_mul(along_2, near_0));
+    const V _s3 = lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_1)), lanes_mul(climb_2, omega_0));
+    const V _s4 = lanes_sub(lanes_add(lanes_add(lanes_mul(along_0, sine_2), lanes_mul(along_1, sine_1)), lanes_mul(along_2, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_2), lanes_mul(cosine_1, turn_rate_1)), lanes_mul(cosine_2, turn_rate_0))));
+    const V _s5 = lanes_add(lanes_add(lanes_mul(along_0, cosine_2), lanes_mul(along_1, cosine_1)), lanes_mul(along_2, cosine_0));
+    const V _s6 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_2), lanes_mul(_s0, lanes_add(lanes_mul(climb_1, climb_1), lanes_mul(lanes_mul(K(2.0), climb_0), climb_2)))), lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, pressed_1)), lanes_mul(pressed_0, _s2)));
+    const V _s7 = lanes_div(lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_2), p_gravity), lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, tilted_1)), lanes_mul(tilted_0, _s2)))), _s0);
+    const V _s8 = lanes_mul(K(0.3333333333333333), lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(around_0, sine_2), lanes_mul(around_1, sine_1)), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_2), lanes_mul(climb_1, turn_rate_1)), lanes_mul(climb_2, turn_rate_0)))));
+    return (LANES(court_ring_round_2_out)){ _s1, _s2, _s3, _s4, _s5, _s6, lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, sine_2), lanes_mul(climb_1, sine_1)), lanes_mul(climb_2, sine_0)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, cosine_2), lanes_mul(climb_1, cosine_1)), lanes_mul(climb_2, cosine_0))), lanes_neg(_s7), _s8, lanes_mul(lanes_mul(K(0.3333333333333333), p_ring_radius), _s3), lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(omega_0, sin_2), lanes_mul(omega_1, sin_1)), lanes_mul(sin_0, _s2)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_1)), lanes_mul(cos_2, omega_0))) };
+}
+
+/* The terms of order 4, from those before.
+   Routh's equations. 129 operations: 44 additions, 4 subtractions, 76 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_3;
+    V omega_3;
+    V around_3;
+    V tilted_3;
+    V pressed_3;
+    V force_3;
+    V cosine_4;
+    V sine_4;
+    V climb_4;
+    V along_4;
+    V turn_rate_4;
+    V cos_4;
+    V sin_4;
+} LANES(court_ring_round_3_out);
+
+LANES_INLINE LANES(court_ring_round_3_out)
+LANES(court_ring_round_3)(V along_0, V along_1, V along_2, V along_3, V around_0, V around_1, V around_2, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V cos_0, V cos_1, V cos_2, V cos_3, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V p_gravity, V near_0, V near_1, V near_2, V omega_0, V omega_1, V omega_2, V pressed_0, V pressed_1, V pressed_2, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sine_0, V sine_1, V sine_2, V sine_3, V tilted_0, V tilted_1, V tilted_2, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_mul(cosine_1, near_2), lanes_mul(cosine_2, near_1)), lanes_mul(cosine_3, near_0))));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_2)), lanes_mul(along_2, near_1)), lanes_mul(along_3, near_0));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_2)), lanes_mul(climb_2, omega_1)), lanes_mul(climb_3, omega_0));
+    const V _s4 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_3), lanes_mul(along_1, sine_2)), lanes_mul(along_2, sine_1)), lanes_mul(along_3, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_3), lanes_mul(cosine_1, turn_rate_2)), lanes_mul(cosine_2, turn_rate_1)), lanes_mul(cosine_3, turn_rate_0))));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_3), lanes_mul(along_1, cosine_2)), lanes_mul(along_2, cosine_1)), lanes_mul(along_3, cosine_0));
+    const V _s6 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_3), lanes_mul(_s0, lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_3), lanes_mul(lanes_mul(K(2.0), climb_1), climb_2)))), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, pressed_2)), lanes_mul(omega_2, pressed_1)), lanes_mul(pressed_0, _s2)));
+    const V _s7 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_3), lanes_mul(climb_1, sine_2)), lanes_mul(climb_2, sine_1)), lanes_mul(climb_3, sine_0))));
+    const V _s8 = lanes_mul(K(0.25), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_3), p_gravity), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, tilted_2)), lanes_mul(omega_2, tilted_1)), lanes_mul(tilted_0, _s2))));
+    const V _s9 = lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_3), lanes_mul(around_1, sine_2)), lanes_mul(around_2, sine_1)), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_3), lanes_mul(climb_1, turn_rate_2)), lanes_mul(climb_2, turn_rate_1)), lanes_mul(climb_3, turn_rate_0))));
+    const V _s10 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_3), lanes_mul(omega_1, sin_2)), lanes_mul(omega_2, sin_1)), lanes_mul(sin_0, _s2))));
+    return (LANES(court_ring_round_3_out)){ _s1, _s2, _s3, _s4, _s5, _s6, _s7, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_3), lanes_mul(climb_1, cosine_2)), lanes_mul(climb_2, cosine_1)), lanes_mul(climb_3, cosine_0))), lanes_neg(lanes_div(_s8, _s0)), lanes_mul(K(0.25), _s9), lanes_mul(lanes_mul(K(0.25), p_ring_radius), _s3), _s10, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_2)), lanes_mul(cos_2, omega_1)), lanes_mul(cos_3, omega_0))) };
+}
+
+/* The terms of order 5, from those before.
+   Routh's equations. 159 operations: 59 additions, 4 subtractions, 91 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_4;
+    V omega_4;
+    V around_4;
+    V tilted_4;
+    V pressed_4;
+    V force_4;
+    V cosine_5;
+    V sine_5;
+    V climb_5;
+    V along_5;
+    V turn_rate_5;
+    V cos_5;
+    V sin_5;
+} LANES(court_ring_round_4_out);
+
+LANES_INLINE LANES(court_ring_round_4_out)
+LANES(court_ring_round_4)(V along_0, V along_1, V along_2, V along_3, V along_4, V around_0, V around_1, V around_2, V around_3, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V p_gravity, V near_0, V near_1, V near_2, V near_3, V omega_0, V omega_1, V omega_2, V omega_3, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_3), lanes_mul(cosine_2, near_2)), lanes_mul(cosine_3, near_1)), lanes_mul(cosine_4, near_0))));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_3)), lanes_mul(along_2, near_2)), lanes_mul(along_3, near_1)), lanes_mul(along_4, near_0));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_3)), lanes_mul(climb_2, omega_2)), lanes_mul(climb_3, omega_1)), lanes_mul(climb_4, omega_0));
+    const V _s4 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_4), lanes_mul(cosine_1, turn_rate_3)), lanes_mul(cosine_2, turn_rate_2)), lanes_mul(cosine_3, turn_rate_1)), lanes_mul(cosine_4, turn_rate_0)));
+    const V _s5 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_4), lanes_mul(along_1, sine_3)), lanes_mul(along_2, sine_2)), lanes_mul(along_3, sine_1)), lanes_mul(along_4, sine_0)), _s4);
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_4), lanes_mul(along_1, cosine_3)), lanes_mul(along_2, cosine_2)), lanes_mul(along_3, cosine_1)), lanes_mul(along_4, cosine_0));
+    const V _s7 = lanes_sub(lanes_mul(p_gravity, sine_4), lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(climb_2, climb_2), lanes_mul(lanes_mul(K(2.0), climb_0), climb_4)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_3))));
+    const V _s8 = lanes_sub(_s7, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s6), lanes_mul(omega_1, pressed_3)), lanes_mul(omega_2, pressed_2)), lanes_mul(omega_3, pressed_1)), lanes_mul(pressed_0, _s2)));
+    const V _s9 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_4), lanes_mul(climb_1, sine_3)), lanes_mul(climb_2, sine_2)), lanes_mul(climb_3, sine_1)), lanes_mul(climb_4, sine_0)));
+    const V _s10 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_4), lanes_mul(climb_1, cosine_3)), lanes_mul(climb_2, cosine_2)), lanes_mul(climb_3, cosine_1)), lanes_mul(climb_4, cosine_0)));
+    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_4), p_gravity), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, tilted_3)), lanes_mul(omega_2, tilted_2)), lanes_mul(omega_3, tilted_1)), lanes_mul(tilted_0, _s2)));
+    const V _s12 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_4), lanes_mul(around_1, sine_3)), lanes_mul(around_2, sine_2)), lanes_mul(around_3, sine_1)), lanes_mul(sine_0, _s3)));
+    const V _s13 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_4), lanes_mul(climb_1, turn_rate_3)), lanes_mul(climb_2, turn_rate_2)), lanes_mul(climb_3, turn_rate_1)), lanes_mul(climb_4, turn_rate_0)));
+    const V _s14 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_4), lanes_mul(omega_1, sin_3)), lanes_mul(omega_2, sin_2)), lanes_mul(omega_3, sin_1)), lanes_mul(sin_0, _s2)));
+    const V _s15 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_3)), lanes_mul(cos_2, omega_2)), lanes_mul(cos_3, omega_1)), lanes_mul(cos_4, omega_0)));
+    return (LANES(court_ring_round_4_out)){ _s1, _s2, _s3, _s5, _s6, _s8, lanes_neg(_s9), _s10, lanes_neg(lanes_div(lanes_mul(K(0.2), _s11), _s0)), lanes_mul(K(0.2), lanes_sub(_s12, _s13)), lanes_mul(lanes_mul(K(0.2), p_ring_radius), _s3), lanes_neg(_s14), _s15 };
+}
+
+/* The terms of order 6, from those before.
+   Routh's equations. 188 operations: 73 additions, 4 subtractions, 106 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_5;
+    V omega_5;
+    V around_5;
+    V tilted_5;
+    V pressed_5;
+    V force_5;
+    V cosine_6;
+    V sine_6;
+    V climb_6;
+    V along_6;
+    V turn_rate_6;
+    V cos_6;
+    V sin_6;
+} LANES(court_ring_round_5_out);
+
+LANES_INLINE LANES(court_ring_round_5_out)
+LANES(court_ring_round_5)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V around_0, V around_1, V around_2, V around_3, V around_4, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_4), lanes_mul(cosine_2, near_3)), lanes_mul(cosine_3, near_2)), lanes_mul(cosine_4, near_1)), lanes_mul(cosine_5, near_0)));
+    const V _s2 = lanes_neg(_s1);
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_4)), lanes_mul(along_2, near_3)), lanes_mul(along_3, near_2)), lanes_mul(along_4, near_1)), lanes_mul(along_5, near_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_4)), lanes_mul(climb_2, omega_3)), lanes_mul(climb_3, omega_2)), lanes_mul(climb_4, omega_1)), lanes_mul(climb_5, omega_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_5), lanes_mul(along_1, sine_4)), lanes_mul(along_2, sine_3)), lanes_mul(along_3, sine_2)), lanes_mul(along_4, sine_1)), lanes_mul(along_5, sine_0));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_5), lanes_mul(cosine_1, turn_rate_4)), lanes_mul(cosine_2, turn_rate_3)), lanes_mul(cosine_3, turn_rate_2)), lanes_mul(cosine_4, turn_rate_1)), lanes_mul(cosine_5, turn_rate_0));
+    const V _s7 = lanes_sub(_s5, lanes_mul(K(0.4), _s6));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_5), lanes_mul(along_1, cosine_4)), lanes_mul(along_2, cosine_3)), lanes_mul(along_3, cosine_2)), lanes_mul(along_4, cosine_1)), lanes_mul(along_5, cosine_0));
+    const V _s9 = lanes_sub(lanes_mul(p_gravity, sine_5), lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_5), lanes_mul(lanes_mul(K(2.0), climb_1), climb_4)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_3))));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s8), lanes_mul(omega_1, pressed_4)), lanes_mul(omega_2, pressed_3)), lanes_mul(omega_3, pressed_2)), lanes_mul(omega_4, pressed_1)), lanes_mul(pressed_0, _s3));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_5), lanes_mul(climb_1, sine_4)), lanes_mul(climb_2, sine_3)), lanes_mul(climb_3, sine_2)), lanes_mul(climb_4, sine_1)), lanes_mul(climb_5, sine_0));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_5), lanes_mul(climb_1, cosine_4)), lanes_mul(climb_2, cosine_3)), lanes_mul(climb_3, cosine_2)), lanes_mul(climb_4, cosine_1)), lanes_mul(climb_5, cosine_0));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s7), lanes_mul(omega_1, tilted_4)), lanes_mul(omega_2, tilted_3)), lanes_mul(omega_3, tilted_2)), lanes_mul(omega_4, tilted_1)), lanes_mul(tilted_0, _s3));
+    const V _s14 = lanes_neg(lanes_div(lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_5), p_gravity), _s13)), _s0));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_5), lanes_mul(around_1, sine_4)), lanes_mul(around_2, sine_3)), lanes_mul(around_3, sine_2)), lanes_mul(around_4, sine_1)), lanes_mul(sine_0, _s4));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_5), lanes_mul(climb_1, turn_rate_4)), lanes_mul(climb_2, turn_rate_3)), lanes_mul(climb_3, turn_rate_2)), lanes_mul(climb_4, turn_rate_1)), lanes_mul(climb_5, turn_rate_0));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_5), lanes_mul(omega_1, sin_4)), lanes_mul(omega_2, sin_3)), lanes_mul(omega_3, sin_2)), lanes_mul(omega_4, sin_1)), lanes_mul(sin_0, _s3));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_4)), lanes_mul(cos_2, omega_3)), lanes_mul(cos_3, omega_2)), lanes_mul(cos_4, omega_1)), lanes_mul(cos_5, omega_0));
+    return (LANES(court_ring_round_5_out)){ _s2, _s3, _s4, _s7, _s8, lanes_sub(_s9, _s10), lanes_neg(lanes_mul(K(0.16666666666666666), _s11)), lanes_mul(K(0.16666666666666666), _s12), _s14, lanes_mul(K(0.16666666666666666), lanes_sub(lanes_mul(_s0, _s15), lanes_mul(K(0.4), _s16))), lanes_mul(lanes_mul(K(0.16666666666666666), p_ring_radius), _s4), lanes_neg(lanes_mul(K(0.16666666666666666), _s17)), lanes_mul(K(0.16666666666666666), _s18) };
+}
+
+/* The terms of order 7, from those before.
+   Routh's equations. 218 operations: 88 additions, 4 subtractions, 121 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_6;
+    V omega_6;
+    V around_6;
+    V tilted_6;
+    V pressed_6;
+    V force_6;
+    V cosine_7;
+    V sine_7;
+    V climb_7;
+    V along_7;
+    V turn_rate_7;
+    V cos_7;
+    V sin_7;
+} LANES(court_ring_round_6_out);
+
+LANES_INLINE LANES(court_ring_round_6_out)
+LANES(court_ring_round_6)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_5), lanes_mul(cosine_2, near_4)), lanes_mul(cosine_3, near_3)), lanes_mul(cosine_4, near_2)), lanes_mul(cosine_5, near_1)), lanes_mul(cosine_6, near_0));
+    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), _s1));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_5)), lanes_mul(along_2, near_4)), lanes_mul(along_3, near_3)), lanes_mul(along_4, near_2)), lanes_mul(along_5, near_1));
+    const V _s4 = lanes_add(_s3, lanes_mul(along_6, near_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_5)), lanes_mul(climb_2, omega_4)), lanes_mul(climb_3, omega_3)), lanes_mul(climb_4, omega_2)), lanes_mul(climb_5, omega_1));
+    const V _s6 = lanes_add(_s5, lanes_mul(climb_6, omega_0));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_6), lanes_mul(along_1, sine_5)), lanes_mul(along_2, sine_4)), lanes_mul(along_3, sine_3)), lanes_mul(along_4, sine_2)), lanes_mul(along_5, sine_1));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_6), lanes_mul(cosine_1, turn_rate_5)), lanes_mul(cosine_2, turn_rate_4)), lanes_mul(cosine_3, turn_rate_3)), lanes_mul(cosine_4, turn_rate_2)), lanes_mul(cosine_5, turn_rate_1));
+    const V _s9 = lanes_sub(lanes_add(_s7, lanes_mul(along_6, sine_0)), lanes_mul(K(0.4), lanes_add(_s8, lanes_mul(cosine_6, turn_rate_0))));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_6), lanes_mul(along_1, cosine_5)), lanes_mul(along_2, cosine_4)), lanes_mul(along_3, cosine_3)), lanes_mul(along_4, cosine_2)), lanes_mul(along_5, cosine_1));
+    const V _s11 = lanes_add(_s10, lanes_mul(along_6, cosine_0));
+    const V _s12 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(climb_3, climb_3), lanes_mul(lanes_mul(K(2.0), climb_0), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_5)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_4)));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_5)), lanes_mul(omega_2, pressed_4)), lanes_mul(omega_3, pressed_3)), lanes_mul(omega_4, pressed_2)), lanes_mul(omega_5, pressed_1));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_6), lanes_mul(climb_1, sine_5)), lanes_mul(climb_2, sine_4)), lanes_mul(climb_3, sine_3)), lanes_mul(climb_4, sine_2)), lanes_mul(climb_5, sine_1));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_6), lanes_mul(climb_1, cosine_5)), lanes_mul(climb_2, cosine_4)), lanes_mul(climb_3, cosine_3)), lanes_mul(climb_4, cosine_2)), lanes_mul(climb_5, cosine_1));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_5)), lanes_mul(omega_2, tilted_4)), lanes_mul(omega_3, tilted_3)), lanes_mul(omega_4, tilted_2)), lanes_mul(omega_5, tilted_1));
+    const V _s17 = lanes_neg(lanes_div(lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_6), p_gravity), lanes_add(_s16, lanes_mul(tilted_0, _s4)))), _s0));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_6), lanes_mul(around_1, sine_5)), lanes_mul(around_2, sine_4)), lanes_mul(around_3, sine_3)), lanes_mul(around_4, sine_2)), lanes_mul(around_5, sine_1));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_6), lanes_mul(climb_1, turn_rate_5)), lanes_mul(climb_2, turn_rate_4)), lanes_mul(climb_3, turn_rate_3)), lanes_mul(climb_4, turn_rate_2)), lanes_mul(climb_5, turn_rate_1));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_6), lanes_mul(omega_1, sin_5)), lanes_mul(omega_2, sin_4)), lanes_mul(omega_3, sin_3)), lanes_mul(omega_4, sin_2)), lanes_mul(omega_5, sin_1));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_5)), lanes_mul(cos_2, omega_4)), lanes_mul(cos_3, omega_3)), lanes_mul(cos_4, omega_2)), lanes_mul(cos_5, omega_1));
+    return (LANES(court_ring_round_6_out)){ _s2, _s4, _s6, _s9, _s11, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_6), _s12), lanes_add(_s13, lanes_mul(pressed_0, _s4))), lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s14, lanes_mul(climb_6, sine_0)))), lanes_mul(K(0.14285714285714285), lanes_add(_s15, lanes_mul(climb_6, cosine_0))), _s17, lanes_mul(K(0.14285714285714285), lanes_sub(lanes_mul(_s0, lanes_add(_s18, lanes_mul(sine_0, _s6))), lanes_mul(K(0.4), lanes_add(_s19, lanes_mul(climb_6, turn_rate_0))))), lanes_mul(lanes_mul(K(0.14285714285714285), p_ring_radius), _s6), lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s20, lanes_mul(sin_0, _s4)))), lanes_mul(K(0.14285714285714285), lanes_add(_s21, lanes_mul(cos_6, omega_0))) };
+}
+
+/* The terms of order 8, from those before.
+   Routh's equations. 247 operations: 102 additions, 4 subtractions, 136 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_7;
+    V omega_7;
+    V around_7;
+    V tilted_7;
+    V pressed_7;
+    V force_7;
+    V cosine_8;
+    V sine_8;
+    V climb_8;
+    V along_8;
+    V turn_rate_8;
+    V cos_8;
+    V sin_8;
+} LANES(court_ring_round_7_out);
+
+LANES_INLINE LANES(court_ring_round_7_out)
+LANES(court_ring_round_7)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_6), lanes_mul(cosine_2, near_5)), lanes_mul(cosine_3, near_4)), lanes_mul(cosine_4, near_3)), lanes_mul(cosine_5, near_2)), lanes_mul(cosine_6, near_1));
+    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(_s1, lanes_mul(cosine_7, near_0))));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_6)), lanes_mul(along_2, near_5)), lanes_mul(along_3, near_4)), lanes_mul(along_4, near_3)), lanes_mul(along_5, near_2));
+    const V _s4 = lanes_add(lanes_add(_s3, lanes_mul(along_6, near_1)), lanes_mul(along_7, near_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_6)), lanes_mul(climb_2, omega_5)), lanes_mul(climb_3, omega_4)), lanes_mul(climb_4, omega_3)), lanes_mul(climb_5, omega_2));
+    const V _s6 = lanes_add(lanes_add(_s5, lanes_mul(climb_6, omega_1)), lanes_mul(climb_7, omega_0));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_7), lanes_mul(along_1, sine_6)), lanes_mul(along_2, sine_5)), lanes_mul(along_3, sine_4)), lanes_mul(along_4, sine_3)), lanes_mul(along_5, sine_2));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_7), lanes_mul(cosine_1, turn_rate_6)), lanes_mul(cosine_2, turn_rate_5)), lanes_mul(cosine_3, turn_rate_4)), lanes_mul(cosine_4, turn_rate_3)), lanes_mul(cosine_5, turn_rate_2));
+    const V _s9 = lanes_sub(lanes_add(lanes_add(_s7, lanes_mul(along_6, sine_1)), lanes_mul(along_7, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(_s8, lanes_mul(cosine_6, turn_rate_1)), lanes_mul(cosine_7, turn_rate_0))));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_7), lanes_mul(along_1, cosine_6)), lanes_mul(along_2, cosine_5)), lanes_mul(along_3, cosine_4)), lanes_mul(along_4, cosine_3)), lanes_mul(along_5, cosine_2));
+    const V _s11 = lanes_add(lanes_add(_s10, lanes_mul(along_6, cosine_1)), lanes_mul(along_7, cosine_0));
+    const V _s12 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_7), lanes_mul(lanes_mul(K(2.0), climb_1), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_5)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_4)));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_6)), lanes_mul(omega_2, pressed_5)), lanes_mul(omega_3, pressed_4)), lanes_mul(omega_4, pressed_3)), lanes_mul(omega_5, pressed_2));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_7), lanes_mul(climb_1, sine_6)), lanes_mul(climb_2, sine_5)), lanes_mul(climb_3, sine_4)), lanes_mul(climb_4, sine_3)), lanes_mul(climb_5, sine_2));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_7), lanes_mul(climb_1, cosine_6)), lanes_mul(climb_2, cosine_5)), lanes_mul(climb_3, cosine_4)), lanes_mul(climb_4, cosine_3)), lanes_mul(climb_5, cosine_2));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_6)), lanes_mul(omega_2, tilted_5)), lanes_mul(omega_3, tilted_4)), lanes_mul(omega_4, tilted_3)), lanes_mul(omega_5, tilted_2));
+    const V _s17 = lanes_div(lanes_mul(K(0.125), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_7), p_gravity), lanes_add(lanes_add(_s16, lanes_mul(omega_6, tilted_1)), lanes_mul(tilted_0, _s4)))), _s0);
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_7), lanes_mul(around_1, sine_6)), lanes_mul(around_2, sine_5)), lanes_mul(around_3, sine_4)), lanes_mul(around_4, sine_3)), lanes_mul(around_5, sine_2));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_7), lanes_mul(climb_1, turn_rate_6)), lanes_mul(climb_2, turn_rate_5)), lanes_mul(climb_3, turn_rate_4)), lanes_mul(climb_4, turn_rate_3)), lanes_mul(climb_5, turn_rate_2));
+    const V _s20 = lanes_mul(K(0.125), lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(_s18, lanes_mul(around_6, sine_1)), lanes_mul(sine_0, _s6))), lanes_mul(K(0.4), lanes_add(lanes_add(_s19, lanes_mul(climb_6, turn_rate_1)), lanes_mul(climb_7, turn_rate_0)))));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_7), lanes_mul(omega_1, sin_6)), lanes_mul(omega_2, sin_5)), lanes_mul(omega_3, sin_4)), lanes_mul(omega_4, sin_3)), lanes_mul(omega_5, sin_2));
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_6)), lanes_mul(cos_2, omega_5)), lanes_mul(cos_3, omega_4)), lanes_mul(cos_4, omega_3)), lanes_mul(cos_5, omega_2));
+    return (LANES(court_ring_round_7_out)){ _s2, _s4, _s6, _s9, _s11, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_7), _s12), lanes_add(lanes_add(_s13, lanes_mul(omega_6, pressed_1)), lanes_mul(pressed_0, _s4))), lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s14, lanes_mul(climb_6, sine_1)), lanes_mul(climb_7, sine_0)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s15, lanes_mul(climb_6, cosine_1)), lanes_mul(climb_7, cosine_0))), lanes_neg(_s17), _s20, lanes_mul(lanes_mul(K(0.125), p_ring_radius), _s6), lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s21, lanes_mul(omega_6, sin_1)), lanes_mul(sin_0, _s4)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s22, lanes_mul(cos_6, omega_1)), lanes_mul(cos_7, omega_0))) };
+}
+
+/* The terms of order 9, from those before.
+   Routh's equations. 277 operations: 117 additions, 4 subtractions, 151 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_8;
+    V omega_8;
+    V around_8;
+    V tilted_8;
+    V pressed_8;
+    V force_8;
+    V cosine_9;
+    V sine_9;
+    V climb_9;
+    V along_9;
+    V turn_rate_9;
+    V cos_9;
+    V sin_9;
+} LANES(court_ring_round_8_out);
+
+LANES_INLINE LANES(court_ring_round_8_out)
+LANES(court_ring_round_8)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_7), lanes_mul(cosine_2, near_6)), lanes_mul(cosine_3, near_5)), lanes_mul(cosine_4, near_4)), lanes_mul(cosine_5, near_3)), lanes_mul(cosine_6, near_2));
+    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(_s1, lanes_mul(cosine_7, near_1)), lanes_mul(cosine_8, near_0))));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_7)), lanes_mul(along_2, near_6)), lanes_mul(along_3, near_5)), lanes_mul(along_4, near_4)), lanes_mul(along_5, near_3));
+    const V _s4 = lanes_add(lanes_add(lanes_add(_s3, lanes_mul(along_6, near_2)), lanes_mul(along_7, near_1)), lanes_mul(along_8, near_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_7)), lanes_mul(climb_2, omega_6)), lanes_mul(climb_3, omega_5)), lanes_mul(climb_4, omega_4)), lanes_mul(climb_5, omega_3));
+    const V _s6 = lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_6, omega_2)), lanes_mul(climb_7, omega_1)), lanes_mul(climb_8, omega_0));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_8), lanes_mul(along_1, sine_7)), lanes_mul(along_2, sine_6)), lanes_mul(along_3, sine_5)), lanes_mul(along_4, sine_4)), lanes_mul(along_5, sine_3));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_8), lanes_mul(cosine_1, turn_rate_7)), lanes_mul(cosine_2, turn_rate_6)), lanes_mul(cosine_3, turn_rate_5)), lanes_mul(cosine_4, turn_rate_4)), lanes_mul(cosine_5, turn_rate_3));
+    const V _s9 = lanes_sub(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(along_6, sine_2)), lanes_mul(along_7, sine_1)), lanes_mul(along_8, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s8, lanes_mul(cosine_6, turn_rate_2)), lanes_mul(cosine_7, turn_rate_1)), lanes_mul(cosine_8, turn_rate_0))));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_8), lanes_mul(along_1, cosine_7)), lanes_mul(along_2, cosine_6)), lanes_mul(along_3, cosine_5)), lanes_mul(along_4, cosine_4)), lanes_mul(along_5, cosine_3));
+    const V _s11 = lanes_add(lanes_add(lanes_add(_s10, lanes_mul(along_6, cosine_2)), lanes_mul(along_7, cosine_1)), lanes_mul(along_8, cosine_0));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_4, climb_4), lanes_mul(lanes_mul(K(2.0), climb_0), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_7)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_5));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_7)), lanes_mul(omega_2, pressed_6)), lanes_mul(omega_3, pressed_5)), lanes_mul(omega_4, pressed_4)), lanes_mul(omega_5, pressed_3));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_8), lanes_mul(climb_1, sine_7)), lanes_mul(climb_2, sine_6)), lanes_mul(climb_3, sine_5)), lanes_mul(climb_4, sine_4)), lanes_mul(climb_5, sine_3));
+    const V _s15 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s14, lanes_mul(climb_6, sine_2)), lanes_mul(climb_7, sine_1)), lanes_mul(climb_8, sine_0))));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_8), lanes_mul(climb_1, cosine_7)), lanes_mul(climb_2, cosine_6)), lanes_mul(climb_3, cosine_5)), lanes_mul(climb_4, cosine_4)), lanes_mul(climb_5, cosine_3));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_7)), lanes_mul(omega_2, tilted_6)), lanes_mul(omega_3, tilted_5)), lanes_mul(omega_4, tilted_4)), lanes_mul(omega_5, tilted_3));
+    const V _s18 = lanes_mul(K(0.1111111111111111), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_8), p_gravity), lanes_add(lanes_add(lanes_add(_s17, lanes_mul(omega_6, tilted_2)), lanes_mul(omega_7, tilted_1)), lanes_mul(tilted_0, _s4))));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_8), lanes_mul(around_1, sine_7)), lanes_mul(around_2, sine_6)), lanes_mul(around_3, sine_5)), lanes_mul(around_4, sine_4)), lanes_mul(around_5, sine_3));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_8), lanes_mul(climb_1, turn_rate_7)), lanes_mul(climb_2, turn_rate_6)), lanes_mul(climb_3, turn_rate_5)), lanes_mul(climb_4, turn_rate_4)), lanes_mul(climb_5, turn_rate_3));
+    const V _s21 = lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_add(_s19, lanes_mul(around_6, sine_2)), lanes_mul(around_7, sine_1)), lanes_mul(sine_0, _s6))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s20, lanes_mul(climb_6, turn_rate_2)), lanes_mul(climb_7, turn_rate_1)), lanes_mul(climb_8, turn_rate_0))));
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_8), lanes_mul(omega_1, sin_7)), lanes_mul(omega_2, sin_6)), lanes_mul(omega_3, sin_5)), lanes_mul(omega_4, sin_4)), lanes_mul(omega_5, sin_3));
+    const V _s23 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s22, lanes_mul(omega_6, sin_2)), lanes_mul(omega_7, sin_1)), lanes_mul(sin_0, _s4))));
+    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_7)), lanes_mul(cos_2, omega_6)), lanes_mul(cos_3, omega_5)), lanes_mul(cos_4, omega_4)), lanes_mul(cos_5, omega_3));
+    return (LANES(court_ring_round_8_out)){ _s2, _s4, _s6, _s9, _s11, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_8), lanes_mul(_s0, _s12)), lanes_add(lanes_add(lanes_add(_s13, lanes_mul(omega_6, pressed_2)), lanes_mul(omega_7, pressed_1)), lanes_mul(pressed_0, _s4))), _s15, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s16, lanes_mul(climb_6, cosine_2)), lanes_mul(climb_7, cosine_1)), lanes_mul(climb_8, cosine_0))), lanes_neg(lanes_div(_s18, _s0)), lanes_mul(K(0.1111111111111111), _s21), lanes_mul(lanes_mul(K(0.1111111111111111), p_ring_radius), _s6), _s23, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s24, lanes_mul(cos_6, omega_2)), lanes_mul(cos_7, omega_1)), lanes_mul(cos_8, omega_0))) };
+}
+
+/* The terms of order 10, from those before.
+   Routh's equations. 306 operations: 131 additions, 4 subtractions, 166 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_9;
+    V omega_9;
+    V around_9;
+    V tilted_9;
+    V pressed_9;
+    V force_9;
+    V cosine_10;
+    V sine_10;
+    V climb_10;
+    V along_10;
+    V turn_rate_10;
+    V cos_10;
+    V sin_10;
+} LANES(court_ring_round_9_out);
+
+LANES_INLINE LANES(court_ring_round_9_out)
+LANES(court_ring_round_9)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_8), lanes_mul(cosine_2, near_7)), lanes_mul(cosine_3, near_6)), lanes_mul(cosine_4, near_5)), lanes_mul(cosine_5, near_4)), lanes_mul(cosine_6, near_3));
+    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_7, near_2)), lanes_mul(cosine_8, near_1)), lanes_mul(cosine_9, near_0))));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_8)), lanes_mul(along_2, near_7)), lanes_mul(along_3, near_6)), lanes_mul(along_4, near_5)), lanes_mul(along_5, near_4));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(along_6, near_3)), lanes_mul(along_7, near_2)), lanes_mul(along_8, near_1)), lanes_mul(along_9, near_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_8)), lanes_mul(climb_2, omega_7)), lanes_mul(climb_3, omega_6)), lanes_mul(climb_4, omega_5)), lanes_mul(climb_5, omega_4));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_6, omega_3)), lanes_mul(climb_7, omega_2)), lanes_mul(climb_8, omega_1)), lanes_mul(climb_9, omega_0));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_9), lanes_mul(along_1, sine_8)), lanes_mul(along_2, sine_7)), lanes_mul(along_3, sine_6)), lanes_mul(along_4, sine_5)), lanes_mul(along_5, sine_4));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_9), lanes_mul(cosine_1, turn_rate_8)), lanes_mul(cosine_2, turn_rate_7)), lanes_mul(cosine_3, turn_rate_6)), lanes_mul(cosine_4, turn_rate_5)), lanes_mul(cosine_5, turn_rate_4));
+    const V _s9 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(cosine_6, turn_rate_3)), lanes_mul(cosine_7, turn_rate_2)), lanes_mul(cosine_8, turn_rate_1)), lanes_mul(cosine_9, turn_rate_0)));
+    const V _s10 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(along_6, sine_3)), lanes_mul(along_7, sine_2)), lanes_mul(along_8, sine_1)), lanes_mul(along_9, sine_0)), _s9);
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_9), lanes_mul(along_1, cosine_8)), lanes_mul(along_2, cosine_7)), lanes_mul(along_3, cosine_6)), lanes_mul(along_4, cosine_5)), lanes_mul(along_5, cosine_4));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(along_6, cosine_3)), lanes_mul(along_7, cosine_2)), lanes_mul(along_8, cosine_1)), lanes_mul(along_9, cosine_0));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_9), lanes_mul(lanes_mul(K(2.0), climb_1), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_7)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_4), climb_5));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s12), lanes_mul(omega_1, pressed_8)), lanes_mul(omega_2, pressed_7)), lanes_mul(omega_3, pressed_6)), lanes_mul(omega_4, pressed_5)), lanes_mul(omega_5, pressed_4));
+    const V _s15 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_9), lanes_mul(_s0, _s13)), lanes_add(lanes_add(lanes_add(lanes_add(_s14, lanes_mul(omega_6, pressed_3)), lanes_mul(omega_7, pressed_2)), lanes_mul(omega_8, pressed_1)), lanes_mul(pressed_0, _s4)));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_9), lanes_mul(climb_1, sine_8)), lanes_mul(climb_2, sine_7)), lanes_mul(climb_3, sine_6)), lanes_mul(climb_4, sine_5)), lanes_mul(climb_5, sine_4));
+    const V _s17 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(climb_6, sine_3)), lanes_mul(climb_7, sine_2)), lanes_mul(climb_8, sine_1)), lanes_mul(climb_9, sine_0)));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_9), lanes_mul(climb_1, cosine_8)), lanes_mul(climb_2, cosine_7)), lanes_mul(climb_3, cosine_6)), lanes_mul(climb_4, cosine_5)), lanes_mul(climb_5, cosine_4));
+    const V _s19 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s18, lanes_mul(climb_6, cosine_3)), lanes_mul(climb_7, cosine_2)), lanes_mul(climb_8, cosine_1)), lanes_mul(climb_9, cosine_0)));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s10), lanes_mul(omega_1, tilted_8)), lanes_mul(omega_2, tilted_7)), lanes_mul(omega_3, tilted_6)), lanes_mul(omega_4, tilted_5)), lanes_mul(omega_5, tilted_4));
+    const V _s21 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_9), p_gravity), lanes_add(lanes_add(lanes_add(lanes_add(_s20, lanes_mul(omega_6, tilted_3)), lanes_mul(omega_7, tilted_2)), lanes_mul(omega_8, tilted_1)), lanes_mul(tilted_0, _s4)));
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_9), lanes_mul(around_1, sine_8)), lanes_mul(around_2, sine_7)), lanes_mul(around_3, sine_6)), lanes_mul(around_4, sine_5)), lanes_mul(around_5, sine_4));
+    const V _s23 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_add(_s22, lanes_mul(around_6, sine_3)), lanes_mul(around_7, sine_2)), lanes_mul(around_8, sine_1)), lanes_mul(sine_0, _s6)));
+    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_9), lanes_mul(climb_1, turn_rate_8)), lanes_mul(climb_2, turn_rate_7)), lanes_mul(climb_3, turn_rate_6)), lanes_mul(climb_4, turn_rate_5)), lanes_mul(climb_5, turn_rate_4));
+    const V _s25 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s24, lanes_mul(climb_6, turn_rate_3)), lanes_mul(climb_7, turn_rate_2)), lanes_mul(climb_8, turn_rate_1)), lanes_mul(climb_9, turn_rate_0)));
+    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_9), lanes_mul(omega_1, sin_8)), lanes_mul(omega_2, sin_7)), lanes_mul(omega_3, sin_6)), lanes_mul(omega_4, sin_5)), lanes_mul(omega_5, sin_4));
+    const V _s27 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s26, lanes_mul(omega_6, sin_3)), lanes_mul(omega_7, sin_2)), lanes_mul(omega_8, sin_1)), lanes_mul(sin_0, _s4)));
+    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_8)), lanes_mul(cos_2, omega_7)), lanes_mul(cos_3, omega_6)), lanes_mul(cos_4, omega_5)), lanes_mul(cos_5, omega_4));
+    const V _s29 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_mul(cos_6, omega_3)), lanes_mul(cos_7, omega_2)), lanes_mul(cos_8, omega_1)), lanes_mul(cos_9, omega_0)));
+    return (LANES(court_ring_round_9_out)){ _s2, _s4, _s6, _s10, _s12, _s15, lanes_neg(_s17), _s19, lanes_neg(lanes_div(lanes_mul(K(0.1), _s21), _s0)), lanes_mul(K(0.1), lanes_sub(_s23, _s25)), lanes_mul(lanes_mul(K(0.1), p_ring_radius), _s6), lanes_neg(_s27), _s29 };
+}
+
+/* The terms of order 11, from those before.
+   Routh's equations. 336 operations: 146 additions, 4 subtractions, 181 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_10;
+    V omega_10;
+    V around_10;
+    V tilted_10;
+    V pressed_10;
+    V force_10;
+    V cosine_11;
+    V sine_11;
+    V climb_11;
+    V along_11;
+    V turn_rate_11;
+    V cos_11;
+    V sin_11;
+} LANES(court_ring_round_10_out);
+
+LANES_INLINE LANES(court_ring_round_10_out)
+LANES(court_ring_round_10)(V along_0, V along_1, V along_10, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V near_9, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V pressed_9, V p_ring_radius, V sin_0, V sin_1, V sin_10, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_9), lanes_mul(cosine_10, near_0)), lanes_mul(cosine_2, near_8)), lanes_mul(cosine_3, near_7)), lanes_mul(cosine_4, near_6)), lanes_mul(cosine_5, near_5));
+    const V _s2 = lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_6, near_4)), lanes_mul(cosine_7, near_3)), lanes_mul(cosine_8, near_2)), lanes_mul(cosine_9, near_1)));
+    const V _s3 = lanes_neg(_s2);
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s3), lanes_mul(along_1, near_9)), lanes_mul(along_10, near_0)), lanes_mul(along_2, near_8)), lanes_mul(along_3, near_7)), lanes_mul(along_4, near_6));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(along_5, near_5)), lanes_mul(along_6, near_4)), lanes_mul(along_7, near_3)), lanes_mul(along_8, near_2)), lanes_mul(along_9, near_1));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s5), lanes_mul(climb_1, omega_9)), lanes_mul(climb_10, omega_0)), lanes_mul(climb_2, omega_8)), lanes_mul(climb_3, omega_7)), lanes_mul(climb_4, omega_6));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_5, omega_5)), lanes_mul(climb_6, omega_4)), lanes_mul(climb_7, omega_3)), lanes_mul(climb_8, omega_2)), lanes_mul(climb_9, omega_1));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_10), lanes_mul(along_1, sine_9)), lanes_mul(along_10, sine_0)), lanes_mul(along_2, sine_8)), lanes_mul(along_3, sine_7)), lanes_mul(along_4, sine_6));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(along_5, sine_5)), lanes_mul(along_6, sine_4)), lanes_mul(along_7, sine_3)), lanes_mul(along_8, sine_2)), lanes_mul(along_9, sine_1));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_10), lanes_mul(cosine_1, turn_rate_9)), lanes_mul(cosine_10, turn_rate_0)), lanes_mul(cosine_2, turn_rate_8)), lanes_mul(cosine_3, turn_rate_7)), lanes_mul(cosine_4, turn_rate_6));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(cosine_5, turn_rate_5)), lanes_mul(cosine_6, turn_rate_4)), lanes_mul(cosine_7, turn_rate_3)), lanes_mul(cosine_8, turn_rate_2)), lanes_mul(cosine_9, turn_rate_1));
+    const V _s12 = lanes_sub(_s9, lanes_mul(K(0.4), _s11));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_10), lanes_mul(along_1, cosine_9)), lanes_mul(along_10, cosine_0)), lanes_mul(along_2, cosine_8)), lanes_mul(along_3, cosine_7)), lanes_mul(along_4, cosine_6));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(along_5, cosine_5)), lanes_mul(along_6, cosine_4)), lanes_mul(along_7, cosine_3)), lanes_mul(along_8, cosine_2)), lanes_mul(along_9, cosine_1));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_5, climb_5), lanes_mul(lanes_mul(K(2.0), climb_0), climb_10)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_9)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_7));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s14), lanes_mul(omega_1, pressed_9)), lanes_mul(omega_2, pressed_8)), lanes_mul(omega_3, pressed_7)), lanes_mul(omega_4, pressed_6)), lanes_mul(omega_5, pressed_5));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(omega_6, pressed_4)), lanes_mul(omega_7, pressed_3)), lanes_mul(omega_8, pressed_2)), lanes_mul(omega_9, pressed_1)), lanes_mul(pressed_0, _s5));
+    const V _s18 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_10), lanes_mul(_s0, lanes_add(_s15, lanes_mul(lanes_mul(K(2.0), climb_4), climb_6)))), _s17);
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_10), lanes_mul(climb_1, sine_9)), lanes_mul(climb_10, sine_0)), lanes_mul(climb_2, sine_8)), lanes_mul(climb_3, sine_7)), lanes_mul(climb_4, sine_6));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s19, lanes_mul(climb_5, sine_5)), lanes_mul(climb_6, sine_4)), lanes_mul(climb_7, sine_3)), lanes_mul(climb_8, sine_2)), lanes_mul(climb_9, sine_1));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_10), lanes_mul(climb_1, cosine_9)), lanes_mul(climb_10, cosine_0)), lanes_mul(climb_2, cosine_8)), lanes_mul(climb_3, cosine_7)), lanes_mul(climb_4, cosine_6));
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s21, lanes_mul(climb_5, cosine_5)), lanes_mul(climb_6, cosine_4)), lanes_mul(climb_7, cosine_3)), lanes_mul(climb_8, cosine_2)), lanes_mul(climb_9, cosine_1));
+    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s12), lanes_mul(omega_1, tilted_9)), lanes_mul(omega_2, tilted_8)), lanes_mul(omega_3, tilted_7)), lanes_mul(omega_4, tilted_6)), lanes_mul(omega_5, tilted_5));
+    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s23, lanes_mul(omega_6, tilted_4)), lanes_mul(omega_7, tilted_3)), lanes_mul(omega_8, tilted_2)), lanes_mul(omega_9, tilted_1)), lanes_mul(tilted_0, _s5));
+    const V _s25 = lanes_neg(lanes_div(lanes_mul(K(0.09090909090909091), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_10), p_gravity), _s24)), _s0));
+    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_10), lanes_mul(around_1, sine_9)), lanes_mul(around_2, sine_8)), lanes_mul(around_3, sine_7)), lanes_mul(around_4, sine_6)), lanes_mul(around_5, sine_5));
+    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s26, lanes_mul(around_6, sine_4)), lanes_mul(around_7, sine_3)), lanes_mul(around_8, sine_2)), lanes_mul(around_9, sine_1)), lanes_mul(sine_0, _s7));
+    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_10), lanes_mul(climb_1, turn_rate_9)), lanes_mul(climb_10, turn_rate_0)), lanes_mul(climb_2, turn_rate_8)), lanes_mul(climb_3, turn_rate_7)), lanes_mul(climb_4, turn_rate_6));
+    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_mul(climb_5, turn_rate_5)), lanes_mul(climb_6, turn_rate_4)), lanes_mul(climb_7, turn_rate_3)), lanes_mul(climb_8, turn_rate_2)), lanes_mul(climb_9, turn_rate_1));
+    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_10), lanes_mul(omega_1, sin_9)), lanes_mul(omega_2, sin_8)), lanes_mul(omega_3, sin_7)), lanes_mul(omega_4, sin_6)), lanes_mul(omega_5, sin_5));
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s30, lanes_mul(omega_6, sin_4)), lanes_mul(omega_7, sin_3)), lanes_mul(omega_8, sin_2)), lanes_mul(omega_9, sin_1)), lanes_mul(sin_0, _s5));
+    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s5), lanes_mul(cos_1, omega_9)), lanes_mul(cos_10, omega_0)), lanes_mul(cos_2, omega_8)), lanes_mul(cos_3, omega_7)), lanes_mul(cos_4, omega_6));
+    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s32, lanes_mul(cos_5, omega_5)), lanes_mul(cos_6, omega_4)), lanes_mul(cos_7, omega_3)), lanes_mul(cos_8, omega_2)), lanes_mul(cos_9, omega_1));
+    return (LANES(court_ring_round_10_out)){ _s3, _s5, _s7, _s12, _s14, _s18, lanes_neg(lanes_mul(K(0.09090909090909091), _s20)), lanes_mul(K(0.09090909090909091), _s22), _s25, lanes_mul(K(0.09090909090909091), lanes_sub(lanes_mul(_s0, _s27), lanes_mul(K(0.4), _s29))), lanes_mul(lanes_mul(K(0.09090909090909091), p_ring_radius), _s7), lanes_neg(lanes_mul(K(0.09090909090909091), _s31)), lanes_mul(K(0.09090909090909091), _s33) };
+}
+
+/* The terms of order 12, from those before.
+   Routh's equations. 365 operations: 160 additions, 4 subtractions, 196 multiplications, 1 division, 4 negations. */
+typedef struct {
+    V near_11;
+    V omega_11;
+    V around_11;
+    V tilted_11;
+    V pressed_11;
+    V force_11;
+    V cosine_12;
+    V sine_12;
+    V climb_12;
+    V along_12;
+    V turn_rate_12;
+    V cos_12;
+    V sin_12;
+} LANES(court_ring_round_11_out);
+
+LANES_INLINE LANES(court_ring_round_11_out)
+LANES(court_ring_round_11)(V along_0, V along_1, V along_10, V along_11, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_10, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_11, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V near_1, V near_10, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V near_9, V omega_0, V omega_1, V omega_10, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V pressed_0, V pressed_1, V pressed_10, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V pressed_9, V p_ring_radius, V sin_0, V sin_1, V sin_10, V sin_11, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_11, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_10), lanes_mul(cosine_10, near_1)), lanes_mul(cosine_11, near_0)), lanes_mul(cosine_2, near_9)), lanes_mul(cosine_3, near_8)), lanes_mul(cosine_4, near_7));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_5, near_6)), lanes_mul(cosine_6, near_5)), lanes_mul(cosine_7, near_4)), lanes_mul(cosine_8, near_3)), lanes_mul(cosine_9, near_2));
+    const V _s3 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), _s2));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s3), lanes_mul(along_1, near_10)), lanes_mul(along_10, near_1)), lanes_mul(along_11, near_0)), lanes_mul(along_2, near_9)), lanes_mul(along_3, near_8));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(along_4, near_7)), lanes_mul(along_5, near_6)), lanes_mul(along_6, near_5)), lanes_mul(along_7, near_4)), lanes_mul(along_8, near_3));
+    const V _s6 = lanes_add(_s5, lanes_mul(along_9, near_2));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s6), lanes_mul(climb_1, omega_10)), lanes_mul(climb_10, omega_1)), lanes_mul(climb_11, omega_0)), lanes_mul(climb_2, omega_9)), lanes_mul(climb_3, omega_8));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(climb_4, omega_7)), lanes_mul(climb_5, omega_6)), lanes_mul(climb_6, omega_5)), lanes_mul(climb_7, omega_4)), lanes_mul(climb_8, omega_3));
+    const V _s9 = lanes_add(_s8, lanes_mul(climb_9, omega_2));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_11), lanes_mul(along_1, sine_10)), lanes_mul(along_10, sine_1)), lanes_mul(along_11, sine_0)), lanes_mul(along_2, sine_9)), lanes_mul(along_3, sine_8));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(along_4, sine_7)), lanes_mul(along_5, sine_6)), lanes_mul(along_6, sine_5)), lanes_mul(along_7, sine_4)), lanes_mul(along_8, sine_3));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_11), lanes_mul(cosine_1, turn_rate_10)), lanes_mul(cosine_10, turn_rate_1)), lanes_mul(cosine_11, turn_rate_0)), lanes_mul(cosine_2, turn_rate_9)), lanes_mul(cosine_3, turn_rate_8));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s12, lanes_mul(cosine_4, turn_rate_7)), lanes_mul(cosine_5, turn_rate_6)), lanes_mul(cosine_6, turn_rate_5)), lanes_mul(cosine_7, turn_rate_4)), lanes_mul(cosine_8, turn_rate_3));
+    const V _s14 = lanes_sub(lanes_add(_s11, lanes_mul(along_9, sine_2)), lanes_mul(K(0.4), lanes_add(_s13, lanes_mul(cosine_9, turn_rate_2))));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_11), lanes_mul(along_1, cosine_10)), lanes_mul(along_10, cosine_1)), lanes_mul(along_11, cosine_0)), lanes_mul(along_2, cosine_9)), lanes_mul(along_3, cosine_8));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(along_4, cosine_7)), lanes_mul(along_5, cosine_6)), lanes_mul(along_6, cosine_5)), lanes_mul(along_7, cosine_4)), lanes_mul(along_8, cosine_3));
+    const V _s17 = lanes_add(_s16, lanes_mul(along_9, cosine_2));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_11), lanes_mul(lanes_mul(K(2.0), climb_1), climb_10)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_9)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_4), climb_7));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s17), lanes_mul(omega_1, pressed_10)), lanes_mul(omega_10, pressed_1)), lanes_mul(omega_2, pressed_9)), lanes_mul(omega_3, pressed_8)), lanes_mul(omega_4, pressed_7));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s19, lanes_mul(omega_5, pressed_6)), lanes_mul(omega_6, pressed_5)), lanes_mul(omega_7, pressed_4)), lanes_mul(omega_8, pressed_3)), lanes_mul(omega_9, pressed_2));
+    const V _s21 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_11), lanes_mul(_s0, lanes_add(_s18, lanes_mul(lanes_mul(K(2.0), climb_5), climb_6)))), lanes_add(_s20, lanes_mul(pressed_0, _s6)));
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_11), lanes_mul(climb_1, sine_10)), lanes_mul(climb_10, sine_1)), lanes_mul(climb_11, sine_0)), lanes_mul(climb_2, sine_9)), lanes_mul(climb_3, sine_8));
+    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s22, lanes_mul(climb_4, sine_7)), lanes_mul(climb_5, sine_6)), lanes_mul(climb_6, sine_5)), lanes_mul(climb_7, sine_4)), lanes_mul(climb_8, sine_3));
+    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_11), lanes_mul(climb_1, cosine_10)), lanes_mul(climb_10, cosine_1)), lanes_mul(climb_11, cosine_0)), lanes_mul(climb_2, cosine_9)), lanes_mul(climb_3, cosine_8));
+    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s24, lanes_mul(climb_4, cosine_7)), lanes_mul(climb_5, cosine_6)), lanes_mul(climb_6, cosine_5)), lanes_mul(climb_7, cosine_4)), lanes_mul(climb_8, cosine_3));
+    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s14), lanes_mul(omega_1, tilted_10)), lanes_mul(omega_10, tilted_1)), lanes_mul(omega_2, tilted_9)), lanes_mul(omega_3, tilted_8)), lanes_mul(omega_4, tilted_7));
+    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s26, lanes_mul(omega_5, tilted_6)), lanes_mul(omega_6, tilted_5)), lanes_mul(omega_7, tilted_4)), lanes_mul(omega_8, tilted_3)), lanes_mul(omega_9, tilted_2));
+    const V _s28 = lanes_neg(lanes_div(lanes_mul(K(0.08333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_11), p_gravity), lanes_add(_s27, lanes_mul(tilted_0, _s6)))), _s0));
+    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_11), lanes_mul(around_1, sine_10)), lanes_mul(around_10, sine_1)), lanes_mul(around_2, sine_9)), lanes_mul(around_3, sine_8)), lanes_mul(around_4, sine_7));
+    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s29, lanes_mul(around_5, sine_6)), lanes_mul(around_6, sine_5)), lanes_mul(around_7, sine_4)), lanes_mul(around_8, sine_3)), lanes_mul(around_9, sine_2));
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_11), lanes_mul(climb_1, turn_rate_10)), lanes_mul(climb_10, turn_rate_1)), lanes_mul(climb_11, turn_rate_0)), lanes_mul(climb_2, turn_rate_9)), lanes_mul(climb_3, turn_rate_8));
+    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s31, lanes_mul(climb_4, turn_rate_7)), lanes_mul(climb_5, turn_rate_6)), lanes_mul(climb_6, turn_rate_5)), lanes_mul(climb_7, turn_rate_4)), lanes_mul(climb_8, turn_rate_3));
+    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_11), lanes_mul(omega_1, sin_10)), lanes_mul(omega_10, sin_1)), lanes_mul(omega_2, sin_9)), lanes_mul(omega_3, sin_8)), lanes_mul(omega_4, sin_7));
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s33, lanes_mul(omega_5, sin_6)), lanes_mul(omega_6, sin_5)), lanes_mul(omega_7, sin_4)), lanes_mul(omega_8, sin_3)), lanes_mul(omega_9, sin_2));
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s6), lanes_mul(cos_1, omega_10)), lanes_mul(cos_10, omega_1)), lanes_mul(cos_11, omega_0)), lanes_mul(cos_2, omega_9)), lanes_mul(cos_3, omega_8));
+    const V _s36 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s35, lanes_mul(cos_4, omega_7)), lanes_mul(cos_5, omega_6)), lanes_mul(cos_6, omega_5)), lanes_mul(cos_7, omega_4)), lanes_mul(cos_8, omega_3));
+    return (LANES(court_ring_round_11_out)){ _s3, _s6, _s9, _s14, _s17, _s21, lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s23, lanes_mul(climb_9, sine_2)))), lanes_mul(K(0.08333333333333333), lanes_add(_s25, lanes_mul(climb_9, cosine_2))), _s28, lanes_mul(K(0.08333333333333333), lanes_sub(lanes_mul(_s0, lanes_add(_s30, lanes_mul(sine_0, _s9))), lanes_mul(K(0.4), lanes_add(_s32, lanes_mul(climb_9, turn_rate_2))))), lanes_mul(lanes_mul(K(0.08333333333333333), p_ring_radius), _s9), lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s34, lanes_mul(sin_0, _s6)))), lanes_mul(K(0.08333333333333333), lanes_add(_s36, lanes_mul(cos_9, omega_2))) };
 }
 
 /* The first window that begins no earlier than a time, if there is one.
@@ -3442,7 +4126,6 @@ typedef struct {
     V bent_y;
     V bent_z;
     V per_reach;
-    V ring;
 } LANES(court_backboard_tube_out);
 
 LANES_INLINE LANES(court_backboard_tube_out)
@@ -3464,7 +4147,7 @@ LANES(court_backboard_tube)(V p_ball_radius, V p_board_bottom, V p_board_distanc
     const V _s13 = lanes_neg(_s11);
     const V _s14 = lanes_sub(p_board_bottom, z);
     const V _s15 = lanes_select(lanes_either(lanes_either(lanes_less(_s11, _s12), lanes_both(lanes_less(_s13, _s12), lanes_less(K(0.0), vz))), lanes_either(lanes_less(_s11, _s14), lanes_both(lanes_less(_s13, _s14), lanes_less(K(0.0), lanes_neg(vz))))), K(1.0), K(0.0));
-    return (LANES(court_backboard_tube_out)){ _s5, _s10, _s15, lanes_div(K(1.0), p_ball_radius), K(0.0) };
+    return (LANES(court_backboard_tube_out)){ _s5, _s10, _s15, lanes_div(K(1.0), p_ball_radius) };
 }
 
 /* The rate at which the normal turns.
@@ -3605,6 +4288,34 @@ LANES_INLINE LANES(court_backboard_seam5_out)
 LANES(court_backboard_seam5)(V p_ball_radius, V p_board_bottom, V p_board_top, V vz, V z)
 {
     return (LANES(court_backboard_seam5_out)){ lanes_sub(z, p_board_top), vz, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top))) };
+}
+
+/* A bound below the distance from all places at this height and distance from the axis.
+   Table 2. 57 operations: 6 additions, 6 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections. */
+typedef struct {
+    V gap;
+    V nearing;
+} LANES(court_backboard_around_out);
+
+LANES_INLINE LANES(court_backboard_around_out)
+LANES(court_backboard_around)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V vx, V vy, V vz, V x, V y, V z)
+{
+    const V _s0 = lanes_sub(z, p_board_top);
+    const V _s1 = lanes_sub(p_board_bottom, z);
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_neg(p_board_half_width);
+    const V _s4 = lanes_max(K(0.0), _s3);
+    const V _s5 = lanes_max(_s4, _s3);
+    const V _s6 = lanes_neg(lanes_add(p_board_distance, p_board_thickness));
+    const V _s7 = lanes_max(K(0.0), _s6);
+    const V _s8 = lanes_max(_s7, p_board_distance);
+    const V _s9 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s10 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s8, _s8))), _s9);
+    const V _s11 = lanes_max(K(0.0), _s10);
+    const V _s12 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s11, _s11)));
+    const V _s13 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s9));
+    const V _s14 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s11), lanes_select(lanes_less(K(0.0), _s10), _s13, K(0.0))));
+    return (LANES(court_backboard_around_out)){ lanes_sub(_s12, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s14), _s12) };
 }
 
 /* The first window that begins no earlier than a time, if there is one.
@@ -4048,7 +4759,6 @@ typedef struct {
     V bent_y;
     V bent_z;
     V per_reach;
-    V ring;
 } LANES(court_bridge_tube_out);
 
 LANES_INLINE LANES(court_bridge_tube_out)
@@ -4070,7 +4780,7 @@ LANES(court_bridge_tube)(V p_ball_radius, V p_board_distance, V p_bridge_depth, 
     const V _s13 = lanes_neg(_s11);
     const V _s14 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
     const V _s15 = lanes_select(lanes_either(lanes_either(lanes_less(_s11, _s12), lanes_both(lanes_less(_s13, _s12), lanes_less(K(0.0), vz))), lanes_either(lanes_less(_s11, _s14), lanes_both(lanes_less(_s13, _s14), lanes_less(K(0.0), lanes_neg(vz))))), K(1.0), K(0.0));
-    return (LANES(court_bridge_tube_out)){ _s5, _s10, _s15, lanes_div(K(1.0), p_ball_radius), K(0.0) };
+    return (LANES(court_bridge_tube_out)){ _s5, _s10, _s15, lanes_div(K(1.0), p_ball_radius) };
 }
 
 /* The rate at which the normal turns.
@@ -4214,6 +4924,34 @@ LANES(court_bridge_seam5)(V p_ball_radius, V p_bridge_depth, V vz, V p_wire_radi
     return (LANES(court_bridge_seam5_out)){ lanes_sub(z, p_wire_radius), vz, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius)))) };
 }
 
+/* A bound below the distance from all places at this height and distance from the axis.
+   Table 2. 57 operations: 5 additions, 7 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections. */
+typedef struct {
+    V gap;
+    V nearing;
+} LANES(court_bridge_around_out);
+
+LANES_INLINE LANES(court_bridge_around_out)
+LANES(court_bridge_around)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
+{
+    const V _s0 = lanes_sub(z, p_wire_radius);
+    const V _s1 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_neg(p_board_distance);
+    const V _s4 = lanes_max(K(0.0), _s3);
+    const V _s5 = lanes_max(_s4, p_ring_radius);
+    const V _s6 = lanes_neg(p_bridge_half_width);
+    const V _s7 = lanes_max(K(0.0), _s6);
+    const V _s8 = lanes_max(_s7, _s6);
+    const V _s9 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s10 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s8, _s8))), _s9);
+    const V _s11 = lanes_max(K(0.0), _s10);
+    const V _s12 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s11, _s11)));
+    const V _s13 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s9));
+    const V _s14 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s11), lanes_select(lanes_less(K(0.0), _s10), _s13, K(0.0))));
+    return (LANES(court_bridge_around_out)){ lanes_sub(_s12, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s14), _s12) };
+}
+
 /* The first window that begins no earlier than a time, if there is one.
    Table 1. 12 operations: 4 comparisons, 2 conjunctions, 2 disjunctions, 4 selections. */
 typedef struct {
@@ -4302,6 +5040,19 @@ LANES_INLINE LANES(court_end_beside_out)
 LANES(court_end_beside)(V p_end_depth, V vz, V z)
 {
     return (LANES(court_end_beside_out)){ lanes_sub(z, lanes_neg(p_end_depth)), vz, K(0.0) };
+}
+
+/* A bound below the distance from all places at this height and distance from the axis.
+   Table 2. 2 operations: 1 subtraction, 1 negation. */
+typedef struct {
+    V gap;
+    V nearing;
+} LANES(court_end_around_out);
+
+LANES_INLINE LANES(court_end_around_out)
+LANES(court_end_around)(V p_end_depth, V vz, V z)
+{
+    return (LANES(court_end_around_out)){ lanes_sub(z, lanes_neg(p_end_depth)), vz };
 }
 
 /* The end that a crossing reaches.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 47d312e35352038d,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 242f75b350b20aff,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -197,6 +197,7 @@ FIELDS: tuple[Field, ...] = (
     Field("count_2", 0.0, False),
     Field("held", -1, False),
     Field("mode", 0.0, False),
+    Field("circled", 0.0, False),
     Field("assured", 0.0, True),
     Field("rolls", 0.0, False),
     Field("slip_left", 0.0, False),
@@ -257,7 +258,6 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "crossed": ("arrives", "clearance", "doubt", "time",),
     "tied": ("arrives", "delay", "doubt", "late", "time", "when",),
     "sooner": ("arrives", "index", "time", "when", "which",),
-    "opens": ("clear",),
     "beginning": (),
     "beyond": ("doubt", "excess", "late", "lost", "pad",),
     "nearby": ("flat", "index", "last", "t", "tilt",),
@@ -293,15 +293,20 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "departed": ("index", "which",),
     "expired": ("body", "clock", "ends", "index", "reached", "time_limit", "which",),
     "accounted": ("contacts", "most_contacts", "reached", "touches",),
-    "roll_0": ("bent_x", "bent_y", "bent_z", "cos_0", "p_gravity", "near_0", "nx_0", "ny_0", "nz_0", "per_reach", "ring", "sin_0", "turn_rate_0", "vx_0", "vy_0", "vz_0",),
-    "roll_1": ("across_0", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "p_gravity", "lift_0", "near_0", "near_1", "nx_0", "nx_1", "ny_0", "ny_1", "nz_0", "nz_1", "per_reach", "ring", "round_0", "sin_0", "sin_1", "turn_rate_0", "turn_rate_1", "tx_0", "ty_0", "tz_0", "vx_0", "vx_1", "vy_0", "vy_1", "vz_0", "vz_1", "widened_1",),
-    "roll_2": ("across_0", "across_1", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "p_gravity", "lift_0", "lift_1", "near_0", "near_1", "near_2", "nx_0", "nx_1", "nx_2", "ny_0", "ny_1", "ny_2", "nz_0", "nz_1", "nz_2", "per_reach", "ring", "round_0", "round_1", "sin_0", "sin_1", "sin_2", "turn_rate_0", "turn_rate_1", "turn_rate_2", "tx_0", "tx_1", "ty_0", "ty_1", "tz_0", "tz_1", "vx_0", "vx_1", "vx_2", "vy_0", "vy_1", "vy_2", "vz_0", "vz_1", "vz_2", "widened_1", "widened_2",),
-    "roll_3": ("across_0", "across_1", "across_2", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "cos_3", "p_gravity", "lift_0", "lift_1", "lift_2", "near_0", "near_1", "near_2", "near_3", "nx_0", "nx_1", "nx_2", "nx_3", "ny_0", "ny_1", "ny_2", "ny_3", "nz_0", "nz_1", "nz_2", "nz_3", "per_reach", "ring", "round_0", "round_1", "round_2", "sin_0", "sin_1", "sin_2", "sin_3", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "tx_0", "tx_1", "tx_2", "ty_0", "ty_1", "ty_2", "tz_0", "tz_1", "tz_2", "vx_0", "vx_1", "vx_2", "vx_3", "vy_0", "vy_1", "vy_2", "vy_3", "vz_0", "vz_1", "vz_2", "vz_3", "widened_1", "widened_2", "widened_3",),
-    "roll_4": ("across_0", "across_1", "across_2", "across_3", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "near_0", "near_1", "near_2", "near_3", "near_4", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "per_reach", "ring", "round_0", "round_1", "round_2", "round_3", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "tx_0", "tx_1", "tx_2", "tx_3", "ty_0", "ty_1", "ty_2", "ty_3", "tz_0", "tz_1", "tz_2", "tz_3", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "widened_1", "widened_2", "widened_3", "widened_4",),
-    "roll_5": ("across_0", "across_1", "across_2", "across_3", "across_4", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "nx_5", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "ny_5", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "per_reach", "ring", "round_0", "round_1", "round_2", "round_3", "round_4", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "tx_0", "tx_1", "tx_2", "tx_3", "tx_4", "ty_0", "ty_1", "ty_2", "ty_3", "ty_4", "tz_0", "tz_1", "tz_2", "tz_3", "tz_4", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "widened_1", "widened_2", "widened_3", "widened_4", "widened_5",),
-    "roll_6": ("across_0", "across_1", "across_2", "across_3", "across_4", "across_5", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "lift_5", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "nx_5", "nx_6", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "ny_5", "ny_6", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "nz_6", "per_reach", "ring", "round_0", "round_1", "round_2", "round_3", "round_4", "round_5", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "tx_0", "tx_1", "tx_2", "tx_3", "tx_4", "tx_5", "ty_0", "ty_1", "ty_2", "ty_3", "ty_4", "ty_5", "tz_0", "tz_1", "tz_2", "tz_3", "tz_4", "tz_5", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "widened_1", "widened_2", "widened_3", "widened_4", "widened_5", "widened_6",),
-    "roll_7": ("across_0", "across_1", "across_2", "across_3", "across_4", "across_5", "across_6", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "lift_5", "lift_6", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "near_7", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "nx_5", "nx_6", "nx_7", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "ny_5", "ny_6", "ny_7", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "nz_6", "nz_7", "per_reach", "ring", "round_0", "round_1", "round_2", "round_3", "round_4", "round_5", "round_6", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "tx_0", "tx_1", "tx_2", "tx_3", "tx_4", "tx_5", "tx_6", "ty_0", "ty_1", "ty_2", "ty_3", "ty_4", "ty_5", "ty_6", "tz_0", "tz_1", "tz_2", "tz_3", "tz_4", "tz_5", "tz_6", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vx_7", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vy_7", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "vz_7", "widened_1", "widened_2", "widened_3", "widened_4", "widened_5", "widened_6", "widened_7",),
-    "roll_start": ("p_ball_radius", "nx", "ny", "nz", "ring", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y",),
+    "circles": ("held", "index", "rolling",),
+    "leaps": ("stride",),
+    "cleared": ("berth", "gap", "leap", "nearing",),
+    "for_ever": ("endless", "which",),
+    "rejoined": ("circling", "rolling",),
+    "roll_0": ("bent_x", "bent_y", "bent_z", "p_gravity", "nx_0", "ny_0", "nz_0", "per_reach", "turn_rate_0", "vx_0", "vy_0", "vz_0",),
+    "roll_1": ("bent_x", "bent_y", "bent_z", "p_gravity", "lift_0", "nx_0", "nx_1", "ny_0", "ny_1", "nz_0", "nz_1", "per_reach", "turn_rate_0", "turn_rate_1", "tx_0", "ty_0", "tz_0", "vx_0", "vx_1", "vy_0", "vy_1", "vz_0", "vz_1",),
+    "roll_2": ("bent_x", "bent_y", "bent_z", "p_gravity", "lift_0", "lift_1", "nx_0", "nx_1", "nx_2", "ny_0", "ny_1", "ny_2", "nz_0", "nz_1", "nz_2", "per_reach", "turn_rate_0", "turn_rate_1", "turn_rate_2", "tx_0", "tx_1", "ty_0", "ty_1", "tz_0", "tz_1", "vx_0", "vx_1", "vx_2", "vy_0", "vy_1", "vy_2", "vz_0", "vz_1", "vz_2",),
+    "roll_3": ("bent_x", "bent_y", "bent_z", "p_gravity", "lift_0", "lift_1", "lift_2", "nx_0", "nx_1", "nx_2", "nx_3", "ny_0", "ny_1", "ny_2", "ny_3", "nz_0", "nz_1", "nz_2", "nz_3", "per_reach", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "tx_0", "tx_1", "tx_2", "ty_0", "ty_1", "ty_2", "tz_0", "tz_1", "tz_2", "vx_0", "vx_1", "vx_2", "vx_3", "vy_0", "vy_1", "vy_2", "vy_3", "vz_0", "vz_1", "vz_2", "vz_3",),
+    "roll_4": ("bent_x", "bent_y", "bent_z", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "per_reach", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "tx_0", "tx_1", "tx_2", "tx_3", "ty_0", "ty_1", "ty_2", "ty_3", "tz_0", "tz_1", "tz_2", "tz_3", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4",),
+    "roll_5": ("bent_x", "bent_y", "bent_z", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "nx_5", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "ny_5", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "per_reach", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "tx_0", "tx_1", "tx_2", "tx_3", "tx_4", "ty_0", "ty_1", "ty_2", "ty_3", "ty_4", "tz_0", "tz_1", "tz_2", "tz_3", "tz_4", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5",),
+    "roll_6": ("bent_x", "bent_y", "bent_z", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "lift_5", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "nx_5", "nx_6", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "ny_5", "ny_6", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "nz_6", "per_reach", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "tx_0", "tx_1", "tx_2", "tx_3", "tx_4", "tx_5", "ty_0", "ty_1", "ty_2", "ty_3", "ty_4", "ty_5", "tz_0", "tz_1", "tz_2", "tz_3", "tz_4", "tz_5", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6",),
+    "roll_7": ("bent_x", "bent_y", "bent_z", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "lift_5", "lift_6", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "nx_5", "nx_6", "nx_7", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "ny_5", "ny_6", "ny_7", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "nz_6", "nz_7", "per_reach", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "tx_0", "tx_1", "tx_2", "tx_3", "tx_4", "tx_5", "tx_6", "ty_0", "ty_1", "ty_2", "ty_3", "ty_4", "ty_5", "ty_6", "tz_0", "tz_1", "tz_2", "tz_3", "tz_4", "tz_5", "tz_6", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vx_7", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vy_7", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "vz_7",),
+    "roll_start": ("p_ball_radius", "nx", "ny", "nz", "vx", "vy", "vz", "wx", "wy", "wz",),
     "roll_moved": ("t", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vx_7", "vx_8", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vy_7", "vy_8", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "vz_7", "vz_8", "x", "y", "z",),
     "roll_placed": ("p_ball_radius", "gap", "nx", "ny", "nz", "turn_rate", "vx", "vy", "vz", "x", "y", "z",),
     "roll_pace": ("p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "lift_5", "lift_6", "lift_7", "nx_8", "ny_8", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "nz_6", "nz_7", "nz_8", "per_reach", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vx_7", "vx_8", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vy_7", "vy_8", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "vz_7", "vz_8",),
@@ -325,6 +330,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "compared": ("apart", "p_ball_radius", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz", "far_x", "far_y", "far_z", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
     "carry_hop": ("dvx", "dvy", "dvz", "dx", "dy", "dz", "vx", "vy", "vz", "when", "x", "y", "z",),
     "kept": ("mode", "when",),
+    "opens_in_flight": ("clear", "kept",),
     "resumed": ("clock", "mode", "position_error", "velocity_error",),
     "doubted_in_contact": ("assured", "doubt", "edge", "last", "late", "uncertain", "when", "which",),
     "holding": ("held", "index",),
@@ -357,9 +363,26 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_beside": ("p_ball_radius", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
     "ring_closing": ("p_ball_radius", "nx", "ny", "nz", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "thrust_x", "thrust_y", "thrust_z", "p_wire_radius", "x", "y", "z",),
     "ring_off": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "x", "y", "z",),
-    "ring_tube": ("p_ball_radius", "p_ring_radius", "p_wire_radius",),
+    "ring_tube": ("p_ball_radius", "p_wire_radius",),
     "ring_turning": ("p_ball_radius", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "p_wire_radius", "x", "y",),
     "ring_parting": ("p_gravity", "p_ring_radius", "vx", "vy", "vz", "x", "y", "z",),
+    "ring_round_start": ("p_ball_radius", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "wx", "wy", "wz", "x", "y", "z",),
+    "ring_round_moved": ("along_0", "along_1", "along_10", "along_11", "along_12", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_12", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_1", "cos_10", "cos_11", "cos_12", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cos_9", "cosine_0", "cosine_1", "cosine_10", "cosine_11", "cosine_12", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_ring_radius", "sin_0", "sin_1", "sin_10", "sin_11", "sin_12", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sin_9", "sine_0", "sine_1", "sine_10", "sine_11", "sine_12", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "t", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_11", "turn_rate_12", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
+    "ring_round_pace": ("along_0", "along_1", "along_10", "along_11", "along_12", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_12", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_12", "cosine_0", "cosine_12", "force_0", "force_1", "force_10", "force_11", "force_2", "force_3", "force_4", "force_5", "force_6", "force_7", "force_8", "force_9", "p_gravity", "omega_0", "p_ring_radius", "sin_0", "sin_12", "sine_0", "sine_12", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_11", "turn_rate_12", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
+    "ring_round_pulled": ("climb_0", "climb_1", "cosine_0", "cosine_1", "p_gravity", "omega_0", "omega_1", "turn_rate_0", "turn_rate_1",),
+    "ring_swung": ("p_ball_radius", "berth", "circled", "climb", "climb_0", "doubt", "fastest", "force", "force_bend", "force_rate", "p_gravity", "position_error", "stride", "sway", "velocity_error", "which", "p_wire_radius",),
+    "ring_round_0": ("along_0", "p_ball_radius", "climb_0", "cos_0", "cosine_0", "p_gravity", "near_0", "p_ring_radius", "sin_0", "sine_0", "turn_rate_0", "p_wire_radius",),
+    "ring_round_1": ("along_0", "along_1", "around_0", "p_ball_radius", "climb_0", "climb_1", "cos_0", "cos_1", "cosine_0", "cosine_1", "p_gravity", "near_0", "omega_0", "pressed_0", "p_ring_radius", "sin_0", "sin_1", "sine_0", "sine_1", "tilted_0", "turn_rate_0", "turn_rate_1", "p_wire_radius",),
+    "ring_round_2": ("along_0", "along_1", "along_2", "around_0", "around_1", "p_ball_radius", "climb_0", "climb_1", "climb_2", "cos_0", "cos_1", "cos_2", "cosine_0", "cosine_1", "cosine_2", "p_gravity", "near_0", "near_1", "omega_0", "omega_1", "pressed_0", "pressed_1", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sine_0", "sine_1", "sine_2", "tilted_0", "tilted_1", "turn_rate_0", "turn_rate_1", "turn_rate_2", "p_wire_radius",),
+    "ring_round_3": ("along_0", "along_1", "along_2", "along_3", "around_0", "around_1", "around_2", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "cos_0", "cos_1", "cos_2", "cos_3", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "p_gravity", "near_0", "near_1", "near_2", "omega_0", "omega_1", "omega_2", "pressed_0", "pressed_1", "pressed_2", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sine_0", "sine_1", "sine_2", "sine_3", "tilted_0", "tilted_1", "tilted_2", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "p_wire_radius",),
+    "ring_round_4": ("along_0", "along_1", "along_2", "along_3", "along_4", "around_0", "around_1", "around_2", "around_3", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "p_gravity", "near_0", "near_1", "near_2", "near_3", "omega_0", "omega_1", "omega_2", "omega_3", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "p_wire_radius",),
+    "ring_round_5": ("along_0", "along_1", "along_2", "along_3", "along_4", "along_5", "around_0", "around_1", "around_2", "around_3", "around_4", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "p_wire_radius",),
+    "ring_round_6": ("along_0", "along_1", "along_2", "along_3", "along_4", "along_5", "along_6", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "p_wire_radius",),
+    "ring_round_7": ("along_0", "along_1", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "pressed_6", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "p_wire_radius",),
+    "ring_round_8": ("along_0", "along_1", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "near_7", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "pressed_6", "pressed_7", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "p_wire_radius",),
+    "ring_round_9": ("along_0", "along_1", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "around_8", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cos_9", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "near_7", "near_8", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "pressed_6", "pressed_7", "pressed_8", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sin_9", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "tilted_8", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
+    "ring_round_10": ("along_0", "along_1", "along_10", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "around_8", "around_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_1", "cos_10", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cos_9", "cosine_0", "cosine_1", "cosine_10", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "near_7", "near_8", "near_9", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "omega_9", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "pressed_6", "pressed_7", "pressed_8", "pressed_9", "p_ring_radius", "sin_0", "sin_1", "sin_10", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sin_9", "sine_0", "sine_1", "sine_10", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "tilted_8", "tilted_9", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
+    "ring_round_11": ("along_0", "along_1", "along_10", "along_11", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "around_0", "around_1", "around_10", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "around_8", "around_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_1", "cos_10", "cos_11", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cos_9", "cosine_0", "cosine_1", "cosine_10", "cosine_11", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_gravity", "near_0", "near_1", "near_10", "near_2", "near_3", "near_4", "near_5", "near_6", "near_7", "near_8", "near_9", "omega_0", "omega_1", "omega_10", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "omega_9", "pressed_0", "pressed_1", "pressed_10", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "pressed_6", "pressed_7", "pressed_8", "pressed_9", "p_ring_radius", "sin_0", "sin_1", "sin_10", "sin_11", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sin_9", "sine_0", "sine_1", "sine_10", "sine_11", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "tilted_0", "tilted_1", "tilted_10", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "tilted_8", "tilted_9", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_11", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
     "ring_enter": ("after", "end", "high0", "high1", "high2", "low0", "low1", "low2", "t",),
     "backboard_normal": ("x", "y", "z", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness",),
     "backboard_curvature": ("p_ball_radius",),
@@ -381,6 +404,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "backboard_seam3": ("p_ball_radius", "p_board_half_width", "vy", "y",),
     "backboard_seam4": ("p_ball_radius", "p_board_bottom", "p_board_top", "vz", "z",),
     "backboard_seam5": ("p_ball_radius", "p_board_bottom", "p_board_top", "vz", "z",),
+    "backboard_around": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "vx", "vy", "vz", "x", "y", "z",),
     "backboard_enter": ("after", "end", "high0", "high1", "low0", "low1", "t",),
     "bridge_normal": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth",),
     "bridge_curvature": ("p_ball_radius",),
@@ -402,6 +426,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "bridge_seam3": ("p_ball_radius", "p_bridge_half_width", "vy", "y",),
     "bridge_seam4": ("p_ball_radius", "p_bridge_depth", "vz", "p_wire_radius", "z",),
     "bridge_seam5": ("p_ball_radius", "p_bridge_depth", "vz", "p_wire_radius", "z",),
+    "bridge_around": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
     "bridge_enter": ("after", "end", "high0", "high1", "low0", "low1", "t",),
     "end_coefficients": ("z", "vz", "p_gravity", "p_end_depth",),
     "end_deflated": ("vz", "p_gravity",),
@@ -417,6 +442,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "end_tube": (),
     "end_turning": (),
     "end_parting": ("p_gravity",),
+    "end_around": ("p_end_depth", "vz", "z",),
     "end_reached": ("g0", "through",),
     "end_edge": ("g0", "slack", "through",),
     "aimed_speed": ("slope", "reach", "rise", "p_gravity",),
@@ -460,7 +486,6 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "crossed": ("doubt",),
     "tied": ("doubt", "late",),
     "sooner": ("when", "which",),
-    "opens": ("open",),
     "beginning": ("share", "arrival", "certain",),
     "beyond": ("doubt",),
     "nearby": ("leaving", "margin",),
@@ -496,15 +521,20 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "departed": ("stays", "moves", "ends", "touches", "reached", "edge",),
     "expired": ("clock", "body", "reached", "ends",),
     "accounted": ("contacts", "outcome",),
-    "roll_0": ("across_0", "round_0", "lift_0", "tx_0", "ty_0", "tz_0", "vx_1", "vy_1", "vz_1", "nx_1", "ny_1", "nz_1", "turn_rate_1", "cos_1", "sin_1", "widened_1", "near_1",),
-    "roll_1": ("across_1", "round_1", "lift_1", "tx_1", "ty_1", "tz_1", "vx_2", "vy_2", "vz_2", "nx_2", "ny_2", "nz_2", "turn_rate_2", "cos_2", "sin_2", "widened_2", "near_2",),
-    "roll_2": ("across_2", "round_2", "lift_2", "tx_2", "ty_2", "tz_2", "vx_3", "vy_3", "vz_3", "nx_3", "ny_3", "nz_3", "turn_rate_3", "cos_3", "sin_3", "widened_3", "near_3",),
-    "roll_3": ("across_3", "round_3", "lift_3", "tx_3", "ty_3", "tz_3", "vx_4", "vy_4", "vz_4", "nx_4", "ny_4", "nz_4", "turn_rate_4", "cos_4", "sin_4", "widened_4", "near_4",),
-    "roll_4": ("across_4", "round_4", "lift_4", "tx_4", "ty_4", "tz_4", "vx_5", "vy_5", "vz_5", "nx_5", "ny_5", "nz_5", "turn_rate_5", "cos_5", "sin_5", "widened_5", "near_5",),
-    "roll_5": ("across_5", "round_5", "lift_5", "tx_5", "ty_5", "tz_5", "vx_6", "vy_6", "vz_6", "nx_6", "ny_6", "nz_6", "turn_rate_6", "cos_6", "sin_6", "widened_6", "near_6",),
-    "roll_6": ("across_6", "round_6", "lift_6", "tx_6", "ty_6", "tz_6", "vx_7", "vy_7", "vz_7", "nx_7", "ny_7", "nz_7", "turn_rate_7", "cos_7", "sin_7", "widened_7", "near_7",),
-    "roll_7": ("across_7", "round_7", "lift_7", "tx_7", "ty_7", "tz_7", "vx_8", "vy_8", "vz_8", "nx_8", "ny_8", "nz_8", "turn_rate_8", "cos_8", "sin_8", "widened_8", "near_8",),
-    "roll_start": ("vx_0", "vy_0", "vz_0", "nx_0", "ny_0", "nz_0", "turn_rate_0", "cos_0", "sin_0", "near_0",),
+    "circles": ("circling", "rolling",),
+    "leaps": ("forth", "back",),
+    "cleared": ("berth",),
+    "for_ever": ("which",),
+    "rejoined": ("rolling",),
+    "roll_0": ("lift_0", "tx_0", "ty_0", "tz_0", "vx_1", "vy_1", "vz_1", "nx_1", "ny_1", "nz_1", "turn_rate_1",),
+    "roll_1": ("lift_1", "tx_1", "ty_1", "tz_1", "vx_2", "vy_2", "vz_2", "nx_2", "ny_2", "nz_2", "turn_rate_2",),
+    "roll_2": ("lift_2", "tx_2", "ty_2", "tz_2", "vx_3", "vy_3", "vz_3", "nx_3", "ny_3", "nz_3", "turn_rate_3",),
+    "roll_3": ("lift_3", "tx_3", "ty_3", "tz_3", "vx_4", "vy_4", "vz_4", "nx_4", "ny_4", "nz_4", "turn_rate_4",),
+    "roll_4": ("lift_4", "tx_4", "ty_4", "tz_4", "vx_5", "vy_5", "vz_5", "nx_5", "ny_5", "nz_5", "turn_rate_5",),
+    "roll_5": ("lift_5", "tx_5", "ty_5", "tz_5", "vx_6", "vy_6", "vz_6", "nx_6", "ny_6", "nz_6", "turn_rate_6",),
+    "roll_6": ("lift_6", "tx_6", "ty_6", "tz_6", "vx_7", "vy_7", "vz_7", "nx_7", "ny_7", "nz_7", "turn_rate_7",),
+    "roll_7": ("lift_7", "tx_7", "ty_7", "tz_7", "vx_8", "vy_8", "vz_8", "nx_8", "ny_8", "nz_8", "turn_rate_8",),
+    "roll_start": ("vx_0", "vy_0", "vz_0", "nx_0", "ny_0", "nz_0", "turn_rate_0",),
     "roll_moved": ("x", "vx", "y", "vy", "z", "vz", "turn_rate",),
     "roll_placed": ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz",),
     "roll_pace": ("stride", "strongest", "fastest", "force", "force_rate", "force_bend",),
@@ -524,16 +554,17 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "rolled_on": ("clock", "rolling",),
     "parted": ("when", "doubt",),
     "apart": ("apart",),
-    "neighbour": ("far_x", "far_y", "far_z", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz",),
+    "neighbour": ("far_x", "far_y", "far_z", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz", "far_nx", "far_ny", "far_nz", "far_gap",),
     "compared": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "carry_hop": ("dx", "dy", "dz",),
     "kept": ("kept", "when", "rests", "rolling", "began",),
-    "resumed": ("which", "late", "began", "doubt", "begins", "rolling", "leaves", "nx", "ny", "nz", "gap", "bent_x", "bent_y", "bent_z", "lift", "surge", "snap", "per_reach", "ring",),
+    "opens_in_flight": ("open",),
+    "resumed": ("which", "late", "began", "doubt", "begins", "rolling", "leaves", "nx", "ny", "nz", "gap", "bent_x", "bent_y", "bent_z", "lift", "surge", "snap", "per_reach",),
     "doubted_in_contact": ("uncertain",),
     "holding": ("here",),
     "beside": ("beside",),
     "unhopped": ("hopped",),
-    "beginning_contact": ("which",),
+    "beginning_contact": ("which", "circled",),
     "hopping": ("which",),
     "kept_on": ("body", "reached", "doubt", "ends", "hopped", "last", "mode", "held", "rolls",),
     "settled": ("mode", "held", "outcome", "slip_left", "uncertain",),
@@ -560,9 +591,26 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_beside": ("gap", "nearing", "dent",),
     "ring_closing": ("gap", "nearing", "swerve", "facing",),
     "ring_off": ("gap",),
-    "ring_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
+    "ring_tube": ("bent_x", "bent_y", "bent_z", "per_reach",),
     "ring_turning": ("turning_x", "turning_y", "turning_z",),
     "ring_parting": ("lift", "surge", "snap",),
+    "ring_round_start": ("cosine_0", "sine_0", "climb_0", "along_0", "turn_rate_0", "cos_0", "sin_0", "near_0",),
+    "ring_round_moved": ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz", "climb",),
+    "ring_round_pace": ("stride", "strongest", "fastest", "sway", "force", "force_rate", "force_bend", "vx_1", "vy_1", "vz_1",),
+    "ring_round_pulled": ("drag", "drag_rate", "strain", "strain_rate",),
+    "ring_swung": ("circled", "endless", "doubt",),
+    "ring_round_0": ("omega_0", "around_0", "tilted_0", "pressed_0", "force_0", "cosine_1", "sine_1", "climb_1", "along_1", "turn_rate_1", "cos_1", "sin_1",),
+    "ring_round_1": ("near_1", "omega_1", "around_1", "tilted_1", "pressed_1", "force_1", "cosine_2", "sine_2", "climb_2", "along_2", "turn_rate_2", "cos_2", "sin_2",),
+    "ring_round_2": ("near_2", "omega_2", "around_2", "tilted_2", "pressed_2", "force_2", "cosine_3", "sine_3", "climb_3", "along_3", "turn_rate_3", "cos_3", "sin_3",),
+    "ring_round_3": ("near_3", "omega_3", "around_3", "tilted_3", "pressed_3", "force_3", "cosine_4", "sine_4", "climb_4", "along_4", "turn_rate_4", "cos_4", "sin_4",),
+    "ring_round_4": ("near_4", "omega_4", "around_4", "tilted_4", "pressed_4", "force_4", "cosine_5", "sine_5", "climb_5", "along_5", "turn_rate_5", "cos_5", "sin_5",),
+    "ring_round_5": ("near_5", "omega_5", "around_5", "tilted_5", "pressed_5", "force_5", "cosine_6", "sine_6", "climb_6", "along_6", "turn_rate_6", "cos_6", "sin_6",),
+    "ring_round_6": ("near_6", "omega_6", "around_6", "tilted_6", "pressed_6", "force_6", "cosine_7", "sine_7", "climb_7", "along_7", "turn_rate_7", "cos_7", "sin_7",),
+    "ring_round_7": ("near_7", "omega_7", "around_7", "tilted_7", "pressed_7", "force_7", "cosine_8", "sine_8", "climb_8", "along_8", "turn_rate_8", "cos_8", "sin_8",),
+    "ring_round_8": ("near_8", "omega_8", "around_8", "tilted_8", "pressed_8", "force_8", "cosine_9", "sine_9", "climb_9", "along_9", "turn_rate_9", "cos_9", "sin_9",),
+    "ring_round_9": ("near_9", "omega_9", "around_9", "tilted_9", "pressed_9", "force_9", "cosine_10", "sine_10", "climb_10", "along_10", "turn_rate_10", "cos_10", "sin_10",),
+    "ring_round_10": ("near_10", "omega_10", "around_10", "tilted_10", "pressed_10", "force_10", "cosine_11", "sine_11", "climb_11", "along_11", "turn_rate_11", "cos_11", "sin_11",),
+    "ring_round_11": ("near_11", "omega_11", "around_11", "tilted_11", "pressed_11", "force_11", "cosine_12", "sine_12", "climb_12", "along_12", "turn_rate_12", "cos_12", "sin_12",),
     "ring_enter": ("t", "end", "searching",),
     "backboard_normal": ("nx", "ny", "nz",),
     "backboard_curvature": ("curvature",),
@@ -575,7 +623,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_beside": ("gap", "nearing", "dent",),
     "backboard_closing": ("gap", "nearing", "swerve", "facing",),
     "backboard_off": ("gap",),
-    "backboard_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
+    "backboard_tube": ("bent_x", "bent_y", "bent_z", "per_reach",),
     "backboard_turning": ("turning_x", "turning_y", "turning_z",),
     "backboard_parting": ("lift", "surge", "snap",),
     "backboard_seam0": ("gap", "nearing", "near",),
@@ -584,6 +632,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_seam3": ("gap", "nearing", "near",),
     "backboard_seam4": ("gap", "nearing", "near",),
     "backboard_seam5": ("gap", "nearing", "near",),
+    "backboard_around": ("gap", "nearing",),
     "backboard_enter": ("t", "end", "searching",),
     "bridge_normal": ("nx", "ny", "nz",),
     "bridge_curvature": ("curvature",),
@@ -596,7 +645,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "bridge_beside": ("gap", "nearing", "dent",),
     "bridge_closing": ("gap", "nearing", "swerve", "facing",),
     "bridge_off": ("gap",),
-    "bridge_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
+    "bridge_tube": ("bent_x", "bent_y", "bent_z", "per_reach",),
     "bridge_turning": ("turning_x", "turning_y", "turning_z",),
     "bridge_parting": ("lift", "surge", "snap",),
     "bridge_seam0": ("gap", "nearing", "near",),
@@ -605,6 +654,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "bridge_seam3": ("gap", "nearing", "near",),
     "bridge_seam4": ("gap", "nearing", "near",),
     "bridge_seam5": ("gap", "nearing", "near",),
+    "bridge_around": ("gap", "nearing",),
     "bridge_enter": ("t", "end", "searching",),
     "end_coefficients": ("c0", "c1", "c2",),
     "end_deflated": ("c0", "c1",),
@@ -617,9 +667,10 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "end_beside": ("gap", "nearing", "dent",),
     "end_closing": ("gap", "nearing", "swerve", "facing",),
     "end_off": ("gap",),
-    "end_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
+    "end_tube": ("bent_x", "bent_y", "bent_z", "per_reach",),
     "end_turning": ("turning_x", "turning_y", "turning_z",),
     "end_parting": ("lift", "surge", "snap",),
+    "end_around": ("gap", "nearing",),
     "end_reached": ("reached",),
     "end_edge": ("edge",),
     "aimed_speed": ("speed",),
@@ -1186,15 +1237,6 @@ def sooner(arrives: Any, index: Any, time: Any, when: Any, which: Any) -> tuple[
     return _where(_s0, time, when), _where(_s0, index, which)
 
 
-def opens(clear: Any) -> tuple[Any, ...]:
-    """Where a surface is not certainly missed.
-
-    Table 1. 2 operations: 1 comparison, 1 complement.
-    Returns open.
-    """
-    return _logical_not((0.0 < clear)),
-
-
 def beginning() -> tuple[Any, ...]:
     """How a search begins: with the errors that it allows for, and nothing found.
 
@@ -1529,371 +1571,352 @@ def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> 
     return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), reached)
 
 
-def roll_0(bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, p_gravity: Any, near_0: Any, nx_0: Any, ny_0: Any, nz_0: Any, per_reach: Any, ring: Any, sin_0: Any, turn_rate_0: Any, vx_0: Any, vy_0: Any, vz_0: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def circles(held: Any, index: Any, rolling: Any) -> tuple[Any, ...]:
+    """Which of the balls in contact are on the ring.
+
+    Table 1. 4 operations: 1 comparison, 2 conjunctions, 1 complement.
+    Returns circling, rolling.
+    """
+    _s0 = held == index
+    return _logical_and(rolling, _s0), _logical_and(rolling, _logical_not(_s0))
+
+
+def leaps(stride: Any) -> tuple[Any, ...]:
+    """From where half a step is looked over.
+
+    Table 1. 2 operations: 1 multiplication, 1 negation.
+    Returns forth, back.
+    """
+    _s0 = 0.5 * stride
+    return _s0, -_s0
+
+
+def cleared(berth: Any, gap: Any, leap: Any, nearing: Any) -> tuple[Any, ...]:
+    """What is nearest.
+
+    tangents. 6 operations: 1 addition, 1 multiplication, 2 comparisons, 2 selections.
+    Returns berth.
+    """
+    _s0 = leap * nearing
+    _s1 = gap + _where(_s0 < 0.0, _s0, 0.0)
+    return _where(_s1 < berth, _s1, berth),
+
+
+def for_ever(endless: Any, which: Any) -> tuple[Any, ...]:
+    """That a ball rolls for ever ends its shot.
+
+    Table 1. 1 operation: 1 selection.
+    Returns which.
+    """
+    return _where(endless, 8.0, which),
+
+
+def rejoined(circling: Any, rolling: Any) -> tuple[Any, ...]:
+    """All that go on.
+
+    Table 1. 1 operation: 1 disjunction.
+    Returns rolling.
+    """
+    return _logical_or(rolling, circling),
+
+
+def roll_0(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, nx_0: Any, ny_0: Any, nz_0: Any, per_reach: Any, turn_rate_0: Any, vx_0: Any, vy_0: Any, vz_0: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 1 of a ball that rolls, from those before.
 
-    Newton, Euler and rolling without slip. 59 operations: 8 additions, 8 subtractions, 40 multiplications, 3 negations.
-    Returns across_0, round_0, lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1, turn_rate_1, cos_1, sin_1, widened_1, near_1.
+    Newton, Euler and rolling without slip. 42 operations: 7 additions, 5 subtractions, 29 multiplications, 1 negation.
+    Returns lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1, turn_rate_1.
     """
     _r0, _r1, _r2, *_ = _room
-    _s0 = _multiply(cos_0, vy_0, _r0) - _multiply(sin_0, vx_0, _r1)
-    _s1 = near_0 * _s0
-    _s2 = 0.6 * p_gravity
-    _s3 = -_multiply(sin_0, _s1, _r1)
-    _s4 = per_reach * _subtract(_multiply(bent_x, vx_0, _r1), _multiply(ring, _s3, _r0), _r0)
-    _s5 = cos_0 * _s1
-    _s6 = per_reach * _subtract(_multiply(bent_y, vy_0, _r0), _multiply(ring, _s5, _r1), _r1)
-    _s7 = _multiply(bent_z, per_reach, _r1) * vz_0
-    _s8 = _multiply(_s2, nz_0, _r1) - _add(_add(_multiply(vx_0, _s4, _r0), _multiply(vy_0, _s6, _r2), _r2), _multiply(vz_0, _s7, _r0), _r0)
-    _s9 = _multiply(ny_0, _s7, _r0) - _multiply(nz_0, _s6, _r1)
-    _s10 = _multiply(nz_0, _s4, _r1) - _multiply(nx_0, _s7, _r0)
-    _s11 = _multiply(nx_0, _s6, _r0) - _multiply(ny_0, _s4, _r1)
-    _s12 = _multiply(cos_0, vx_0, _r1) + _multiply(sin_0, vy_0, _r0)
-    return _s0, _s1, _s8, _s9, _s10, _s11, _multiply(nx_0, _s8, _r0) + _multiply(0.4, _multiply(turn_rate_0, _s9, _r1), _r1), _multiply(ny_0, _s8, _r1) + _multiply(0.4, _multiply(turn_rate_0, _s10, _r0), _r0), _add(_multiply(nz_0, _s8, _r0), _multiply(0.4, _multiply(turn_rate_0, _s11, _r1), _r1), _r1) - _s2, _s4, _s6, _s7, -_add(_add(_multiply(vx_0, _s9, _r1), _multiply(vy_0, _s10, _r0), _r0), _multiply(vz_0, _s11, _r1), _r1), _s3, _s5, _s12, -_multiply(near_0, _multiply(near_0, _s12, _r1), _r1)
+    _s0 = 0.6 * p_gravity
+    _s1 = _multiply(bent_x, per_reach, _r0) * vx_0
+    _s2 = _multiply(bent_y, per_reach, _r0) * vy_0
+    _s3 = _multiply(bent_z, per_reach, _r0) * vz_0
+    _s4 = _multiply(_s0, nz_0, _r0) - _add(_add(_multiply(vx_0, _s1, _r1), _multiply(vy_0, _s2, _r2), _r2), _multiply(vz_0, _s3, _r1), _r1)
+    _s5 = _multiply(ny_0, _s3, _r1) - _multiply(nz_0, _s2, _r0)
+    _s6 = _multiply(nz_0, _s1, _r0) - _multiply(nx_0, _s3, _r1)
+    _s7 = _multiply(nx_0, _s2, _r1) - _multiply(ny_0, _s1, _r0)
+    return _s4, _s5, _s6, _s7, _multiply(nx_0, _s4, _r0) + _multiply(0.4, _multiply(turn_rate_0, _s5, _r1), _r1), _multiply(ny_0, _s4, _r1) + _multiply(0.4, _multiply(turn_rate_0, _s6, _r0), _r0), _add(_multiply(nz_0, _s4, _r0), _multiply(0.4, _multiply(turn_rate_0, _s7, _r1), _r1), _r1) - _s0, _s1, _s2, _s3, -_add(_add(_multiply(vx_0, _s5, _r1), _multiply(vy_0, _s6, _r0), _r0), _multiply(vz_0, _s7, _r1), _r1)
 
 
-def roll_1(across_0: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, p_gravity: Any, lift_0: Any, near_0: Any, near_1: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, per_reach: Any, ring: Any, round_0: Any, sin_0: Any, sin_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, ty_0: Any, tz_0: Any, vx_0: Any, vx_1: Any, vy_0: Any, vy_1: Any, vz_0: Any, vz_1: Any, widened_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, ty_0: Any, tz_0: Any, vx_0: Any, vx_1: Any, vy_0: Any, vy_1: Any, vz_0: Any, vz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 2 of a ball that rolls, from those before.
 
-    Newton, Euler and rolling without slip. 117 operations: 34 additions, 7 subtractions, 73 multiplications, 3 negations.
-    Returns across_1, round_1, lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2, turn_rate_2, cos_2, sin_2, widened_2, near_2.
+    Newton, Euler and rolling without slip. 81 operations: 25 additions, 4 subtractions, 51 multiplications, 1 negation.
+    Returns lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2, turn_rate_2.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
-    _s0 = _add(_multiply(cos_0, vy_1, _r0), _multiply(cos_1, vy_0, _r1), _r1) - _add(_multiply(sin_0, vx_1, _r0), _multiply(sin_1, vx_0, _r2), _r2)
-    _s1 = _multiply(across_0, near_1, _r2) + _multiply(near_0, _s0, _r1)
-    _s2 = _negative(_add(_multiply(round_0, sin_1, _r1), _multiply(sin_0, _s1, _r2), _r2), _r2)
-    _s3 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_1, _r1), _multiply(ring, _s2, _r0), _r0), _r0)
-    _s4 = _add(_multiply(cos_0, _s1, _r1), _multiply(cos_1, round_0, _r3), _r3)
-    _s5 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_1, _r1), _multiply(ring, _s4, _r4), _r4), _r4)
-    _s6 = _multiply(_multiply(bent_z, per_reach, _r1), vz_1, _r1)
-    _s7 = _multiply(0.6 * p_gravity, nz_1, _r5) - _add(_add(_add(_multiply(nx_1, vx_1, _r6), _multiply(vx_0, _s3, _r7), _r7), _add(_multiply(ny_1, vy_1, _r6), _multiply(vy_0, _s5, _r8), _r8), _r8), _add(_multiply(nz_1, vz_1, _r7), _multiply(vz_0, _s6, _r6), _r6), _r6)
-    _s8 = _multiply(ny_1, nz_1, _r6)
-    _s9 = _add(_multiply(ny_0, _s6, _r5), _s8, _r5) - _add(_s8, _multiply(nz_0, _s5, _r8), _r8)
-    _s10 = _multiply(nx_1, nz_1, _r8)
-    _s11 = _add(_s10, _multiply(nz_0, _s3, _r5), _r5) - _add(_multiply(nx_0, _s6, _r6), _s10, _r6)
-    _s12 = _multiply(nx_1, ny_1, _r6)
-    _s13 = _add(_multiply(nx_0, _s5, _r5), _s12, _r5) - _add(_s12, _multiply(ny_0, _s3, _r8), _r8)
-    _s14 = -_multiply(0.5, _add(_add(_add(_multiply(tx_0, vx_1, _r8), _multiply(vx_0, _s9, _r5), _r5), _add(_multiply(ty_0, vy_1, _r8), _multiply(vy_0, _s11, _r6), _r6), _r6), _add(_multiply(tz_0, vz_1, _r5), _multiply(vz_0, _s13, _r8), _r8), _r8), _r8)
-    _s15 = 0.5 * _add(_add(_multiply(cos_0, vx_1, _r8), _multiply(cos_1, vx_0, _r6), _r6), _add(_multiply(sin_0, vy_1, _r8), _multiply(sin_1, vy_0, _r5), _r5), _r5)
-    return _s0, _s1, _s7, _s9, _s11, _s13, 0.5 * _add(_add(_multiply(lift_0, nx_1, _r5), _multiply(nx_0, _s7, _r6), _r6), _multiply(0.4, _add(_multiply(turn_rate_0, _s9, _r5), _multiply(turn_rate_1, tx_0, _r8), _r8), _r8), _r8), 0.5 * _add(_add(_multiply(lift_0, ny_1, _r8), _multiply(ny_0, _s7, _r6), _r6), _multiply(0.4, _add(_multiply(turn_rate_0, _s11, _r8), _multiply(turn_rate_1, ty_0, _r5), _r5), _r5), _r5), 0.5 * _add(_add(_multiply(lift_0, nz_1, _r5), _multiply(nz_0, _s7, _r6), _r6), _multiply(0.4, _add(_multiply(turn_rate_0, _s13, _r5), _multiply(turn_rate_1, tz_0, _r8), _r8), _r8), _r8), 0.5 * _s3, 0.5 * _s5, 0.5 * _s6, _s14, 0.5 * _s2, 0.5 * _s4, _s15, -_multiply(near_0, _add(_multiply(near_0, _s15, _r3), _multiply(near_1, widened_1, _r2), _r2), _r2)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _s0 = _multiply(_multiply(bent_x, per_reach, _r0), vx_1, _r0)
+    _s1 = _multiply(_multiply(bent_y, per_reach, _r1), vy_1, _r1)
+    _s2 = _multiply(_multiply(bent_z, per_reach, _r2), vz_1, _r2)
+    _s3 = _multiply(0.6 * p_gravity, nz_1, _r3) - _add(_add(_add(_multiply(nx_1, vx_1, _r4), _multiply(vx_0, _s0, _r5), _r5), _add(_multiply(ny_1, vy_1, _r4), _multiply(vy_0, _s1, _r6), _r6), _r6), _add(_multiply(nz_1, vz_1, _r5), _multiply(vz_0, _s2, _r4), _r4), _r4)
+    _s4 = _multiply(ny_1, nz_1, _r4)
+    _s5 = _add(_multiply(ny_0, _s2, _r3), _s4, _r3) - _add(_s4, _multiply(nz_0, _s1, _r6), _r6)
+    _s6 = _multiply(nx_1, nz_1, _r6)
+    _s7 = _add(_s6, _multiply(nz_0, _s0, _r3), _r3) - _add(_multiply(nx_0, _s2, _r4), _s6, _r4)
+    _s8 = _multiply(nx_1, ny_1, _r4)
+    _s9 = _add(_multiply(nx_0, _s1, _r3), _s8, _r3) - _add(_s8, _multiply(ny_0, _s0, _r6), _r6)
+    _s10 = -_multiply(0.5, _add(_add(_add(_multiply(tx_0, vx_1, _r6), _multiply(vx_0, _s5, _r3), _r3), _add(_multiply(ty_0, vy_1, _r6), _multiply(vy_0, _s7, _r4), _r4), _r4), _add(_multiply(tz_0, vz_1, _r3), _multiply(vz_0, _s9, _r6), _r6), _r6), _r6)
+    return _s3, _s5, _s7, _s9, 0.5 * _add(_add(_multiply(lift_0, nx_1, _r6), _multiply(nx_0, _s3, _r4), _r4), _multiply(0.4, _add(_multiply(turn_rate_0, _s5, _r6), _multiply(turn_rate_1, tx_0, _r3), _r3), _r3), _r3), 0.5 * _add(_add(_multiply(lift_0, ny_1, _r3), _multiply(ny_0, _s3, _r4), _r4), _multiply(0.4, _add(_multiply(turn_rate_0, _s7, _r3), _multiply(turn_rate_1, ty_0, _r6), _r6), _r6), _r6), 0.5 * _add(_add(_multiply(lift_0, nz_1, _r6), _multiply(nz_0, _s3, _r4), _r4), _multiply(0.4, _add(_multiply(turn_rate_0, _s9, _r6), _multiply(turn_rate_1, tz_0, _r3), _r3), _r3), _r3), 0.5 * _s0, 0.5 * _s1, 0.5 * _s2, _s10
 
 
-def roll_2(across_0: Any, across_1: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, p_gravity: Any, lift_0: Any, lift_1: Any, near_0: Any, near_1: Any, near_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, sin_0: Any, sin_1: Any, sin_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any, widened_1: Any, widened_2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 3 of a ball that rolls, from those before.
 
-    Newton, Euler and rolling without slip. 177 operations: 60 additions, 7 subtractions, 107 multiplications, 3 negations.
-    Returns across_2, round_2, lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3, turn_rate_3, cos_3, sin_3, widened_3, near_3.
+    Newton, Euler and rolling without slip. 125 operations: 43 additions, 4 subtractions, 77 multiplications, 1 negation.
+    Returns lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3, turn_rate_3.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
-    _s0 = _add(_add(_multiply(cos_0, vy_2, _r0), _multiply(cos_1, vy_1, _r1), _r1), _multiply(cos_2, vy_0, _r0), _r0) - _add(_add(_multiply(sin_0, vx_2, _r1), _multiply(sin_1, vx_1, _r2), _r2), _multiply(sin_2, vx_0, _r1), _r1)
-    _s1 = _add(_multiply(across_0, near_2, _r1), _multiply(across_1, near_1, _r0), _r0) + _multiply(near_0, _s0, _r1)
-    _s2 = _multiply(2.0, nx_2, _r1)
-    _s3 = _negative(_add(_add(_multiply(round_0, sin_2, _r0), _multiply(round_1, sin_1, _r2), _r2), _multiply(sin_0, _s1, _r0), _r0), _r0)
-    _s4 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_2, _r2), _multiply(ring, _s3, _r3), _r3), _r3)
-    _s5 = _multiply(2.0, ny_2, _r2)
-    _s6 = _add(_add(_multiply(cos_0, _s1, _r4), _multiply(cos_1, round_1, _r5), _r5), _multiply(cos_2, round_0, _r4), _r4)
-    _s7 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_2, _r5), _multiply(ring, _s6, _r6), _r6), _r6)
-    _s8 = _multiply(_multiply(bent_z, per_reach, _r5), vz_2, _r5)
-    _s9 = _multiply(0.6 * p_gravity, nz_2, _r7) - _add(_add(_add(_add(_multiply(nx_1, vx_2, _r8), _multiply(_s2, vx_1, _r9), _r9), _multiply(vx_0, _s4, _r8), _r8), _add(_add(_multiply(ny_1, vy_2, _r9), _multiply(_s5, vy_1, _r10), _r10), _multiply(vy_0, _s7, _r9), _r9), _r9), _add(_add(_multiply(nz_1, vz_2, _r8), _multiply(_multiply(2.0, nz_2, _r10), vz_1, _r10), _r10), _multiply(vz_0, _s8, _r8), _r8), _r8)
-    _s10 = _add(_add(_multiply(ny_0, _s8, _r8), _multiply(_multiply(2.0, ny_1, _r7), nz_2, _r7), _r7), _multiply(ny_2, nz_1, _r8), _r8) - _add(_add(_multiply(ny_1, nz_2, _r7), _multiply(_s5, nz_1, _r2), _r2), _multiply(nz_0, _s7, _r7), _r7)
-    _s11 = _multiply(2.0, nx_1, _r7)
-    _s12 = _add(_add(_multiply(nx_1, nz_2, _r8), _multiply(_s2, nz_1, _r2), _r2), _multiply(nz_0, _s4, _r8), _r8) - _add(_add(_multiply(nx_0, _s8, _r2), _multiply(_s11, nz_2, _r9), _r9), _multiply(nx_2, nz_1, _r2), _r2)
-    _s13 = _add(_add(_multiply(nx_0, _s7, _r2), _multiply(_s11, ny_2, _r7), _r7), _multiply(nx_2, ny_1, _r2), _r2) - _add(_add(_multiply(nx_1, ny_2, _r7), _multiply(_s2, ny_1, _r1), _r1), _multiply(ny_0, _s4, _r7), _r7)
-    _s14 = 0.3333333333333333 * _add(_add(_add(_multiply(lift_0, nx_2, _r7), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s9, _r7), _r7), _multiply(0.4, _add(_add(_multiply(turn_rate_0, _s10, _r2), _multiply(turn_rate_1, tx_1, _r1), _r1), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
-    _s15 = 0.3333333333333333 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r7), _r7), _multiply(ny_0, _s9, _r2), _r2), _multiply(0.4, _add(_add(_multiply(turn_rate_0, _s12, _r7), _multiply(turn_rate_1, ty_1, _r1), _r1), _multiply(turn_rate_2, ty_0, _r7), _r7), _r7), _r7)
-    _s16 = 0.3333333333333333 * _add(_add(_add(_multiply(lift_0, nz_2, _r7), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s9, _r7), _r7), _multiply(0.4, _add(_add(_multiply(turn_rate_0, _s13, _r2), _multiply(turn_rate_1, tz_1, _r1), _r1), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
-    _s17 = _multiply(0.3333333333333333, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r7), _r7), _multiply(vx_0, _s10, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r7), _multiply(ty_1, vy_1, _r1), _r1), _multiply(vy_0, _s12, _r7), _r7), _r7), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r1), _r1), _multiply(vz_0, _s13, _r2), _r2), _r2), _r2)
-    _s18 = 0.3333333333333333 * _add(_add(_add(_multiply(cos_0, vx_2, _r7), _multiply(cos_1, vx_1, _r1), _r1), _multiply(cos_2, vx_0, _r7), _r7), _add(_add(_multiply(sin_0, vy_2, _r1), _multiply(sin_1, vy_1, _r8), _r8), _multiply(sin_2, vy_0, _r1), _r1), _r1)
-    return _s0, _s1, _s9, _s10, _s12, _s13, _s14, _s15, _s16, 0.3333333333333333 * _s4, 0.3333333333333333 * _s7, 0.3333333333333333 * _s8, -_s17, 0.3333333333333333 * _s3, 0.3333333333333333 * _s6, _s18, -_multiply(near_0, _add(_add(_multiply(near_0, _s18, _r4), _multiply(near_1, widened_2, _r0), _r0), _multiply(near_2, widened_1, _r4), _r4), _r4)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = _multiply(2.0, nx_2, _r0)
+    _s1 = _multiply(_multiply(bent_x, per_reach, _r1), vx_2, _r1)
+    _s2 = _multiply(2.0, ny_2, _r2)
+    _s3 = _multiply(_multiply(bent_y, per_reach, _r3), vy_2, _r3)
+    _s4 = _multiply(_multiply(bent_z, per_reach, _r4), vz_2, _r4)
+    _s5 = _multiply(0.6 * p_gravity, nz_2, _r5) - _add(_add(_add(_add(_multiply(nx_1, vx_2, _r6), _multiply(_s0, vx_1, _r7), _r7), _multiply(vx_0, _s1, _r6), _r6), _add(_add(_multiply(ny_1, vy_2, _r7), _multiply(_s2, vy_1, _r8), _r8), _multiply(vy_0, _s3, _r7), _r7), _r7), _add(_add(_multiply(nz_1, vz_2, _r6), _multiply(_multiply(2.0, nz_2, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s4, _r6), _r6), _r6)
+    _s6 = _add(_add(_multiply(ny_0, _s4, _r6), _multiply(_multiply(2.0, ny_1, _r5), nz_2, _r5), _r5), _multiply(ny_2, nz_1, _r6), _r6) - _add(_add(_multiply(ny_1, nz_2, _r5), _multiply(_s2, nz_1, _r2), _r2), _multiply(nz_0, _s3, _r5), _r5)
+    _s7 = _multiply(2.0, nx_1, _r5)
+    _s8 = _add(_add(_multiply(nx_1, nz_2, _r6), _multiply(_s0, nz_1, _r2), _r2), _multiply(nz_0, _s1, _r6), _r6) - _add(_add(_multiply(nx_0, _s4, _r2), _multiply(_s7, nz_2, _r7), _r7), _multiply(nx_2, nz_1, _r2), _r2)
+    _s9 = _add(_add(_multiply(nx_0, _s3, _r2), _multiply(_s7, ny_2, _r5), _r5), _multiply(nx_2, ny_1, _r2), _r2) - _add(_add(_multiply(nx_1, ny_2, _r5), _multiply(_s0, ny_1, _r0), _r0), _multiply(ny_0, _s1, _r5), _r5)
+    _s10 = 0.3333333333333333 * _add(_add(_add(_multiply(lift_0, nx_2, _r5), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s5, _r5), _r5), _multiply(0.4, _add(_add(_multiply(turn_rate_0, _s6, _r2), _multiply(turn_rate_1, tx_1, _r0), _r0), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
+    _s11 = 0.3333333333333333 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r5), _r5), _multiply(ny_0, _s5, _r2), _r2), _multiply(0.4, _add(_add(_multiply(turn_rate_0, _s8, _r5), _multiply(turn_rate_1, ty_1, _r0), _r0), _multiply(turn_rate_2, ty_0, _r5), _r5), _r5), _r5)
+    _s12 = 0.3333333333333333 * _add(_add(_add(_multiply(lift_0, nz_2, _r5), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s5, _r5), _r5), _multiply(0.4, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, tz_1, _r0), _r0), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
+    _s13 = _multiply(0.3333333333333333, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r5), _r5), _multiply(vx_0, _s6, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r5), _multiply(ty_1, vy_1, _r0), _r0), _multiply(vy_0, _s8, _r5), _r5), _r5), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r0), _r0), _multiply(vz_0, _s9, _r2), _r2), _r2), _r2)
+    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, 0.3333333333333333 * _s1, 0.3333333333333333 * _s3, 0.3333333333333333 * _s4, -_s13
 
 
-def roll_3(across_0: Any, across_1: Any, across_2: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, round_2: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, widened_1: Any, widened_2: Any, widened_3: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 4 of a ball that rolls, from those before.
 
-    Newton, Euler and rolling without slip. 229 operations: 86 additions, 7 subtractions, 133 multiplications, 3 negations.
-    Returns across_3, round_3, lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4, turn_rate_4, cos_4, sin_4, widened_4, near_4.
+    Newton, Euler and rolling without slip. 161 operations: 61 additions, 4 subtractions, 95 multiplications, 1 negation.
+    Returns lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4, turn_rate_4.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
-    _s0 = _add(_add(_add(_multiply(cos_0, vy_3, _r0), _multiply(cos_1, vy_2, _r1), _r1), _multiply(cos_2, vy_1, _r0), _r0), _multiply(cos_3, vy_0, _r1), _r1) - _add(_add(_add(_multiply(sin_0, vx_3, _r0), _multiply(sin_1, vx_2, _r2), _r2), _multiply(sin_2, vx_1, _r0), _r0), _multiply(sin_3, vx_0, _r2), _r2)
-    _s1 = _add(_add(_multiply(across_0, near_3, _r2), _multiply(across_1, near_2, _r1), _r1), _multiply(across_2, near_1, _r2), _r2) + _multiply(near_0, _s0, _r1)
-    _s2 = _multiply(2.0, nx_2, _r1)
-    _s3 = _multiply(3.0, nx_3, _r2)
-    _s4 = _negative(_add(_add(_add(_multiply(round_0, sin_3, _r0), _multiply(round_1, sin_2, _r3), _r3), _multiply(round_2, sin_1, _r0), _r0), _multiply(sin_0, _s1, _r3), _r3), _r3)
-    _s5 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_3, _r0), _multiply(ring, _s4, _r4), _r4), _r4)
-    _s6 = _multiply(2.0, ny_2, _r0)
-    _s7 = _multiply(3.0, ny_3, _r5)
-    _s8 = _add(_add(_add(_multiply(cos_0, _s1, _r6), _multiply(cos_1, round_2, _r7), _r7), _multiply(cos_2, round_1, _r6), _r6), _multiply(cos_3, round_0, _r7), _r7)
-    _s9 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_3, _r6), _multiply(ring, _s8, _r8), _r8), _r8)
-    _s10 = _multiply(_multiply(bent_z, per_reach, _r6), vz_3, _r6)
-    _s11 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r9), _multiply(_s2, vx_2, _r10), _r10), _multiply(_s3, vx_1, _r9), _r9), _multiply(vx_0, _s5, _r10), _r10), _add(_add(_add(_multiply(ny_1, vy_3, _r9), _multiply(_s6, vy_2, _r11), _r11), _multiply(_s7, vy_1, _r9), _r9), _multiply(vy_0, _s9, _r11), _r11), _r11), _add(_add(_add(_multiply(nz_1, vz_3, _r10), _multiply(_multiply(2.0, nz_2, _r9), vz_2, _r9), _r9), _multiply(_multiply(3.0, nz_3, _r10), vz_1, _r10), _r10), _multiply(vz_0, _s10, _r9), _r9), _r9)
-    _s12 = _multiply(0.6 * p_gravity, nz_3, _r11) - _s11
-    _s13 = _multiply(_s6, nz_2, _r0)
-    _s14 = _add(_add(_add(_multiply(ny_0, _s10, _r9), _multiply(_multiply(3.0, ny_1, _r11), nz_3, _r11), _r11), _s13, _r11), _multiply(ny_3, nz_1, _r9), _r9) - _add(_add(_add(_multiply(ny_1, nz_3, _r11), _s13, _r11), _multiply(_s7, nz_1, _r5), _r5), _multiply(nz_0, _s9, _r11), _r11)
-    _s15 = _multiply(_s2, nz_2, _r11)
-    _s16 = _multiply(3.0, nx_1, _r9)
-    _s17 = _add(_add(_add(_multiply(nx_1, nz_3, _r5), _s15, _r5), _multiply(_s3, nz_1, _r0), _r0), _multiply(nz_0, _s5, _r5), _r5) - _add(_add(_add(_multiply(nx_0, _s10, _r0), _multiply(_s16, nz_3, _r10), _r10), _s15, _r10), _multiply(nx_3, nz_1, _r11), _r11)
-    _s18 = _multiply(_s2, ny_2, _r1)
-    _s19 = _add(_add(_add(_multiply(nx_0, _s9, _r11), _multiply(_s16, ny_3, _r9), _r9), _s18, _r9), _multiply(nx_3, ny_1, _r11), _r11) - _add(_add(_add(_multiply(nx_1, ny_3, _r9), _s18, _r9), _multiply(_s3, ny_1, _r2), _r2), _multiply(ny_0, _s5, _r9), _r9)
-    _s20 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r9), _multiply(lift_1, nx_2, _r11), _r11), _multiply(lift_2, nx_1, _r9), _r9), _multiply(nx_0, _s12, _r11), _r11), _multiply(0.4, _add(_add(_add(_multiply(turn_rate_0, _s14, _r9), _multiply(turn_rate_1, tx_2, _r2), _r2), _multiply(turn_rate_2, tx_1, _r9), _r9), _multiply(turn_rate_3, tx_0, _r2), _r2), _r2), _r2)
-    _s21 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r11), _multiply(lift_1, ny_2, _r9), _r9), _multiply(lift_2, ny_1, _r11), _r11), _multiply(ny_0, _s12, _r9), _r9), _multiply(0.4, _add(_add(_add(_multiply(turn_rate_0, _s17, _r11), _multiply(turn_rate_1, ty_2, _r1), _r1), _multiply(turn_rate_2, ty_1, _r11), _r11), _multiply(turn_rate_3, ty_0, _r1), _r1), _r1), _r1)
-    _s22 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r9), _multiply(lift_1, nz_2, _r11), _r11), _multiply(lift_2, nz_1, _r9), _r9), _multiply(nz_0, _s12, _r11), _r11), _multiply(0.4, _add(_add(_add(_multiply(turn_rate_0, _s19, _r9), _multiply(turn_rate_1, tz_2, _r5), _r5), _multiply(turn_rate_2, tz_1, _r9), _r9), _multiply(turn_rate_3, tz_0, _r5), _r5), _r5), _r5)
-    _s23 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_3, _r11), _multiply(tx_1, vx_2, _r9), _r9), _multiply(tx_2, vx_1, _r11), _r11), _multiply(vx_0, _s14, _r9), _r9), _add(_add(_add(_multiply(ty_0, vy_3, _r11), _multiply(ty_1, vy_2, _r10), _r10), _multiply(ty_2, vy_1, _r11), _r11), _multiply(vy_0, _s17, _r10), _r10), _r10), _add(_add(_add(_multiply(tz_0, vz_3, _r9), _multiply(tz_1, vz_2, _r11), _r11), _multiply(tz_2, vz_1, _r9), _r9), _multiply(vz_0, _s19, _r11), _r11), _r11)
-    _s24 = 0.25 * _add(_add(_add(_add(_multiply(cos_0, vx_3, _r10), _multiply(cos_1, vx_2, _r9), _r9), _multiply(cos_2, vx_1, _r10), _r10), _multiply(cos_3, vx_0, _r9), _r9), _add(_add(_add(_multiply(sin_0, vy_3, _r10), _multiply(sin_1, vy_2, _r0), _r0), _multiply(sin_2, vy_1, _r10), _r10), _multiply(sin_3, vy_0, _r0), _r0), _r0)
-    _s25 = -_multiply(near_0, _add(_add(_add(_multiply(near_0, _s24, _r0), _multiply(near_1, widened_3, _r9), _r9), _multiply(near_2, widened_2, _r0), _r0), _multiply(near_3, widened_1, _r9), _r9), _r9)
-    return _s0, _s1, _s12, _s14, _s17, _s19, 0.25 * _s20, 0.25 * _s21, 0.25 * _s22, 0.25 * _s5, 0.25 * _s9, 0.25 * _s10, -_multiply(0.25, _s23, _r11), 0.25 * _s4, 0.25 * _s8, _s24, _s25
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _s0 = _multiply(2.0, nx_2, _r0)
+    _s1 = _multiply(3.0, nx_3, _r1)
+    _s2 = _multiply(_multiply(bent_x, per_reach, _r2), vx_3, _r2)
+    _s3 = _multiply(2.0, ny_2, _r3)
+    _s4 = _multiply(3.0, ny_3, _r4)
+    _s5 = _multiply(_multiply(bent_y, per_reach, _r5), vy_3, _r5)
+    _s6 = _multiply(_multiply(bent_z, per_reach, _r6), vz_3, _r6)
+    _s7 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s0, vx_2, _r8), _r8), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s3, vy_2, _r9), _r9), _multiply(_s4, vy_1, _r7), _r7), _multiply(vy_0, _s5, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(2.0, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(3.0, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s6, _r7), _r7), _r7)
+    _s8 = _multiply(0.6 * p_gravity, nz_3, _r9) - _s7
+    _s9 = _multiply(_s3, nz_2, _r3)
+    _s10 = _add(_add(_add(_multiply(ny_0, _s6, _r7), _multiply(_multiply(3.0, ny_1, _r9), nz_3, _r9), _r9), _s9, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s9, _r9), _multiply(_s4, nz_1, _r4), _r4), _multiply(nz_0, _s5, _r9), _r9)
+    _s11 = _multiply(_s0, nz_2, _r9)
+    _s12 = _multiply(3.0, nx_1, _r7)
+    _s13 = _add(_add(_add(_multiply(nx_1, nz_3, _r4), _s11, _r4), _multiply(_s1, nz_1, _r3), _r3), _multiply(nz_0, _s2, _r4), _r4) - _add(_add(_add(_multiply(nx_0, _s6, _r3), _multiply(_s12, nz_3, _r8), _r8), _s11, _r8), _multiply(nx_3, nz_1, _r9), _r9)
+    _s14 = _multiply(_s0, ny_2, _r0)
+    _s15 = _add(_add(_add(_multiply(nx_0, _s5, _r9), _multiply(_s12, ny_3, _r7), _r7), _s14, _r7), _multiply(nx_3, ny_1, _r9), _r9) - _add(_add(_add(_multiply(nx_1, ny_3, _r7), _s14, _r7), _multiply(_s1, ny_1, _r1), _r1), _multiply(ny_0, _s2, _r7), _r7)
+    _s16 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r7), _multiply(lift_1, nx_2, _r9), _r9), _multiply(lift_2, nx_1, _r7), _r7), _multiply(nx_0, _s8, _r9), _r9), _multiply(0.4, _add(_add(_add(_multiply(turn_rate_0, _s10, _r7), _multiply(turn_rate_1, tx_2, _r1), _r1), _multiply(turn_rate_2, tx_1, _r7), _r7), _multiply(turn_rate_3, tx_0, _r1), _r1), _r1), _r1)
+    _s17 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r9), _multiply(lift_1, ny_2, _r7), _r7), _multiply(lift_2, ny_1, _r9), _r9), _multiply(ny_0, _s8, _r7), _r7), _multiply(0.4, _add(_add(_add(_multiply(turn_rate_0, _s13, _r9), _multiply(turn_rate_1, ty_2, _r0), _r0), _multiply(turn_rate_2, ty_1, _r9), _r9), _multiply(turn_rate_3, ty_0, _r0), _r0), _r0), _r0)
+    _s18 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r7), _multiply(lift_1, nz_2, _r9), _r9), _multiply(lift_2, nz_1, _r7), _r7), _multiply(nz_0, _s8, _r9), _r9), _multiply(0.4, _add(_add(_add(_multiply(turn_rate_0, _s15, _r7), _multiply(turn_rate_1, tz_2, _r4), _r4), _multiply(turn_rate_2, tz_1, _r7), _r7), _multiply(turn_rate_3, tz_0, _r4), _r4), _r4), _r4)
+    _s19 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_3, _r9), _multiply(tx_1, vx_2, _r7), _r7), _multiply(tx_2, vx_1, _r9), _r9), _multiply(vx_0, _s10, _r7), _r7), _add(_add(_add(_multiply(ty_0, vy_3, _r9), _multiply(ty_1, vy_2, _r8), _r8), _multiply(ty_2, vy_1, _r9), _r9), _multiply(vy_0, _s13, _r8), _r8), _r8), _add(_add(_add(_multiply(tz_0, vz_3, _r7), _multiply(tz_1, vz_2, _r9), _r9), _multiply(tz_2, vz_1, _r7), _r7), _multiply(vz_0, _s15, _r9), _r9), _r9)
+    return _s8, _s10, _s13, _s15, 0.25 * _s16, 0.25 * _s17, 0.25 * _s18, 0.25 * _s2, 0.25 * _s5, 0.25 * _s6, -_multiply(0.25, _s19, _r9)
 
 
-def roll_4(across_0: Any, across_1: Any, across_2: Any, across_3: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, round_2: Any, round_3: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, widened_1: Any, widened_2: Any, widened_3: Any, widened_4: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def roll_4(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 5 of a ball that rolls, from those before.
 
-    Newton, Euler and rolling without slip. 291 operations: 112 additions, 7 subtractions, 169 multiplications, 3 negations.
-    Returns across_4, round_4, lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5, turn_rate_5, cos_5, sin_5, widened_5, near_5.
+    Newton, Euler and rolling without slip. 207 operations: 79 additions, 4 subtractions, 123 multiplications, 1 negation.
+    Returns lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5, turn_rate_5.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
-    _s0 = _add(_add(_add(_add(_multiply(cos_0, vy_4, _r0), _multiply(cos_1, vy_3, _r1), _r1), _multiply(cos_2, vy_2, _r0), _r0), _multiply(cos_3, vy_1, _r1), _r1), _multiply(cos_4, vy_0, _r0), _r0) - _add(_add(_add(_add(_multiply(sin_0, vx_4, _r1), _multiply(sin_1, vx_3, _r2), _r2), _multiply(sin_2, vx_2, _r1), _r1), _multiply(sin_3, vx_1, _r2), _r2), _multiply(sin_4, vx_0, _r1), _r1)
-    _s1 = _add(_add(_add(_multiply(across_0, near_4, _r1), _multiply(across_1, near_3, _r0), _r0), _multiply(across_2, near_2, _r1), _r1), _multiply(across_3, near_1, _r0), _r0) + _multiply(near_0, _s0, _r1)
-    _s2 = _multiply(2.0, nx_2, _r1)
-    _s3 = _multiply(3.0, nx_3, _r0)
-    _s4 = _multiply(4.0, nx_4, _r2)
-    _s5 = _negative(_add(_add(_add(_add(_multiply(round_0, sin_4, _r3), _multiply(round_1, sin_3, _r4), _r4), _multiply(round_2, sin_2, _r3), _r3), _multiply(round_3, sin_1, _r4), _r4), _multiply(sin_0, _s1, _r3), _r3), _r3)
-    _s6 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_4, _r4), _multiply(ring, _s5, _r5), _r5), _r5)
-    _s7 = _multiply(2.0, ny_2, _r4)
-    _s8 = _multiply(3.0, ny_3, _r6)
-    _s9 = _multiply(4.0, ny_4, _r7)
-    _s10 = _add(_add(_add(_add(_multiply(cos_0, _s1, _r8), _multiply(cos_1, round_3, _r9), _r9), _multiply(cos_2, round_2, _r8), _r8), _multiply(cos_3, round_1, _r9), _r9), _multiply(cos_4, round_0, _r8), _r8)
-    _s11 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_4, _r9), _multiply(ring, _s10, _r10), _r10), _r10)
-    _s12 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_4, _r9), _multiply(_s2, vx_3, _r11), _r11), _multiply(_s3, vx_2, _r9), _r9), _multiply(_s4, vx_1, _r11), _r11), _multiply(vx_0, _s6, _r9), _r9), _add(_add(_add(_add(_multiply(ny_1, vy_4, _r11), _multiply(_s7, vy_3, _r12), _r12), _multiply(_s8, vy_2, _r11), _r11), _multiply(_s9, vy_1, _r12), _r12), _multiply(vy_0, _s11, _r11), _r11), _r11)
-    _s13 = _multiply(_multiply(bent_z, per_reach, _r9), vz_4, _r9)
-    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r12), _multiply(_multiply(2.0, nz_2, _r13), vz_3, _r13), _r13), _multiply(_multiply(3.0, nz_3, _r12), vz_2, _r12), _r12), _multiply(_multiply(4.0, nz_4, _r13), vz_1, _r13), _r13), _multiply(vz_0, _s13, _r12), _r12)
-    _s15 = _multiply(0.6 * p_gravity, nz_4, _r13) - _add(_s12, _s14, _r12)
-    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r12), _multiply(_multiply(4.0, ny_1, _r13), nz_4, _r13), _r13), _multiply(_multiply(3.0, ny_2, _r12), nz_3, _r12), _r12), _multiply(_multiply(2.0, ny_3, _r13), nz_2, _r13), _r13), _multiply(ny_4, nz_1, _r12), _r12)
-    _s17 = _s16 - _add(_add(_add(_add(_multiply(ny_1, nz_4, _r13), _multiply(_s7, nz_3, _r4), _r4), _multiply(_s8, nz_2, _r6), _r6), _multiply(_s9, nz_1, _r7), _r7), _multiply(nz_0, _s11, _r6), _r6)
-    _s18 = _multiply(4.0, nx_1, _r6)
-    _s19 = _multiply(3.0, nx_2, _r12)
-    _s20 = _multiply(2.0, nx_3, _r7)
-    _s21 = _add(_add(_add(_add(_multiply(nx_1, nz_4, _r4), _multiply(_s2, nz_3, _r13), _r13), _multiply(_s3, nz_2, _r4), _r4), _multiply(_s4, nz_1, _r13), _r13), _multiply(nz_0, _s6, _r4), _r4) - _add(_add(_add(_add(_multiply(nx_0, _s13, _r13), _multiply(_s18, nz_4, _r11), _r11), _multiply(_s19, nz_3, _r13), _r13), _multiply(_s20, nz_2, _r11), _r11), _multiply(nx_4, nz_1, _r13), _r13)
-    _s22 = _add(_add(_add(_add(_multiply(nx_0, _s11, _r13), _multiply(_s18, ny_4, _r6), _r6), _multiply(_s19, ny_3, _r12), _r12), _multiply(_s20, ny_2, _r7), _r7), _multiply(nx_4, ny_1, _r12), _r12) - _add(_add(_add(_add(_multiply(nx_1, ny_4, _r7), _multiply(_s2, ny_3, _r1), _r1), _multiply(_s3, ny_2, _r0), _r0), _multiply(_s4, ny_1, _r2), _r2), _multiply(ny_0, _s6, _r0), _r0)
-    _s23 = _multiply(0.4, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r0), _multiply(turn_rate_1, tx_3, _r12), _r12), _multiply(turn_rate_2, tx_2, _r0), _r0), _multiply(turn_rate_3, tx_1, _r12), _r12), _multiply(turn_rate_4, tx_0, _r0), _r0), _r0)
-    _s24 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_4, _r12), _multiply(lift_1, nx_3, _r2), _r2), _multiply(lift_2, nx_2, _r12), _r12), _multiply(lift_3, nx_1, _r2), _r2), _multiply(nx_0, _s15, _r12), _r12), _s23, _r0)
-    _s25 = _multiply(0.4, _add(_add(_add(_add(_multiply(turn_rate_0, _s21, _r12), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r12), _r12), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r12), _r12), _r12)
-    _s26 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_4, _r2), _multiply(lift_1, ny_3, _r1), _r1), _multiply(lift_2, ny_2, _r2), _r2), _multiply(lift_3, ny_1, _r1), _r1), _multiply(ny_0, _s15, _r2), _r2), _s25, _r12)
-    _s27 = _multiply(0.4, _add(_add(_add(_add(_multiply(turn_rate_0, _s22, _r2), _multiply(turn_rate_1, tz_3, _r1), _r1), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r1), _r1), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
-    _s28 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_4, _r1), _multiply(lift_1, nz_3, _r7), _r7), _multiply(lift_2, nz_2, _r1), _r1), _multiply(lift_3, nz_1, _r7), _r7), _multiply(nz_0, _s15, _r1), _r1), _s27, _r2)
-    _s29 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_4, _r1), _multiply(tx_1, vx_3, _r7), _r7), _multiply(tx_2, vx_2, _r1), _r1), _multiply(tx_3, vx_1, _r7), _r7), _multiply(vx_0, _s17, _r1), _r1), _add(_add(_add(_add(_multiply(ty_0, vy_4, _r7), _multiply(ty_1, vy_3, _r6), _r6), _multiply(ty_2, vy_2, _r7), _r7), _multiply(ty_3, vy_1, _r6), _r6), _multiply(vy_0, _s21, _r7), _r7), _r7)
-    _s30 = _add(_s29, _add(_add(_add(_add(_multiply(tz_0, vz_4, _r1), _multiply(tz_1, vz_3, _r6), _r6), _multiply(tz_2, vz_2, _r1), _r1), _multiply(tz_3, vz_1, _r6), _r6), _multiply(vz_0, _s22, _r1), _r1), _r1)
-    _s31 = _add(_add(_add(_add(_add(_multiply(cos_0, vx_4, _r7), _multiply(cos_1, vx_3, _r6), _r6), _multiply(cos_2, vx_2, _r7), _r7), _multiply(cos_3, vx_1, _r6), _r6), _multiply(cos_4, vx_0, _r7), _r7), _add(_add(_add(_add(_multiply(sin_0, vy_4, _r6), _multiply(sin_1, vy_3, _r13), _r13), _multiply(sin_2, vy_2, _r6), _r6), _multiply(sin_3, vy_1, _r13), _r13), _multiply(sin_4, vy_0, _r6), _r6), _r6)
-    _s32 = 0.2 * _s31
-    _s33 = _multiply(near_0, _add(_add(_add(_add(_multiply(near_0, _s32, _r6), _multiply(near_1, widened_4, _r7), _r7), _multiply(near_2, widened_3, _r6), _r6), _multiply(near_3, widened_2, _r7), _r7), _multiply(near_4, widened_1, _r6), _r6), _r6)
-    return _s0, _s1, _s15, _s17, _s21, _s22, 0.2 * _s24, 0.2 * _s26, 0.2 * _s28, 0.2 * _s6, 0.2 * _s11, 0.2 * _s13, -_multiply(0.2, _s30, _r1), 0.2 * _s5, 0.2 * _s10, _s32, -_s33
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _multiply(2.0, nx_2, _r0)
+    _s1 = _multiply(3.0, nx_3, _r1)
+    _s2 = _multiply(4.0, nx_4, _r2)
+    _s3 = _multiply(_multiply(bent_x, per_reach, _r3), vx_4, _r3)
+    _s4 = _multiply(2.0, ny_2, _r4)
+    _s5 = _multiply(3.0, ny_3, _r5)
+    _s6 = _multiply(4.0, ny_4, _r6)
+    _s7 = _multiply(_multiply(bent_y, per_reach, _r7), vy_4, _r7)
+    _s8 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_4, _r8), _multiply(_s0, vx_3, _r9), _r9), _multiply(_s1, vx_2, _r8), _r8), _multiply(_s2, vx_1, _r9), _r9), _multiply(vx_0, _s3, _r8), _r8), _add(_add(_add(_add(_multiply(ny_1, vy_4, _r9), _multiply(_s4, vy_3, _r10), _r10), _multiply(_s5, vy_2, _r9), _r9), _multiply(_s6, vy_1, _r10), _r10), _multiply(vy_0, _s7, _r9), _r9), _r9)
+    _s9 = _multiply(_multiply(bent_z, per_reach, _r8), vz_4, _r8)
+    _s10 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(2.0, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(3.0, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(4.0, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s9, _r10), _r10)
+    _s11 = _multiply(0.6 * p_gravity, nz_4, _r11) - _add(_s8, _s10, _r10)
+    _s12 = _add(_add(_add(_add(_multiply(ny_0, _s9, _r10), _multiply(_multiply(4.0, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(3.0, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(2.0, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
+    _s13 = _s12 - _add(_add(_add(_add(_multiply(ny_1, nz_4, _r11), _multiply(_s4, nz_3, _r4), _r4), _multiply(_s5, nz_2, _r5), _r5), _multiply(_s6, nz_1, _r6), _r6), _multiply(nz_0, _s7, _r5), _r5)
+    _s14 = _multiply(4.0, nx_1, _r5)
+    _s15 = _multiply(3.0, nx_2, _r10)
+    _s16 = _multiply(2.0, nx_3, _r6)
+    _s17 = _add(_add(_add(_add(_multiply(nx_1, nz_4, _r4), _multiply(_s0, nz_3, _r11), _r11), _multiply(_s1, nz_2, _r4), _r4), _multiply(_s2, nz_1, _r11), _r11), _multiply(nz_0, _s3, _r4), _r4) - _add(_add(_add(_add(_multiply(nx_0, _s9, _r11), _multiply(_s14, nz_4, _r9), _r9), _multiply(_s15, nz_3, _r11), _r11), _multiply(_s16, nz_2, _r9), _r9), _multiply(nx_4, nz_1, _r11), _r11)
+    _s18 = _add(_add(_add(_add(_multiply(nx_0, _s7, _r11), _multiply(_s14, ny_4, _r5), _r5), _multiply(_s15, ny_3, _r10), _r10), _multiply(_s16, ny_2, _r6), _r6), _multiply(nx_4, ny_1, _r10), _r10) - _add(_add(_add(_add(_multiply(nx_1, ny_4, _r6), _multiply(_s0, ny_3, _r0), _r0), _multiply(_s1, ny_2, _r1), _r1), _multiply(_s2, ny_1, _r2), _r2), _multiply(ny_0, _s3, _r1), _r1)
+    _s19 = _multiply(0.4, _add(_add(_add(_add(_multiply(turn_rate_0, _s13, _r1), _multiply(turn_rate_1, tx_3, _r10), _r10), _multiply(turn_rate_2, tx_2, _r1), _r1), _multiply(turn_rate_3, tx_1, _r10), _r10), _multiply(turn_rate_4, tx_0, _r1), _r1), _r1)
+    _s20 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_4, _r10), _multiply(lift_1, nx_3, _r2), _r2), _multiply(lift_2, nx_2, _r10), _r10), _multiply(lift_3, nx_1, _r2), _r2), _multiply(nx_0, _s11, _r10), _r10), _s19, _r1)
+    _s21 = _multiply(0.4, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r10), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r10), _r10), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r10), _r10), _r10)
+    _s22 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_4, _r2), _multiply(lift_1, ny_3, _r0), _r0), _multiply(lift_2, ny_2, _r2), _r2), _multiply(lift_3, ny_1, _r0), _r0), _multiply(ny_0, _s11, _r2), _r2), _s21, _r10)
+    _s23 = _multiply(0.4, _add(_add(_add(_add(_multiply(turn_rate_0, _s18, _r2), _multiply(turn_rate_1, tz_3, _r0), _r0), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r0), _r0), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
+    _s24 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_4, _r0), _multiply(lift_1, nz_3, _r6), _r6), _multiply(lift_2, nz_2, _r0), _r0), _multiply(lift_3, nz_1, _r6), _r6), _multiply(nz_0, _s11, _r0), _r0), _s23, _r2)
+    _s25 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_4, _r0), _multiply(tx_1, vx_3, _r6), _r6), _multiply(tx_2, vx_2, _r0), _r0), _multiply(tx_3, vx_1, _r6), _r6), _multiply(vx_0, _s13, _r0), _r0), _add(_add(_add(_add(_multiply(ty_0, vy_4, _r6), _multiply(ty_1, vy_3, _r5), _r5), _multiply(ty_2, vy_2, _r6), _r6), _multiply(ty_3, vy_1, _r5), _r5), _multiply(vy_0, _s17, _r6), _r6), _r6)
+    _s26 = _add(_s25, _add(_add(_add(_add(_multiply(tz_0, vz_4, _r0), _multiply(tz_1, vz_3, _r5), _r5), _multiply(tz_2, vz_2, _r0), _r0), _multiply(tz_3, vz_1, _r5), _r5), _multiply(vz_0, _s18, _r0), _r0), _r0)
+    return _s11, _s13, _s17, _s18, 0.2 * _s20, 0.2 * _s22, 0.2 * _s24, 0.2 * _s3, 0.2 * _s7, 0.2 * _s9, -_multiply(0.2, _s26, _r0)
 
 
-def roll_5(across_0: Any, across_1: Any, across_2: Any, across_3: Any, across_4: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, round_2: Any, round_3: Any, round_4: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, widened_1: Any, widened_2: Any, widened_3: Any, widened_4: Any, widened_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 6 of a ball that rolls, from those before.
 
-    Newton, Euler and rolling without slip. 343 operations: 138 additions, 7 subtractions, 195 multiplications, 3 negations.
-    Returns across_5, round_5, lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6, turn_rate_6, cos_6, sin_6, widened_6, near_6.
+    Newton, Euler and rolling without slip. 243 operations: 97 additions, 4 subtractions, 141 multiplications, 1 negation.
+    Returns lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6, turn_rate_6.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, *_ = _room
-    _s0 = _add(_add(_add(_add(_add(_multiply(cos_0, vy_5, _r0), _multiply(cos_1, vy_4, _r1), _r1), _multiply(cos_2, vy_3, _r0), _r0), _multiply(cos_3, vy_2, _r1), _r1), _multiply(cos_4, vy_1, _r0), _r0), _multiply(cos_5, vy_0, _r1), _r1)
-    _s1 = _add(_add(_add(_add(_add(_multiply(sin_0, vx_5, _r0), _multiply(sin_1, vx_4, _r2), _r2), _multiply(sin_2, vx_3, _r0), _r0), _multiply(sin_3, vx_2, _r2), _r2), _multiply(sin_4, vx_1, _r0), _r0), _multiply(sin_5, vx_0, _r2), _r2)
-    _s2 = _s0 - _s1
-    _s3 = _add(_add(_add(_add(_multiply(across_0, near_5, _r2), _multiply(across_1, near_4, _r1), _r1), _multiply(across_2, near_3, _r2), _r2), _multiply(across_3, near_2, _r1), _r1), _multiply(across_4, near_1, _r2), _r2) + _multiply(near_0, _s2, _r1)
-    _s4 = _multiply(2.0, nx_2, _r1)
-    _s5 = _multiply(3.0, nx_3, _r2)
-    _s6 = _multiply(4.0, nx_4, _r0)
-    _s7 = _multiply(5.0, nx_5, _r3)
-    _s8 = _add(_add(_add(_add(_add(_multiply(round_0, sin_5, _r4), _multiply(round_1, sin_4, _r5), _r5), _multiply(round_2, sin_3, _r4), _r4), _multiply(round_3, sin_2, _r5), _r5), _multiply(round_4, sin_1, _r4), _r4), _multiply(sin_0, _s3, _r5), _r5)
-    _s9 = _negative(_s8, _r5)
-    _s10 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_5, _r4), _multiply(ring, _s9, _r6), _r6), _r6)
-    _s11 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_5, _r4), _multiply(_s4, vx_4, _r7), _r7), _multiply(_s5, vx_3, _r4), _r4), _multiply(_s6, vx_2, _r7), _r7), _multiply(_s7, vx_1, _r4), _r4), _multiply(vx_0, _s10, _r7), _r7)
-    _s12 = _multiply(2.0, ny_2, _r4)
-    _s13 = _multiply(3.0, ny_3, _r8)
-    _s14 = _multiply(4.0, ny_4, _r9)
-    _s15 = _multiply(5.0, ny_5, _r10)
-    _s16 = _add(_add(_add(_add(_add(_multiply(cos_0, _s3, _r11), _multiply(cos_1, round_4, _r12), _r12), _multiply(cos_2, round_3, _r11), _r11), _multiply(cos_3, round_2, _r12), _r12), _multiply(cos_4, round_1, _r11), _r11), _multiply(cos_5, round_0, _r12), _r12)
-    _s17 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_5, _r11), _multiply(ring, _s16, _r13), _r13), _r13)
-    _s18 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_5, _r11), _multiply(_s12, vy_4, _r14), _r14), _multiply(_s13, vy_3, _r11), _r11), _multiply(_s14, vy_2, _r14), _r14), _multiply(_s15, vy_1, _r11), _r11), _multiply(vy_0, _s17, _r14), _r14)
-    _s19 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(2.0, nz_2, _r15), vz_4, _r15), _r15), _multiply(_multiply(3.0, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(4.0, nz_4, _r15), vz_2, _r15), _r15), _multiply(_multiply(5.0, nz_5, _r11), vz_1, _r11), _r11)
-    _s20 = _multiply(_multiply(bent_z, per_reach, _r15), vz_5, _r15)
-    _s21 = _multiply(0.6 * p_gravity, nz_5, _r16) - _add(_add(_s11, _s18, _r14), _add(_s19, _multiply(vz_0, _s20, _r7), _r7), _r7)
-    _s22 = _multiply(_s13, nz_3, _r8)
-    _s23 = _add(_add(_add(_add(_multiply(ny_0, _s20, _r7), _multiply(_multiply(5.0, ny_1, _r16), nz_5, _r16), _r16), _multiply(_multiply(4.0, ny_2, _r7), nz_4, _r7), _r7), _s22, _r7), _multiply(_multiply(2.0, ny_4, _r16), nz_2, _r16), _r16)
-    _s24 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_5, _r7), _multiply(_s12, nz_4, _r4), _r4), _s22, _r4), _multiply(_s14, nz_2, _r9), _r9), _multiply(_s15, nz_1, _r10), _r10), _multiply(nz_0, _s17, _r9), _r9)
-    _s25 = _add(_s23, _multiply(ny_5, nz_1, _r10), _r10) - _s24
-    _s26 = _multiply(_s5, nz_3, _r9)
-    _s27 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_5, _r10), _multiply(_s4, nz_4, _r16), _r16), _s26, _r16), _multiply(_s6, nz_2, _r10), _r10), _multiply(_s7, nz_1, _r16), _r16), _multiply(nz_0, _s10, _r10), _r10)
-    _s28 = _multiply(5.0, nx_1, _r16)
-    _s29 = _multiply(4.0, nx_2, _r4)
-    _s30 = _multiply(2.0, nx_4, _r8)
-    _s31 = _add(_add(_add(_add(_add(_multiply(nx_0, _s20, _r7), _multiply(_s28, nz_5, _r14), _r14), _multiply(_s29, nz_4, _r7), _r7), _s26, _r7), _multiply(_s30, nz_2, _r9), _r9), _multiply(nx_5, nz_1, _r7), _r7)
-    _s32 = _s27 - _s31
-    _s33 = _multiply(_s5, ny_3, _r2)
-    _s34 = _add(_add(_add(_add(_add(_multiply(nx_0, _s17, _r7), _multiply(_s28, ny_5, _r16), _r16), _multiply(_s29, ny_4, _r4), _r4), _s33, _r4), _multiply(_s30, ny_2, _r8), _r8), _multiply(nx_5, ny_1, _r4), _r4)
-    _s35 = _add(_add(_add(_add(_add(_multiply(nx_1, ny_5, _r8), _multiply(_s4, ny_4, _r1), _r1), _s33, _r1), _multiply(_s6, ny_2, _r0), _r0), _multiply(_s7, ny_1, _r3), _r3), _multiply(ny_0, _s10, _r0), _r0)
-    _s36 = _s34 - _s35
-    _s37 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_5, _r0), _multiply(lift_1, nx_4, _r4), _r4), _multiply(lift_2, nx_3, _r0), _r0), _multiply(lift_3, nx_2, _r4), _r4), _multiply(lift_4, nx_1, _r0), _r0), _multiply(nx_0, _s21, _r4), _r4)
-    _s38 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s25, _r0), _multiply(turn_rate_1, tx_4, _r3), _r3), _multiply(turn_rate_2, tx_3, _r0), _r0), _multiply(turn_rate_3, tx_2, _r3), _r3), _multiply(turn_rate_4, tx_1, _r0), _r0), _multiply(turn_rate_5, tx_0, _r3), _r3)
-    _s39 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_5, _r0), _multiply(lift_1, ny_4, _r1), _r1), _multiply(lift_2, ny_3, _r0), _r0), _multiply(lift_3, ny_2, _r1), _r1), _multiply(lift_4, ny_1, _r0), _r0), _multiply(ny_0, _s21, _r1), _r1)
-    _s40 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s32, _r0), _multiply(turn_rate_1, ty_4, _r2), _r2), _multiply(turn_rate_2, ty_3, _r0), _r0), _multiply(turn_rate_3, ty_2, _r2), _r2), _multiply(turn_rate_4, ty_1, _r0), _r0), _multiply(turn_rate_5, ty_0, _r2), _r2)
-    _s41 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_5, _r0), _multiply(lift_1, nz_4, _r8), _r8), _multiply(lift_2, nz_3, _r0), _r0), _multiply(lift_3, nz_2, _r8), _r8), _multiply(lift_4, nz_1, _r0), _r0), _multiply(nz_0, _s21, _r8), _r8)
-    _s42 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s36, _r0), _multiply(turn_rate_1, tz_4, _r16), _r16), _multiply(turn_rate_2, tz_3, _r0), _r0), _multiply(turn_rate_3, tz_2, _r16), _r16), _multiply(turn_rate_4, tz_1, _r0), _r0), _multiply(turn_rate_5, tz_0, _r16), _r16)
-    _s43 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_5, _r0), _multiply(tx_1, vx_4, _r7), _r7), _multiply(tx_2, vx_3, _r0), _r0), _multiply(tx_3, vx_2, _r7), _r7), _multiply(tx_4, vx_1, _r0), _r0), _multiply(vx_0, _s25, _r7), _r7)
-    _s44 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_5, _r0), _multiply(ty_1, vy_4, _r10), _r10), _multiply(ty_2, vy_3, _r0), _r0), _multiply(ty_3, vy_2, _r10), _r10), _multiply(ty_4, vy_1, _r0), _r0), _multiply(vy_0, _s32, _r10), _r10)
-    _s45 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_5, _r0), _multiply(tz_1, vz_4, _r9), _r9), _multiply(tz_2, vz_3, _r0), _r0), _multiply(tz_3, vz_2, _r9), _r9), _multiply(tz_4, vz_1, _r0), _r0), _multiply(vz_0, _s36, _r9), _r9)
-    _s46 = _add(_add(_add(_add(_add(_multiply(cos_0, vx_5, _r0), _multiply(cos_1, vx_4, _r14), _r14), _multiply(cos_2, vx_3, _r0), _r0), _multiply(cos_3, vx_2, _r14), _r14), _multiply(cos_4, vx_1, _r0), _r0), _multiply(cos_5, vx_0, _r14), _r14)
-    _s47 = _add(_add(_add(_add(_add(_multiply(sin_0, vy_5, _r0), _multiply(sin_1, vy_4, _r11), _r11), _multiply(sin_2, vy_3, _r0), _r0), _multiply(sin_3, vy_2, _r11), _r11), _multiply(sin_4, vy_1, _r0), _r0), _multiply(sin_5, vy_0, _r11), _r11)
-    _s48 = 0.16666666666666666 * _add(_s46, _s47, _r11)
-    _s49 = _add(_add(_add(_add(_add(_multiply(near_0, _s48, _r11), _multiply(near_1, widened_5, _r14), _r14), _multiply(near_2, widened_4, _r11), _r11), _multiply(near_3, widened_3, _r14), _r14), _multiply(near_4, widened_2, _r11), _r11), _multiply(near_5, widened_1, _r14), _r14)
-    return _s2, _s3, _s21, _s25, _s32, _s36, 0.16666666666666666 * _add(_s37, _multiply(0.4, _s38, _r3), _r3), 0.16666666666666666 * _add(_s39, _multiply(0.4, _s40, _r2), _r2), 0.16666666666666666 * _add(_s41, _multiply(0.4, _s42, _r16), _r16), 0.16666666666666666 * _s10, 0.16666666666666666 * _s17, 0.16666666666666666 * _s20, -_multiply(0.16666666666666666, _add(_add(_s43, _s44, _r10), _s45, _r9), _r9), 0.16666666666666666 * _s9, 0.16666666666666666 * _s16, _s48, -_multiply(near_0, _s49, _r14)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, *_ = _room
+    _s0 = _multiply(2.0, nx_2, _r0)
+    _s1 = _multiply(3.0, nx_3, _r1)
+    _s2 = _multiply(4.0, nx_4, _r2)
+    _s3 = _multiply(5.0, nx_5, _r3)
+    _s4 = _multiply(_multiply(bent_x, per_reach, _r4), vx_5, _r4)
+    _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_5, _r5), _multiply(_s0, vx_4, _r6), _r6), _multiply(_s1, vx_3, _r5), _r5), _multiply(_s2, vx_2, _r6), _r6), _multiply(_s3, vx_1, _r5), _r5), _multiply(vx_0, _s4, _r6), _r6)
+    _s6 = _multiply(2.0, ny_2, _r5)
+    _s7 = _multiply(3.0, ny_3, _r7)
+    _s8 = _multiply(4.0, ny_4, _r8)
+    _s9 = _multiply(5.0, ny_5, _r9)
+    _s10 = _multiply(_multiply(bent_y, per_reach, _r10), vy_5, _r10)
+    _s11 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_5, _r11), _multiply(_s6, vy_4, _r12), _r12), _multiply(_s7, vy_3, _r11), _r11), _multiply(_s8, vy_2, _r12), _r12), _multiply(_s9, vy_1, _r11), _r11), _multiply(vy_0, _s10, _r12), _r12)
+    _s12 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(2.0, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(3.0, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(4.0, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(5.0, nz_5, _r11), vz_1, _r11), _r11)
+    _s13 = _multiply(_multiply(bent_z, per_reach, _r13), vz_5, _r13)
+    _s14 = _multiply(0.6 * p_gravity, nz_5, _r14) - _add(_add(_s5, _s11, _r12), _add(_s12, _multiply(vz_0, _s13, _r6), _r6), _r6)
+    _s15 = _multiply(_s7, nz_3, _r7)
+    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r6), _multiply(_multiply(5.0, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(4.0, ny_2, _r6), nz_4, _r6), _r6), _s15, _r6), _multiply(_multiply(2.0, ny_4, _r14), nz_2, _r14), _r14)
+    _s17 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_5, _r6), _multiply(_s6, nz_4, _r5), _r5), _s15, _r5), _multiply(_s8, nz_2, _r8), _r8), _multiply(_s9, nz_1, _r9), _r9), _multiply(nz_0, _s10, _r8), _r8)
+    _s18 = _add(_s16, _multiply(ny_5, nz_1, _r9), _r9) - _s17
+    _s19 = _multiply(_s1, nz_3, _r8)
+    _s20 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_5, _r9), _multiply(_s0, nz_4, _r14), _r14), _s19, _r14), _multiply(_s2, nz_2, _r9), _r9), _multiply(_s3, nz_1, _r14), _r14), _multiply(nz_0, _s4, _r9), _r9)
+    _s21 = _multiply(5.0, nx_1, _r14)
+    _s22 = _multiply(4.0, nx_2, _r5)
+    _s23 = _multiply(2.0, nx_4, _r7)
+    _s24 = _add(_add(_add(_add(_add(_multiply(nx_0, _s13, _r6), _multiply(_s21, nz_5, _r12), _r12), _multiply(_s22, nz_4, _r6), _r6), _s19, _r6), _multiply(_s23, nz_2, _r8), _r8), _multiply(nx_5, nz_1, _r6), _r6)
+    _s25 = _s20 - _s24
+    _s26 = _multiply(_s1, ny_3, _r1)
+    _s27 = _add(_add(_add(_add(_add(_multiply(nx_0, _s10, _r6), _multiply(_s21, ny_5, _r14), _r14), _multiply(_s22, ny_4, _r5), _r5), _s26, _r5), _multiply(_s23, ny_2, _r7), _r7), _multiply(nx_5, ny_1, _r5), _r5)
+    _s28 = _add(_add(_add(_add(_add(_multiply(nx_1, ny_5, _r7), _multiply(_s0, ny_4, _r0), _r0), _s26, _r0), _multiply(_s2, ny_2, _r2), _r2), _multiply(_s3, ny_1, _r3), _r3), _multiply(ny_0, _s4, _r2), _r2)
+    _s29 = _s27 - _s28
+    _s30 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_5, _r2), _multiply(lift_1, nx_4, _r5), _r5), _multiply(lift_2, nx_3, _r2), _r2), _multiply(lift_3, nx_2, _r5), _r5), _multiply(lift_4, nx_1, _r2), _r2), _multiply(nx_0, _s14, _r5), _r5)
+    _s31 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s18, _r2), _multiply(turn_rate_1, tx_4, _r3), _r3), _multiply(turn_rate_2, tx_3, _r2), _r2), _multiply(turn_rate_3, tx_2, _r3), _r3), _multiply(turn_rate_4, tx_1, _r2), _r2), _multiply(turn_rate_5, tx_0, _r3), _r3)
+    _s32 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_5, _r2), _multiply(lift_1, ny_4, _r0), _r0), _multiply(lift_2, ny_3, _r2), _r2), _multiply(lift_3, ny_2, _r0), _r0), _multiply(lift_4, ny_1, _r2), _r2), _multiply(ny_0, _s14, _r0), _r0)
+    _s33 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s25, _r2), _multiply(turn_rate_1, ty_4, _r1), _r1), _multiply(turn_rate_2, ty_3, _r2), _r2), _multiply(turn_rate_3, ty_2, _r1), _r1), _multiply(turn_rate_4, ty_1, _r2), _r2), _multiply(turn_rate_5, ty_0, _r1), _r1)
+    _s34 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_5, _r2), _multiply(lift_1, nz_4, _r7), _r7), _multiply(lift_2, nz_3, _r2), _r2), _multiply(lift_3, nz_2, _r7), _r7), _multiply(lift_4, nz_1, _r2), _r2), _multiply(nz_0, _s14, _r7), _r7)
+    _s35 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s29, _r2), _multiply(turn_rate_1, tz_4, _r14), _r14), _multiply(turn_rate_2, tz_3, _r2), _r2), _multiply(turn_rate_3, tz_2, _r14), _r14), _multiply(turn_rate_4, tz_1, _r2), _r2), _multiply(turn_rate_5, tz_0, _r14), _r14)
+    _s36 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_5, _r2), _multiply(tx_1, vx_4, _r6), _r6), _multiply(tx_2, vx_3, _r2), _r2), _multiply(tx_3, vx_2, _r6), _r6), _multiply(tx_4, vx_1, _r2), _r2), _multiply(vx_0, _s18, _r6), _r6)
+    _s37 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_5, _r2), _multiply(ty_1, vy_4, _r9), _r9), _multiply(ty_2, vy_3, _r2), _r2), _multiply(ty_3, vy_2, _r9), _r9), _multiply(ty_4, vy_1, _r2), _r2), _multiply(vy_0, _s25, _r9), _r9)
+    _s38 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_5, _r2), _multiply(tz_1, vz_4, _r8), _r8), _multiply(tz_2, vz_3, _r2), _r2), _multiply(tz_3, vz_2, _r8), _r8), _multiply(tz_4, vz_1, _r2), _r2), _multiply(vz_0, _s29, _r8), _r8)
+    return _s14, _s18, _s25, _s29, 0.16666666666666666 * _add(_s30, _multiply(0.4, _s31, _r3), _r3), 0.16666666666666666 * _add(_s32, _multiply(0.4, _s33, _r1), _r1), 0.16666666666666666 * _add(_s34, _multiply(0.4, _s35, _r14), _r14), 0.16666666666666666 * _s4, 0.16666666666666666 * _s10, 0.16666666666666666 * _s13, -_multiply(0.16666666666666666, _add(_add(_s36, _s37, _r9), _s38, _r8), _r8)
 
 
-def roll_6(across_0: Any, across_1: Any, across_2: Any, across_3: Any, across_4: Any, across_5: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, round_2: Any, round_3: Any, round_4: Any, round_5: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, widened_1: Any, widened_2: Any, widened_3: Any, widened_4: Any, widened_5: Any, widened_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 7 of a ball that rolls, from those before.
 
-    Newton, Euler and rolling without slip. 405 operations: 164 additions, 7 subtractions, 231 multiplications, 3 negations.
-    Returns across_6, round_6, lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7, turn_rate_7, cos_7, sin_7, widened_7, near_7.
+    Newton, Euler and rolling without slip. 289 operations: 115 additions, 4 subtractions, 169 multiplications, 1 negation.
+    Returns lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7, turn_rate_7.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, *_ = _room
-    _s0 = _add(_add(_add(_add(_add(_multiply(cos_0, vy_6, _r0), _multiply(cos_1, vy_5, _r1), _r1), _multiply(cos_2, vy_4, _r0), _r0), _multiply(cos_3, vy_3, _r1), _r1), _multiply(cos_4, vy_2, _r0), _r0), _multiply(cos_5, vy_1, _r1), _r1)
-    _s1 = _add(_add(_add(_add(_add(_multiply(sin_0, vx_6, _r0), _multiply(sin_1, vx_5, _r2), _r2), _multiply(sin_2, vx_4, _r0), _r0), _multiply(sin_3, vx_3, _r2), _r2), _multiply(sin_4, vx_2, _r0), _r0), _multiply(sin_5, vx_1, _r2), _r2)
-    _s2 = _add(_s0, _multiply(cos_6, vy_0, _r0), _r0) - _add(_s1, _multiply(sin_6, vx_0, _r1), _r1)
-    _s3 = _add(_add(_add(_add(_add(_multiply(across_0, near_6, _r1), _multiply(across_1, near_5, _r0), _r0), _multiply(across_2, near_4, _r1), _r1), _multiply(across_3, near_3, _r0), _r0), _multiply(across_4, near_2, _r1), _r1), _multiply(across_5, near_1, _r0), _r0)
-    _s4 = _s3 + _multiply(near_0, _s2, _r1)
-    _s5 = _multiply(2.0, nx_2, _r1)
-    _s6 = _multiply(3.0, nx_3, _r0)
-    _s7 = _multiply(4.0, nx_4, _r2)
-    _s8 = _multiply(5.0, nx_5, _r3)
-    _s9 = _multiply(6.0, nx_6, _r4)
-    _s10 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_6, _r5), _multiply(_s5, vx_5, _r6), _r6), _multiply(_s6, vx_4, _r5), _r5), _multiply(_s7, vx_3, _r6), _r6), _multiply(_s8, vx_2, _r5), _r5), _multiply(_s9, vx_1, _r6), _r6)
-    _s11 = _add(_add(_add(_add(_add(_multiply(round_0, sin_6, _r5), _multiply(round_1, sin_5, _r7), _r7), _multiply(round_2, sin_4, _r5), _r5), _multiply(round_3, sin_3, _r7), _r7), _multiply(round_4, sin_2, _r5), _r5), _multiply(round_5, sin_1, _r7), _r7)
-    _s12 = _negative(_add(_s11, _multiply(sin_0, _s4, _r5), _r5), _r5)
-    _s13 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_6, _r7), _multiply(ring, _s12, _r8), _r8), _r8)
-    _s14 = _multiply(2.0, ny_2, _r7)
-    _s15 = _multiply(3.0, ny_3, _r9)
-    _s16 = _multiply(4.0, ny_4, _r10)
-    _s17 = _multiply(5.0, ny_5, _r11)
-    _s18 = _multiply(6.0, ny_6, _r12)
-    _s19 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_6, _r13), _multiply(_s14, vy_5, _r14), _r14), _multiply(_s15, vy_4, _r13), _r13), _multiply(_s16, vy_3, _r14), _r14), _multiply(_s17, vy_2, _r13), _r13), _multiply(_s18, vy_1, _r14), _r14)
-    _s20 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r13), _multiply(cos_1, round_5, _r15), _r15), _multiply(cos_2, round_4, _r13), _r13), _multiply(cos_3, round_3, _r15), _r15), _multiply(cos_4, round_2, _r13), _r13), _multiply(cos_5, round_1, _r15), _r15)
-    _s21 = _add(_s20, _multiply(cos_6, round_0, _r13), _r13)
-    _s22 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_6, _r15), _multiply(ring, _s21, _r16), _r16), _r16)
-    _s23 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r15), _multiply(_multiply(2.0, nz_2, _r17), vz_5, _r17), _r17), _multiply(_multiply(3.0, nz_3, _r15), vz_4, _r15), _r15), _multiply(_multiply(4.0, nz_4, _r17), vz_3, _r17), _r17), _multiply(_multiply(5.0, nz_5, _r15), vz_2, _r15), _r15)
-    _s24 = _multiply(_multiply(bent_z, per_reach, _r17), vz_6, _r17)
-    _s25 = _multiply(0.6 * p_gravity, nz_6, _r18) - _add(_add(_add(_s10, _multiply(vx_0, _s13, _r19), _r19), _add(_s19, _multiply(vy_0, _s22, _r6), _r6), _r6), _add(_add(_s23, _multiply(_multiply(6.0, nz_6, _r19), vz_1, _r19), _r19), _multiply(vz_0, _s24, _r15), _r15), _r15)
-    _s26 = _add(_add(_add(_add(_multiply(ny_0, _s24, _r15), _multiply(_multiply(6.0, ny_1, _r18), nz_6, _r18), _r18), _multiply(_multiply(5.0, ny_2, _r15), nz_5, _r15), _r15), _multiply(_multiply(4.0, ny_3, _r18), nz_4, _r18), _r18), _multiply(_multiply(3.0, ny_4, _r15), nz_3, _r15), _r15)
-    _s27 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_6, _r18), _multiply(_s14, nz_5, _r7), _r7), _multiply(_s15, nz_4, _r9), _r9), _multiply(_s16, nz_3, _r10), _r10), _multiply(_s17, nz_2, _r11), _r11), _multiply(_s18, nz_1, _r12), _r12)
-    _s28 = _add(_add(_s26, _multiply(_multiply(2.0, ny_5, _r11), nz_2, _r11), _r11), _multiply(ny_6, nz_1, _r15), _r15) - _add(_s27, _multiply(nz_0, _s22, _r11), _r11)
-    _s29 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_6, _r11), _multiply(_s5, nz_5, _r15), _r15), _multiply(_s6, nz_4, _r11), _r11), _multiply(_s7, nz_3, _r15), _r15), _multiply(_s8, nz_2, _r11), _r11), _multiply(_s9, nz_1, _r15), _r15)
-    _s30 = _multiply(6.0, nx_1, _r11)
-    _s31 = _multiply(5.0, nx_2, _r12)
-    _s32 = _multiply(4.0, nx_3, _r10)
-    _s33 = _multiply(3.0, nx_4, _r9)
-    _s34 = _multiply(2.0, nx_5, _r7)
-    _s35 = _add(_add(_add(_add(_add(_multiply(nx_0, _s24, _r18), _multiply(_s30, nz_6, _r6), _r6), _multiply(_s31, nz_5, _r18), _r18), _multiply(_s32, nz_4, _r6), _r6), _multiply(_s33, nz_3, _r18), _r18), _multiply(_s34, nz_2, _r6), _r6)
-    _s36 = _add(_s29, _multiply(nz_0, _s13, _r18), _r18) - _add(_s35, _multiply(nx_6, nz_1, _r15), _r15)
-    _s37 = _add(_add(_add(_add(_add(_multiply(nx_0, _s22, _r15), _multiply(_s30, ny_6, _r11), _r11), _multiply(_s31, ny_5, _r12), _r12), _multiply(_s32, ny_4, _r10), _r10), _multiply(_s33, ny_3, _r9), _r9), _multiply(_s34, ny_2, _r7), _r7)
-    _s38 = _add(_add(_add(_add(_add(_multiply(nx_1, ny_6, _r9), _multiply(_s5, ny_5, _r1), _r1), _multiply(_s6, ny_4, _r0), _r0), _multiply(_s7, ny_3, _r2), _r2), _multiply(_s8, ny_2, _r3), _r3), _multiply(_s9, ny_1, _r4), _r4)
-    _s39 = _add(_s37, _multiply(nx_6, ny_1, _r3), _r3) - _add(_s38, _multiply(ny_0, _s13, _r7), _r7)
-    _s40 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_6, _r7), _multiply(lift_1, nx_5, _r3), _r3), _multiply(lift_2, nx_4, _r7), _r7), _multiply(lift_3, nx_3, _r3), _r3), _multiply(lift_4, nx_2, _r7), _r7), _multiply(lift_5, nx_1, _r3), _r3)
-    _s41 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s28, _r7), _multiply(turn_rate_1, tx_5, _r4), _r4), _multiply(turn_rate_2, tx_4, _r7), _r7), _multiply(turn_rate_3, tx_3, _r4), _r4), _multiply(turn_rate_4, tx_2, _r7), _r7), _multiply(turn_rate_5, tx_1, _r4), _r4)
-    _s42 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_6, _r7), _multiply(lift_1, ny_5, _r2), _r2), _multiply(lift_2, ny_4, _r7), _r7), _multiply(lift_3, ny_3, _r2), _r2), _multiply(lift_4, ny_2, _r7), _r7), _multiply(lift_5, ny_1, _r2), _r2)
-    _s43 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s36, _r7), _multiply(turn_rate_1, ty_5, _r0), _r0), _multiply(turn_rate_2, ty_4, _r7), _r7), _multiply(turn_rate_3, ty_3, _r0), _r0), _multiply(turn_rate_4, ty_2, _r7), _r7), _multiply(turn_rate_5, ty_1, _r0), _r0)
-    _s44 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_6, _r7), _multiply(lift_1, nz_5, _r1), _r1), _multiply(lift_2, nz_4, _r7), _r7), _multiply(lift_3, nz_3, _r1), _r1), _multiply(lift_4, nz_2, _r7), _r7), _multiply(lift_5, nz_1, _r1), _r1)
-    _s45 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s39, _r7), _multiply(turn_rate_1, tz_5, _r9), _r9), _multiply(turn_rate_2, tz_4, _r7), _r7), _multiply(turn_rate_3, tz_3, _r9), _r9), _multiply(turn_rate_4, tz_2, _r7), _r7), _multiply(turn_rate_5, tz_1, _r9), _r9)
-    _s46 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_6, _r7), _multiply(tx_1, vx_5, _r10), _r10), _multiply(tx_2, vx_4, _r7), _r7), _multiply(tx_3, vx_3, _r10), _r10), _multiply(tx_4, vx_2, _r7), _r7), _multiply(tx_5, vx_1, _r10), _r10)
-    _s47 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_6, _r7), _multiply(ty_1, vy_5, _r12), _r12), _multiply(ty_2, vy_4, _r7), _r7), _multiply(ty_3, vy_3, _r12), _r12), _multiply(ty_4, vy_2, _r7), _r7), _multiply(ty_5, vy_1, _r12), _r12)
-    _s48 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_6, _r7), _multiply(tz_1, vz_5, _r11), _r11), _multiply(tz_2, vz_4, _r7), _r7), _multiply(tz_3, vz_3, _r11), _r11), _multiply(tz_4, vz_2, _r7), _r7), _multiply(tz_5, vz_1, _r11), _r11)
-    _s49 = -_multiply(0.14285714285714285, _add(_add(_add(_s46, _multiply(vx_0, _s28, _r7), _r7), _add(_s47, _multiply(vy_0, _s36, _r10), _r10), _r10), _add(_s48, _multiply(vz_0, _s39, _r7), _r7), _r7), _r7)
-    _s50 = _add(_add(_add(_add(_add(_multiply(cos_0, vx_6, _r7), _multiply(cos_1, vx_5, _r10), _r10), _multiply(cos_2, vx_4, _r7), _r7), _multiply(cos_3, vx_3, _r10), _r10), _multiply(cos_4, vx_2, _r7), _r7), _multiply(cos_5, vx_1, _r10), _r10)
-    _s51 = _add(_add(_add(_add(_add(_multiply(sin_0, vy_6, _r7), _multiply(sin_1, vy_5, _r11), _r11), _multiply(sin_2, vy_4, _r7), _r7), _multiply(sin_3, vy_3, _r11), _r11), _multiply(sin_4, vy_2, _r7), _r7), _multiply(sin_5, vy_1, _r11), _r11)
-    _s52 = 0.14285714285714285 * _add(_add(_s50, _multiply(cos_6, vx_0, _r7), _r7), _add(_s51, _multiply(sin_6, vy_0, _r10), _r10), _r10)
-    _s53 = _add(_add(_add(_add(_add(_multiply(near_0, _s52, _r10), _multiply(near_1, widened_6, _r7), _r7), _multiply(near_2, widened_5, _r10), _r10), _multiply(near_3, widened_4, _r7), _r7), _multiply(near_4, widened_3, _r10), _r10), _multiply(near_5, widened_2, _r7), _r7)
-    return _s2, _s4, _s25, _s28, _s36, _s39, 0.14285714285714285 * _add(_add(_s40, _multiply(nx_0, _s25, _r10), _r10), _multiply(0.4, _add(_s41, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), 0.14285714285714285 * _add(_add(_s42, _multiply(ny_0, _s25, _r3), _r3), _multiply(0.4, _add(_s43, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), 0.14285714285714285 * _add(_add(_s44, _multiply(nz_0, _s25, _r2), _r2), _multiply(0.4, _add(_s45, _multiply(turn_rate_6, tz_0, _r1), _r1), _r1), _r1), 0.14285714285714285 * _s13, 0.14285714285714285 * _s22, 0.14285714285714285 * _s24, _s49, 0.14285714285714285 * _s12, 0.14285714285714285 * _s21, _s52, -_multiply(near_0, _add(_s53, _multiply(near_6, widened_1, _r13), _r13), _r13)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, *_ = _room
+    _s0 = _multiply(2.0, nx_2, _r0)
+    _s1 = _multiply(3.0, nx_3, _r1)
+    _s2 = _multiply(4.0, nx_4, _r2)
+    _s3 = _multiply(5.0, nx_5, _r3)
+    _s4 = _multiply(6.0, nx_6, _r4)
+    _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_6, _r5), _multiply(_s0, vx_5, _r6), _r6), _multiply(_s1, vx_4, _r5), _r5), _multiply(_s2, vx_3, _r6), _r6), _multiply(_s3, vx_2, _r5), _r5), _multiply(_s4, vx_1, _r6), _r6)
+    _s6 = _multiply(_multiply(bent_x, per_reach, _r5), vx_6, _r5)
+    _s7 = _multiply(2.0, ny_2, _r7)
+    _s8 = _multiply(3.0, ny_3, _r8)
+    _s9 = _multiply(4.0, ny_4, _r9)
+    _s10 = _multiply(5.0, ny_5, _r10)
+    _s11 = _multiply(6.0, ny_6, _r11)
+    _s12 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_6, _r12), _multiply(_s7, vy_5, _r13), _r13), _multiply(_s8, vy_4, _r12), _r12), _multiply(_s9, vy_3, _r13), _r13), _multiply(_s10, vy_2, _r12), _r12), _multiply(_s11, vy_1, _r13), _r13)
+    _s13 = _multiply(_multiply(bent_y, per_reach, _r12), vy_6, _r12)
+    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(2.0, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(3.0, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(4.0, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(5.0, nz_5, _r14), vz_2, _r14), _r14)
+    _s15 = _multiply(_multiply(bent_z, per_reach, _r15), vz_6, _r15)
+    _s16 = _multiply(0.6 * p_gravity, nz_6, _r16) - _add(_add(_add(_s5, _multiply(vx_0, _s6, _r17), _r17), _add(_s12, _multiply(vy_0, _s13, _r6), _r6), _r6), _add(_add(_s14, _multiply(_multiply(6.0, nz_6, _r17), vz_1, _r17), _r17), _multiply(vz_0, _s15, _r14), _r14), _r14)
+    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s15, _r14), _multiply(_multiply(6.0, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(5.0, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(4.0, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(3.0, ny_4, _r14), nz_3, _r14), _r14)
+    _s18 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_6, _r16), _multiply(_s7, nz_5, _r7), _r7), _multiply(_s8, nz_4, _r8), _r8), _multiply(_s9, nz_3, _r9), _r9), _multiply(_s10, nz_2, _r10), _r10), _multiply(_s11, nz_1, _r11), _r11)
+    _s19 = _add(_add(_s17, _multiply(_multiply(2.0, ny_5, _r10), nz_2, _r10), _r10), _multiply(ny_6, nz_1, _r14), _r14) - _add(_s18, _multiply(nz_0, _s13, _r10), _r10)
+    _s20 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_6, _r10), _multiply(_s0, nz_5, _r14), _r14), _multiply(_s1, nz_4, _r10), _r10), _multiply(_s2, nz_3, _r14), _r14), _multiply(_s3, nz_2, _r10), _r10), _multiply(_s4, nz_1, _r14), _r14)
+    _s21 = _multiply(6.0, nx_1, _r10)
+    _s22 = _multiply(5.0, nx_2, _r11)
+    _s23 = _multiply(4.0, nx_3, _r9)
+    _s24 = _multiply(3.0, nx_4, _r8)
+    _s25 = _multiply(2.0, nx_5, _r7)
+    _s26 = _add(_add(_add(_add(_add(_multiply(nx_0, _s15, _r16), _multiply(_s21, nz_6, _r6), _r6), _multiply(_s22, nz_5, _r16), _r16), _multiply(_s23, nz_4, _r6), _r6), _multiply(_s24, nz_3, _r16), _r16), _multiply(_s25, nz_2, _r6), _r6)
+    _s27 = _add(_s20, _multiply(nz_0, _s6, _r16), _r16) - _add(_s26, _multiply(nx_6, nz_1, _r14), _r14)
+    _s28 = _add(_add(_add(_add(_add(_multiply(nx_0, _s13, _r14), _multiply(_s21, ny_6, _r10), _r10), _multiply(_s22, ny_5, _r11), _r11), _multiply(_s23, ny_4, _r9), _r9), _multiply(_s24, ny_3, _r8), _r8), _multiply(_s25, ny_2, _r7), _r7)
+    _s29 = _add(_add(_add(_add(_add(_multiply(nx_1, ny_6, _r8), _multiply(_s0, ny_5, _r0), _r0), _multiply(_s1, ny_4, _r1), _r1), _multiply(_s2, ny_3, _r2), _r2), _multiply(_s3, ny_2, _r3), _r3), _multiply(_s4, ny_1, _r4), _r4)
+    _s30 = _add(_s28, _multiply(nx_6, ny_1, _r3), _r3) - _add(_s29, _multiply(ny_0, _s6, _r7), _r7)
+    _s31 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_6, _r7), _multiply(lift_1, nx_5, _r3), _r3), _multiply(lift_2, nx_4, _r7), _r7), _multiply(lift_3, nx_3, _r3), _r3), _multiply(lift_4, nx_2, _r7), _r7), _multiply(lift_5, nx_1, _r3), _r3)
+    _s32 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s19, _r7), _multiply(turn_rate_1, tx_5, _r4), _r4), _multiply(turn_rate_2, tx_4, _r7), _r7), _multiply(turn_rate_3, tx_3, _r4), _r4), _multiply(turn_rate_4, tx_2, _r7), _r7), _multiply(turn_rate_5, tx_1, _r4), _r4)
+    _s33 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_6, _r7), _multiply(lift_1, ny_5, _r2), _r2), _multiply(lift_2, ny_4, _r7), _r7), _multiply(lift_3, ny_3, _r2), _r2), _multiply(lift_4, ny_2, _r7), _r7), _multiply(lift_5, ny_1, _r2), _r2)
+    _s34 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s27, _r7), _multiply(turn_rate_1, ty_5, _r1), _r1), _multiply(turn_rate_2, ty_4, _r7), _r7), _multiply(turn_rate_3, ty_3, _r1), _r1), _multiply(turn_rate_4, ty_2, _r7), _r7), _multiply(turn_rate_5, ty_1, _r1), _r1)
+    _s35 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_6, _r7), _multiply(lift_1, nz_5, _r0), _r0), _multiply(lift_2, nz_4, _r7), _r7), _multiply(lift_3, nz_3, _r0), _r0), _multiply(lift_4, nz_2, _r7), _r7), _multiply(lift_5, nz_1, _r0), _r0)
+    _s36 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s30, _r7), _multiply(turn_rate_1, tz_5, _r8), _r8), _multiply(turn_rate_2, tz_4, _r7), _r7), _multiply(turn_rate_3, tz_3, _r8), _r8), _multiply(turn_rate_4, tz_2, _r7), _r7), _multiply(turn_rate_5, tz_1, _r8), _r8)
+    _s37 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_6, _r7), _multiply(tx_1, vx_5, _r9), _r9), _multiply(tx_2, vx_4, _r7), _r7), _multiply(tx_3, vx_3, _r9), _r9), _multiply(tx_4, vx_2, _r7), _r7), _multiply(tx_5, vx_1, _r9), _r9)
+    _s38 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_6, _r7), _multiply(ty_1, vy_5, _r11), _r11), _multiply(ty_2, vy_4, _r7), _r7), _multiply(ty_3, vy_3, _r11), _r11), _multiply(ty_4, vy_2, _r7), _r7), _multiply(ty_5, vy_1, _r11), _r11)
+    _s39 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_6, _r7), _multiply(tz_1, vz_5, _r10), _r10), _multiply(tz_2, vz_4, _r7), _r7), _multiply(tz_3, vz_3, _r10), _r10), _multiply(tz_4, vz_2, _r7), _r7), _multiply(tz_5, vz_1, _r10), _r10)
+    _s40 = -_multiply(0.14285714285714285, _add(_add(_add(_s37, _multiply(vx_0, _s19, _r7), _r7), _add(_s38, _multiply(vy_0, _s27, _r9), _r9), _r9), _add(_s39, _multiply(vz_0, _s30, _r7), _r7), _r7), _r7)
+    return _s16, _s19, _s27, _s30, 0.14285714285714285 * _add(_add(_s31, _multiply(nx_0, _s16, _r7), _r7), _multiply(0.4, _add(_s32, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), 0.14285714285714285 * _add(_add(_s33, _multiply(ny_0, _s16, _r3), _r3), _multiply(0.4, _add(_s34, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), 0.14285714285714285 * _add(_add(_s35, _multiply(nz_0, _s16, _r2), _r2), _multiply(0.4, _add(_s36, _multiply(turn_rate_6, tz_0, _r0), _r0), _r0), _r0), 0.14285714285714285 * _s6, 0.14285714285714285 * _s13, 0.14285714285714285 * _s15, _s40
 
 
-def roll_7(across_0: Any, across_1: Any, across_2: Any, across_3: Any, across_4: Any, across_5: Any, across_6: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, round_2: Any, round_3: Any, round_4: Any, round_5: Any, round_6: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, widened_1: Any, widened_2: Any, widened_3: Any, widened_4: Any, widened_5: Any, widened_6: Any, widened_7: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 8 of a ball that rolls, from those before.
 
-    Newton, Euler and rolling without slip. 457 operations: 190 additions, 7 subtractions, 257 multiplications, 3 negations.
-    Returns across_7, round_7, lift_7, tx_7, ty_7, tz_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8, cos_8, sin_8, widened_8, near_8.
+    Newton, Euler and rolling without slip. 325 operations: 133 additions, 4 subtractions, 187 multiplications, 1 negation.
+    Returns lift_7, tx_7, ty_7, tz_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, *_ = _room
-    _s0 = _add(_add(_add(_add(_add(_multiply(cos_0, vy_7, _r0), _multiply(cos_1, vy_6, _r1), _r1), _multiply(cos_2, vy_5, _r0), _r0), _multiply(cos_3, vy_4, _r1), _r1), _multiply(cos_4, vy_3, _r0), _r0), _multiply(cos_5, vy_2, _r1), _r1)
-    _s1 = _add(_add(_add(_add(_add(_multiply(sin_0, vx_7, _r0), _multiply(sin_1, vx_6, _r2), _r2), _multiply(sin_2, vx_5, _r0), _r0), _multiply(sin_3, vx_4, _r2), _r2), _multiply(sin_4, vx_3, _r0), _r0), _multiply(sin_5, vx_2, _r2), _r2)
-    _s2 = _add(_add(_s0, _multiply(cos_6, vy_1, _r0), _r0), _multiply(cos_7, vy_0, _r1), _r1) - _add(_add(_s1, _multiply(sin_6, vx_1, _r0), _r0), _multiply(sin_7, vx_0, _r2), _r2)
-    _s3 = _add(_add(_add(_add(_add(_multiply(across_0, near_7, _r2), _multiply(across_1, near_6, _r1), _r1), _multiply(across_2, near_5, _r2), _r2), _multiply(across_3, near_4, _r1), _r1), _multiply(across_4, near_3, _r2), _r2), _multiply(across_5, near_2, _r1), _r1)
-    _s4 = _add(_s3, _multiply(across_6, near_1, _r2), _r2) + _multiply(near_0, _s2, _r1)
-    _s5 = _multiply(2.0, nx_2, _r1)
-    _s6 = _multiply(3.0, nx_3, _r2)
-    _s7 = _multiply(4.0, nx_4, _r0)
-    _s8 = _multiply(5.0, nx_5, _r3)
-    _s9 = _multiply(6.0, nx_6, _r4)
-    _s10 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_7, _r5), _multiply(_s5, vx_6, _r6), _r6), _multiply(_s6, vx_5, _r5), _r5), _multiply(_s7, vx_4, _r6), _r6), _multiply(_s8, vx_3, _r5), _r5), _multiply(_s9, vx_2, _r6), _r6)
-    _s11 = _multiply(7.0, nx_7, _r5)
-    _s12 = _add(_add(_add(_add(_add(_multiply(round_0, sin_7, _r7), _multiply(round_1, sin_6, _r8), _r8), _multiply(round_2, sin_5, _r7), _r7), _multiply(round_3, sin_4, _r8), _r8), _multiply(round_4, sin_3, _r7), _r7), _multiply(round_5, sin_2, _r8), _r8)
-    _s13 = _negative(_add(_add(_s12, _multiply(round_6, sin_1, _r7), _r7), _multiply(sin_0, _s4, _r8), _r8), _r8)
-    _s14 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_7, _r7), _multiply(ring, _s13, _r9), _r9), _r9)
-    _s15 = _multiply(2.0, ny_2, _r7)
-    _s16 = _multiply(3.0, ny_3, _r10)
-    _s17 = _multiply(4.0, ny_4, _r11)
-    _s18 = _multiply(5.0, ny_5, _r12)
-    _s19 = _multiply(6.0, ny_6, _r13)
-    _s20 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_7, _r14), _multiply(_s15, vy_6, _r15), _r15), _multiply(_s16, vy_5, _r14), _r14), _multiply(_s17, vy_4, _r15), _r15), _multiply(_s18, vy_3, _r14), _r14), _multiply(_s19, vy_2, _r15), _r15)
-    _s21 = _multiply(7.0, ny_7, _r14)
-    _s22 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r16), _multiply(cos_1, round_6, _r17), _r17), _multiply(cos_2, round_5, _r16), _r16), _multiply(cos_3, round_4, _r17), _r17), _multiply(cos_4, round_3, _r16), _r16), _multiply(cos_5, round_2, _r17), _r17)
-    _s23 = _add(_add(_s22, _multiply(cos_6, round_1, _r16), _r16), _multiply(cos_7, round_0, _r17), _r17)
-    _s24 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_7, _r16), _multiply(ring, _s23, _r18), _r18), _r18)
-    _s25 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(2.0, nz_2, _r19), vz_6, _r19), _r19), _multiply(_multiply(3.0, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(4.0, nz_4, _r19), vz_4, _r19), _r19), _multiply(_multiply(5.0, nz_5, _r16), vz_3, _r16), _r16)
-    _s26 = _multiply(_multiply(bent_z, per_reach, _r19), vz_7, _r19)
-    _s27 = _add(_add(_add(_add(_s10, _multiply(_s11, vx_1, _r20), _r20), _multiply(vx_0, _s14, _r6), _r6), _add(_add(_s20, _multiply(_s21, vy_1, _r20), _r20), _multiply(vy_0, _s24, _r15), _r15), _r15), _add(_add(_add(_s25, _multiply(_multiply(6.0, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(7.0, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s26, _r6), _r6), _r6)
-    _s28 = _multiply(0.6 * p_gravity, nz_7, _r15) - _s27
-    _s29 = _multiply(_s17, nz_4, _r11)
-    _s30 = _add(_add(_add(_add(_multiply(ny_0, _s26, _r6), _multiply(_multiply(7.0, ny_1, _r15), nz_7, _r15), _r15), _multiply(_multiply(6.0, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(5.0, ny_3, _r15), nz_5, _r15), _r15), _s29, _r15)
-    _s31 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_7, _r6), _multiply(_s15, nz_6, _r7), _r7), _multiply(_s16, nz_5, _r10), _r10), _s29, _r10), _multiply(_s18, nz_3, _r12), _r12), _multiply(_s19, nz_2, _r13), _r13)
-    _s32 = _add(_add(_add(_s30, _multiply(_multiply(3.0, ny_5, _r12), nz_3, _r12), _r12), _multiply(_multiply(2.0, ny_6, _r15), nz_2, _r15), _r15), _multiply(ny_7, nz_1, _r12), _r12) - _add(_add(_s31, _multiply(_s21, nz_1, _r14), _r14), _multiply(nz_0, _s24, _r13), _r13)
-    _s33 = _multiply(_s7, nz_4, _r13)
-    _s34 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_7, _r12), _multiply(_s5, nz_6, _r14), _r14), _multiply(_s6, nz_5, _r12), _r12), _s33, _r12), _multiply(_s8, nz_3, _r14), _r14), _multiply(_s9, nz_2, _r12), _r12)
-    _s35 = _multiply(7.0, nx_1, _r14)
-    _s36 = _multiply(6.0, nx_2, _r15)
-    _s37 = _multiply(5.0, nx_3, _r10)
-    _s38 = _multiply(3.0, nx_5, _r11)
-    _s39 = _add(_add(_add(_add(_add(_multiply(nx_0, _s26, _r7), _multiply(_s35, nz_7, _r6), _r6), _multiply(_s36, nz_6, _r7), _r7), _multiply(_s37, nz_5, _r6), _r6), _s33, _r6), _multiply(_s38, nz_3, _r13), _r13)
-    _s40 = _multiply(2.0, nx_6, _r6)
-    _s41 = _add(_add(_s34, _multiply(_s11, nz_1, _r7), _r7), _multiply(nz_0, _s14, _r12), _r12) - _add(_add(_s39, _multiply(_s40, nz_2, _r7), _r7), _multiply(nx_7, nz_1, _r13), _r13)
-    _s42 = _multiply(_s7, ny_4, _r0)
-    _s43 = _add(_add(_add(_add(_add(_multiply(nx_0, _s24, _r13), _multiply(_s35, ny_7, _r14), _r14), _multiply(_s36, ny_6, _r15), _r15), _multiply(_s37, ny_5, _r10), _r10), _s42, _r10), _multiply(_s38, ny_3, _r11), _r11)
-    _s44 = _add(_add(_add(_add(_add(_multiply(nx_1, ny_7, _r10), _multiply(_s5, ny_6, _r1), _r1), _multiply(_s6, ny_5, _r2), _r2), _s42, _r2), _multiply(_s8, ny_3, _r3), _r3), _multiply(_s9, ny_2, _r4), _r4)
-    _s45 = _add(_add(_s43, _multiply(_s40, ny_2, _r6), _r6), _multiply(nx_7, ny_1, _r11), _r11) - _add(_add(_s44, _multiply(_s11, ny_1, _r5), _r5), _multiply(ny_0, _s14, _r4), _r4)
-    _s46 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_7, _r4), _multiply(lift_1, nx_6, _r11), _r11), _multiply(lift_2, nx_5, _r4), _r4), _multiply(lift_3, nx_4, _r11), _r11), _multiply(lift_4, nx_3, _r4), _r4), _multiply(lift_5, nx_2, _r11), _r11)
-    _s47 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s32, _r4), _multiply(turn_rate_1, tx_6, _r5), _r5), _multiply(turn_rate_2, tx_5, _r4), _r4), _multiply(turn_rate_3, tx_4, _r5), _r5), _multiply(turn_rate_4, tx_3, _r4), _r4), _multiply(turn_rate_5, tx_2, _r5), _r5)
-    _s48 = 0.125 * _add(_add(_add(_s46, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s28, _r11), _r11), _multiply(0.4, _add(_add(_s47, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
-    _s49 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_7, _r5), _multiply(lift_1, ny_6, _r11), _r11), _multiply(lift_2, ny_5, _r5), _r5), _multiply(lift_3, ny_4, _r11), _r11), _multiply(lift_4, ny_3, _r5), _r5), _multiply(lift_5, ny_2, _r11), _r11)
-    _s50 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s41, _r5), _multiply(turn_rate_1, ty_6, _r4), _r4), _multiply(turn_rate_2, ty_5, _r5), _r5), _multiply(turn_rate_3, ty_4, _r4), _r4), _multiply(turn_rate_4, ty_3, _r5), _r5), _multiply(turn_rate_5, ty_2, _r4), _r4)
-    _s51 = 0.125 * _add(_add(_add(_s49, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s28, _r11), _r11), _multiply(0.4, _add(_add(_s50, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
-    _s52 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_7, _r4), _multiply(lift_1, nz_6, _r11), _r11), _multiply(lift_2, nz_5, _r4), _r4), _multiply(lift_3, nz_4, _r11), _r11), _multiply(lift_4, nz_3, _r4), _r4), _multiply(lift_5, nz_2, _r11), _r11)
-    _s53 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s45, _r4), _multiply(turn_rate_1, tz_6, _r5), _r5), _multiply(turn_rate_2, tz_5, _r4), _r4), _multiply(turn_rate_3, tz_4, _r5), _r5), _multiply(turn_rate_4, tz_3, _r4), _r4), _multiply(turn_rate_5, tz_2, _r5), _r5)
-    _s54 = 0.125 * _add(_add(_add(_s52, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s28, _r11), _r11), _multiply(0.4, _add(_add(_s53, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
-    _s55 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_7, _r5), _multiply(tx_1, vx_6, _r11), _r11), _multiply(tx_2, vx_5, _r5), _r5), _multiply(tx_3, vx_4, _r11), _r11), _multiply(tx_4, vx_3, _r5), _r5), _multiply(tx_5, vx_2, _r11), _r11)
-    _s56 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_7, _r5), _multiply(ty_1, vy_6, _r4), _r4), _multiply(ty_2, vy_5, _r5), _r5), _multiply(ty_3, vy_4, _r4), _r4), _multiply(ty_4, vy_3, _r5), _r5), _multiply(ty_5, vy_2, _r4), _r4)
-    _s57 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_7, _r5), _multiply(tz_1, vz_6, _r6), _r6), _multiply(tz_2, vz_5, _r5), _r5), _multiply(tz_3, vz_4, _r6), _r6), _multiply(tz_4, vz_3, _r5), _r5), _multiply(tz_5, vz_2, _r6), _r6)
-    _s58 = _multiply(0.125, _add(_add(_add(_add(_s55, _multiply(tx_6, vx_1, _r5), _r5), _multiply(vx_0, _s32, _r11), _r11), _add(_add(_s56, _multiply(ty_6, vy_1, _r5), _r5), _multiply(vy_0, _s41, _r4), _r4), _r4), _add(_add(_s57, _multiply(tz_6, vz_1, _r11), _r11), _multiply(vz_0, _s45, _r6), _r6), _r6), _r6)
-    _s59 = _add(_add(_add(_add(_add(_multiply(cos_0, vx_7, _r4), _multiply(cos_1, vx_6, _r11), _r11), _multiply(cos_2, vx_5, _r4), _r4), _multiply(cos_3, vx_4, _r11), _r11), _multiply(cos_4, vx_3, _r4), _r4), _multiply(cos_5, vx_2, _r11), _r11)
-    _s60 = _add(_add(_add(_add(_add(_multiply(sin_0, vy_7, _r4), _multiply(sin_1, vy_6, _r5), _r5), _multiply(sin_2, vy_5, _r4), _r4), _multiply(sin_3, vy_4, _r5), _r5), _multiply(sin_4, vy_3, _r4), _r4), _multiply(sin_5, vy_2, _r5), _r5)
-    _s61 = 0.125 * _add(_add(_add(_s59, _multiply(cos_6, vx_1, _r4), _r4), _multiply(cos_7, vx_0, _r11), _r11), _add(_add(_s60, _multiply(sin_6, vy_1, _r4), _r4), _multiply(sin_7, vy_0, _r5), _r5), _r5)
-    _s62 = _add(_add(_add(_add(_add(_multiply(near_0, _s61, _r5), _multiply(near_1, widened_7, _r11), _r11), _multiply(near_2, widened_6, _r5), _r5), _multiply(near_3, widened_5, _r11), _r11), _multiply(near_4, widened_4, _r5), _r5), _multiply(near_5, widened_3, _r11), _r11)
-    return _s2, _s4, _s28, _s32, _s41, _s45, _s48, _s51, _s54, 0.125 * _s14, 0.125 * _s24, 0.125 * _s26, -_s58, 0.125 * _s13, 0.125 * _s23, _s61, -_multiply(near_0, _add(_add(_s62, _multiply(near_6, widened_2, _r17), _r17), _multiply(near_7, widened_1, _r11), _r11), _r11)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
+    _s0 = _multiply(2.0, nx_2, _r0)
+    _s1 = _multiply(3.0, nx_3, _r1)
+    _s2 = _multiply(4.0, nx_4, _r2)
+    _s3 = _multiply(5.0, nx_5, _r3)
+    _s4 = _multiply(6.0, nx_6, _r4)
+    _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_7, _r5), _multiply(_s0, vx_6, _r6), _r6), _multiply(_s1, vx_5, _r5), _r5), _multiply(_s2, vx_4, _r6), _r6), _multiply(_s3, vx_3, _r5), _r5), _multiply(_s4, vx_2, _r6), _r6)
+    _s6 = _multiply(7.0, nx_7, _r5)
+    _s7 = _multiply(_multiply(bent_x, per_reach, _r7), vx_7, _r7)
+    _s8 = _multiply(2.0, ny_2, _r8)
+    _s9 = _multiply(3.0, ny_3, _r9)
+    _s10 = _multiply(4.0, ny_4, _r10)
+    _s11 = _multiply(5.0, ny_5, _r11)
+    _s12 = _multiply(6.0, ny_6, _r12)
+    _s13 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_7, _r13), _multiply(_s8, vy_6, _r14), _r14), _multiply(_s9, vy_5, _r13), _r13), _multiply(_s10, vy_4, _r14), _r14), _multiply(_s11, vy_3, _r13), _r13), _multiply(_s12, vy_2, _r14), _r14)
+    _s14 = _multiply(7.0, ny_7, _r13)
+    _s15 = _multiply(_multiply(bent_y, per_reach, _r15), vy_7, _r15)
+    _s16 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(2.0, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(3.0, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(4.0, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(5.0, nz_5, _r16), vz_3, _r16), _r16)
+    _s17 = _multiply(_multiply(bent_z, per_reach, _r17), vz_7, _r17)
+    _s18 = _add(_add(_add(_add(_s5, _multiply(_s6, vx_1, _r18), _r18), _multiply(vx_0, _s7, _r6), _r6), _add(_add(_s13, _multiply(_s14, vy_1, _r18), _r18), _multiply(vy_0, _s15, _r14), _r14), _r14), _add(_add(_add(_s16, _multiply(_multiply(6.0, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(7.0, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s17, _r6), _r6), _r6)
+    _s19 = _multiply(0.6 * p_gravity, nz_7, _r14) - _s18
+    _s20 = _multiply(_s10, nz_4, _r10)
+    _s21 = _add(_add(_add(_add(_multiply(ny_0, _s17, _r6), _multiply(_multiply(7.0, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(6.0, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(5.0, ny_3, _r14), nz_5, _r14), _r14), _s20, _r14)
+    _s22 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_7, _r6), _multiply(_s8, nz_6, _r8), _r8), _multiply(_s9, nz_5, _r9), _r9), _s20, _r9), _multiply(_s11, nz_3, _r11), _r11), _multiply(_s12, nz_2, _r12), _r12)
+    _s23 = _add(_add(_add(_s21, _multiply(_multiply(3.0, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(2.0, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s22, _multiply(_s14, nz_1, _r13), _r13), _multiply(nz_0, _s15, _r12), _r12)
+    _s24 = _multiply(_s2, nz_4, _r12)
+    _s25 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_7, _r11), _multiply(_s0, nz_6, _r13), _r13), _multiply(_s1, nz_5, _r11), _r11), _s24, _r11), _multiply(_s3, nz_3, _r13), _r13), _multiply(_s4, nz_2, _r11), _r11)
+    _s26 = _multiply(7.0, nx_1, _r13)
+    _s27 = _multiply(6.0, nx_2, _r14)
+    _s28 = _multiply(5.0, nx_3, _r9)
+    _s29 = _multiply(3.0, nx_5, _r10)
+    _s30 = _add(_add(_add(_add(_add(_multiply(nx_0, _s17, _r8), _multiply(_s26, nz_7, _r6), _r6), _multiply(_s27, nz_6, _r8), _r8), _multiply(_s28, nz_5, _r6), _r6), _s24, _r6), _multiply(_s29, nz_3, _r12), _r12)
+    _s31 = _multiply(2.0, nx_6, _r6)
+    _s32 = _add(_add(_s25, _multiply(_s6, nz_1, _r8), _r8), _multiply(nz_0, _s7, _r11), _r11) - _add(_add(_s30, _multiply(_s31, nz_2, _r8), _r8), _multiply(nx_7, nz_1, _r12), _r12)
+    _s33 = _multiply(_s2, ny_4, _r2)
+    _s34 = _add(_add(_add(_add(_add(_multiply(nx_0, _s15, _r12), _multiply(_s26, ny_7, _r13), _r13), _multiply(_s27, ny_6, _r14), _r14), _multiply(_s28, ny_5, _r9), _r9), _s33, _r9), _multiply(_s29, ny_3, _r10), _r10)
+    _s35 = _add(_add(_add(_add(_add(_multiply(nx_1, ny_7, _r9), _multiply(_s0, ny_6, _r0), _r0), _multiply(_s1, ny_5, _r1), _r1), _s33, _r1), _multiply(_s3, ny_3, _r3), _r3), _multiply(_s4, ny_2, _r4), _r4)
+    _s36 = _add(_add(_s34, _multiply(_s31, ny_2, _r6), _r6), _multiply(nx_7, ny_1, _r10), _r10) - _add(_add(_s35, _multiply(_s6, ny_1, _r5), _r5), _multiply(ny_0, _s7, _r4), _r4)
+    _s37 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_7, _r4), _multiply(lift_1, nx_6, _r10), _r10), _multiply(lift_2, nx_5, _r4), _r4), _multiply(lift_3, nx_4, _r10), _r10), _multiply(lift_4, nx_3, _r4), _r4), _multiply(lift_5, nx_2, _r10), _r10)
+    _s38 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s23, _r4), _multiply(turn_rate_1, tx_6, _r5), _r5), _multiply(turn_rate_2, tx_5, _r4), _r4), _multiply(turn_rate_3, tx_4, _r5), _r5), _multiply(turn_rate_4, tx_3, _r4), _r4), _multiply(turn_rate_5, tx_2, _r5), _r5)
+    _s39 = 0.125 * _add(_add(_add(_s37, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s19, _r10), _r10), _multiply(0.4, _add(_add(_s38, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
+    _s40 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_7, _r5), _multiply(lift_1, ny_6, _r10), _r10), _multiply(lift_2, ny_5, _r5), _r5), _multiply(lift_3, ny_4, _r10), _r10), _multiply(lift_4, ny_3, _r5), _r5), _multiply(lift_5, ny_2, _r10), _r10)
+    _s41 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s32, _r5), _multiply(turn_rate_1, ty_6, _r4), _r4), _multiply(turn_rate_2, ty_5, _r5), _r5), _multiply(turn_rate_3, ty_4, _r4), _r4), _multiply(turn_rate_4, ty_3, _r5), _r5), _multiply(turn_rate_5, ty_2, _r4), _r4)
+    _s42 = 0.125 * _add(_add(_add(_s40, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s19, _r10), _r10), _multiply(0.4, _add(_add(_s41, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
+    _s43 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_7, _r4), _multiply(lift_1, nz_6, _r10), _r10), _multiply(lift_2, nz_5, _r4), _r4), _multiply(lift_3, nz_4, _r10), _r10), _multiply(lift_4, nz_3, _r4), _r4), _multiply(lift_5, nz_2, _r10), _r10)
+    _s44 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s36, _r4), _multiply(turn_rate_1, tz_6, _r5), _r5), _multiply(turn_rate_2, tz_5, _r4), _r4), _multiply(turn_rate_3, tz_4, _r5), _r5), _multiply(turn_rate_4, tz_3, _r4), _r4), _multiply(turn_rate_5, tz_2, _r5), _r5)
+    _s45 = 0.125 * _add(_add(_add(_s43, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s19, _r10), _r10), _multiply(0.4, _add(_add(_s44, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
+    _s46 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_7, _r5), _multiply(tx_1, vx_6, _r10), _r10), _multiply(tx_2, vx_5, _r5), _r5), _multiply(tx_3, vx_4, _r10), _r10), _multiply(tx_4, vx_3, _r5), _r5), _multiply(tx_5, vx_2, _r10), _r10)
+    _s47 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_7, _r5), _multiply(ty_1, vy_6, _r4), _r4), _multiply(ty_2, vy_5, _r5), _r5), _multiply(ty_3, vy_4, _r4), _r4), _multiply(ty_4, vy_3, _r5), _r5), _multiply(ty_5, vy_2, _r4), _r4)
+    _s48 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_7, _r5), _multiply(tz_1, vz_6, _r6), _r6), _multiply(tz_2, vz_5, _r5), _r5), _multiply(tz_3, vz_4, _r6), _r6), _multiply(tz_4, vz_3, _r5), _r5), _multiply(tz_5, vz_2, _r6), _r6)
+    _s49 = _multiply(0.125, _add(_add(_add(_add(_s46, _multiply(tx_6, vx_1, _r5), _r5), _multiply(vx_0, _s23, _r10), _r10), _add(_add(_s47, _multiply(ty_6, vy_1, _r5), _r5), _multiply(vy_0, _s32, _r4), _r4), _r4), _add(_add(_s48, _multiply(tz_6, vz_1, _r10), _r10), _multiply(vz_0, _s36, _r6), _r6), _r6), _r6)
+    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, 0.125 * _s7, 0.125 * _s15, 0.125 * _s17, -_s49
 
 
-def roll_start(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, ring: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def roll_start(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
     """The constant terms.
 
-    rolling. 17 operations: 3 additions, 8 multiplications, 1 division, 1 square root, 1 comparison, 3 selections.
-    Returns vx_0, vy_0, vz_0, nx_0, ny_0, nz_0, turn_rate_0, cos_0, sin_0, near_0.
+    rolling. 6 operations: 2 additions, 4 multiplications.
+    Returns vx_0, vy_0, vz_0, nx_0, ny_0, nz_0, turn_rate_0.
     """
-    _r0, _r1, _r2, *_ = _room
-    _s0 = _divide(1.0, _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), _r1)
-    _s1 = 0.0 < ring
-    return vx, vy, vz, nx, ny, nz, p_ball_radius * _add(_add(_multiply(nx, wx, _r0), _multiply(ny, wy, _r2), _r2), _multiply(nz, wz, _r0), _r0), _result(_s1, _multiply(x, _s0, _r0), 1.0, _r0), _result(_s1, _multiply(y, _s0, _r0), 0.0, _r0), _result(_s1, _s0, 1.0, _r0)
+    return vx, vy, vz, nx, ny, nz, p_ball_radius * (((nx * wx) + (ny * wy)) + (nz * wz))
 
 
 def roll_moved(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1954,7 +1977,7 @@ def roll_pace(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any
     _s5 = _add(_multiply(_add(_multiply(_s2, _s0, _r3), _sqrt(_multiply(p_gravity, _s2, _r2), _r2), _r2), _s3, _r2), _s4, _r2)
     _s6 = _multiply(_s1, _add(_add(_absolute(nx_8, _r3), _absolute(ny_8, _r6), _r6), _absolute(nz_8, _r3), _r3), _r3)
     _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(1.1102230246251565e-16, _s1, _r0), _select(_s5 < _s6, _s6, _s5, _r6), _r0), _r0), _r0), _r0)
-    _s8 = _result(_s7 < 0.0625, _s7, 0.0625, _r0)
+    _s8 = _result(_s7 < 1.0, _s7, 1.0, _r0)
     _s9 = _multiply(_multiply(2.0, _add(_add(_add(_absolute(turn_rate_2, _r6), _absolute(vx_2, _r3), _r3), _absolute(vy_2, _r6), _r6), _absolute(vz_2, _r3), _r3), _r3), _s8, _r3)
     _s10 = _multiply(_s8, _s8, _r6)
     _s11 = _multiply(_multiply(3.0, _add(_add(_add(_absolute(turn_rate_3, _r2), _absolute(vx_3, _r7), _r7), _absolute(vy_3, _r2), _r2), _absolute(vz_3, _r7), _r7), _r7), _s10, _r7)
@@ -2242,10 +2265,10 @@ def neighbour(apart: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz:
     """A neighbouring motion, along the errors.
 
     Table 1. 18 operations: 9 additions, 9 multiplications.
-    Returns far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz.
+    Returns far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_nx, far_ny, far_nz, far_gap.
     """
     _r0, *_ = _room
-    return x + _multiply(apart, dx, _r0), y + _multiply(apart, dy, _r0), z + _multiply(apart, dz, _r0), vx + _multiply(apart, dvx, _r0), vy + _multiply(apart, dvy, _r0), vz + _multiply(apart, dvz, _r0), wx + _multiply(apart, dwx, _r0), wy + _multiply(apart, dwy, _r0), wz + _multiply(apart, dwz, _r0)
+    return x + _multiply(apart, dx, _r0), y + _multiply(apart, dy, _r0), z + _multiply(apart, dz, _r0), vx + _multiply(apart, dvx, _r0), vy + _multiply(apart, dvy, _r0), vz + _multiply(apart, dvz, _r0), wx + _multiply(apart, dwx, _r0), wy + _multiply(apart, dwy, _r0), wz + _multiply(apart, dwz, _r0), 0.0, 0.0, 0.0, 0.0
 
 
 def compared(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: Any, far_wx: Any, far_wy: Any, far_wz: Any, far_x: Any, far_y: Any, far_z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2301,13 +2324,22 @@ def kept(mode: Any, when: Any) -> tuple[Any, ...]:
     return _s0, _where(_s0, 0.0, when), False, False, 0.0
 
 
+def opens_in_flight(clear: Any, kept: Any) -> tuple[Any, ...]:
+    """Where a surface is not certainly missed by a ball in flight.
+
+    Table 1. 4 operations: 1 comparison, 1 conjunction, 2 complements.
+    Returns open.
+    """
+    return _logical_and(_logical_not((0.0 < clear)), _logical_not(kept)),
+
+
 def resumed(clock: Any, mode: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
     """No event yet, of a ball in contact.
 
     Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection.
-    Returns which, late, began, doubt, begins, rolling, leaves, nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, surge, snap, per_reach, ring.
+    Returns which, late, began, doubt, begins, rolling, leaves, nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, surge, snap, per_reach.
     """
-    return -1.0, 0.0, clock, _where(_logical_and((position_error < _inf), (velocity_error < _inf)), _inf, 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    return -1.0, 0.0, clock, _where(_logical_and((position_error < _inf), (velocity_error < _inf)), _inf, 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
 def doubted_in_contact(assured: Any, doubt: Any, edge: Any, last: Any, late: Any, uncertain: Any, when: Any, which: Any) -> tuple[Any, ...]:
@@ -2351,9 +2383,9 @@ def beginning_contact() -> tuple[Any, ...]:
     """The contact begins.
 
     Table 1. No operations.
-    Returns which.
+    Returns which, circled.
     """
-    return 5.0,
+    return 5.0, 0.0
 
 
 def hopping() -> tuple[Any, ...]:
@@ -2368,17 +2400,18 @@ def hopping() -> tuple[Any, ...]:
 def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any, last: Any, reached: Any, rests: Any, rolling: Any, rolls: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """What comes of a ball in contact.
 
-    Table 1. 35 operations: 3 additions, 1 subtraction, 1 multiplication, 8 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 15 selections.
+    Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections.
     Returns body, reached, doubt, ends, hopped, last, mode, held, rolls.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, *_ = _room
     _s0 = which == 5.0
     _s1 = _multiply(2.0, _select(held == 2.0, 2.0, _select(held == 1.0, 1.0, _select(held == 0.0, 0.0, -1.0, _r0), _r1), _r2), _r2)
     _s2 = which == 6.0
     _s3 = which == 7.0
-    _s4 = _logical_and(rolling, (_subtract(clock, began, _r1) <= 5.960464477539063e-08))
-    _s5 = 4.0 < which
-    return _result(_s0, _add(4.0, _s1, _r1), _select(_s2, _add(5.0, _s1, _r2), _select(_s3, -1.0, body, _r0), _r3), _r0), _result(_s4, 2.0, _select(rests, 5.0, _select(_logical_or(_s5, rolling), -1.0, reached, _r3), _r0), _r0), _result(_s4, 0.0, doubt, _r0), _logical_and(ends, _logical_not(_s5)), _s3, _result(_s3, -1.0, last, _r0), _result(_logical_or(_s0, rolling), 2.0, _select(_s2, 3.0, 0.0, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, -1.0, _r0), _result(_s0, _add(1.0, rolls, _r0), rolls, _r0)
+    _s4 = which == 8.0
+    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= 5.960464477539063e-08))
+    _s6 = 4.0 < which
+    return _result(_s0, _add(4.0, _s1, _r1), _select(_s2, _add(5.0, _s1, _r2), _select(_s3, -1.0, _select(_s4, 3.0, body, _r0), _r3), _r4), _r0), _result(_s5, 2.0, _select(_s4, 6.0, _select(rests, 5.0, _select(_logical_or(_s6, rolling), -1.0, reached, _r4), _r3), _r0), _r0), _result(_s5, 0.0, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, -1.0, last, _r0), _result(_logical_or(_s0, rolling), 2.0, _select(_s2, 3.0, 0.0, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, -1.0, _r0), _result(_s0, _add(1.0, rolls, _r0), rolls, _r0)
 
 
 def settled(index: Any, lodges: Any, outcome: Any, parts: Any, settles: Any, slides: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
@@ -3019,13 +3052,13 @@ def ring_off(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any,
     return _subtract(_sqrt(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _r1), p_ball_radius, _r1) - p_wire_radius,
 
 
-def ring_tube(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def ring_tube(p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """What a ball that stays on it rolls on.
 
     Table 2. 2 operations: 1 addition, 1 division.
-    Returns bent_x, bent_y, bent_z, per_reach, ring.
+    Returns bent_x, bent_y, bent_z, per_reach.
     """
-    return 1.0, 1.0, 1.0, 1.0 / (p_ball_radius + p_wire_radius), p_ring_radius
+    return 1.0, 1.0, 1.0, 1.0 / (p_ball_radius + p_wire_radius)
 
 
 def ring_turning(p_ball_radius: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, p_wire_radius: Any, x: Any, y: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3078,6 +3111,531 @@ def ring_parting(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, 
     _s23 = _multiply(0.5, _add(6.0 * (p_gravity * p_gravity), _add(_add(_multiply(_multiply(8.0, _s11, _r11), _s20, _r11), _s22, _r7), _multiply(6.0, _multiply(_s9, _s9, _r10), _r10), _r10), _r10), _r10)
     _s24 = _subtract(_subtract(_add(_divide(_s23, _s4, _r10), _divide(_multiply(_multiply(2.25, _s15, _r7), _s12, _r7), _s17, _r7), _r7), _divide(_multiply(0.9375, _multiply(_s15, _s15, _r10), _r10), _multiply(_s13, _s16, _r4), _r10), _r10), _divide(_multiply(0.75, _multiply(_s12, _s12, _r7), _r7), _s13, _r7), _r7)
     return _divide(_multiply(0.5, _s12, _r10), _s4, _r10) - _divide(_multiply(0.25, _s15, _r4), _s13, _r4), _add(_divide(_multiply(0.375, _multiply(_s14, _s15, _r12), _r12), _s17, _r12), _divide(_multiply(0.5, _s21, _r2), _s4, _r2), _r2) - _divide(_multiply(_multiply(0.75, _s14, _r12), _s12, _r12), _s13, _r12), _s24 - _divide(_multiply(_s21, _s14, _r18), _s13, _r18)
+
+
+def ring_round_start(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The constant terms, in the ring's coordinates.
+
+    Routh's equations. 36 operations: 7 additions, 3 subtractions, 20 multiplications, 4 divisions, 2 square roots.
+    Returns cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0, sin_0, near_0.
+    """
+    _r0, _r1, _r2, _r3, *_ = _room
+    _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s1 = _subtract(_s0, p_ring_radius, _r0)
+    _s2 = _divide(1.0, _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r3), _r3), _r3), _r3)
+    _s3 = _s1 * _s2
+    _s4 = z * _s2
+    _s5 = p_ball_radius + p_wire_radius
+    _s6 = _divide(1.0, _s0, _r1)
+    _s7 = x * _s6
+    _s8 = y * _s6
+    return _s3, _s4, _subtract(_multiply(vz, _s3, _r1), _multiply(_s4, _add(_multiply(vx, _s7, _r3), _multiply(vy, _s8, _r0), _r0), _r0), _r0) / _s5, _multiply(vy, _s7, _r0) - _multiply(vx, _s8, _r1), p_ball_radius * _add(_multiply(wz, _s4, _r1), _multiply(_s3, _add(_multiply(wx, _s7, _r0), _multiply(wy, _s8, _r3), _r3), _r3), _r3), _s7, _s8, 1.0 / _add(p_ring_radius, _multiply(_s3, _s5, _r3), _r3)
+
+
+def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_12: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_12: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_12: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_12: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_12: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a ball that rolls on the ring is at time t.
+
+    Routh's equations. 214 operations: 91 additions, 3 subtractions, 114 multiplications, 3 divisions, 2 square roots, 1 negation.
+    Returns x, y, z, vx, vy, vz, wx, wy, wz, climb.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _s0 = _add(cos_9, _multiply(t, _add(cos_10, _multiply(t, _add(cos_11, _multiply(cos_12, t, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s1 = _add(cos_6, _multiply(t, _add(cos_7, _multiply(t, _add(cos_8, _multiply(t, _s0, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s2 = _add(cos_3, _multiply(t, _add(cos_4, _multiply(t, _add(cos_5, _multiply(t, _s1, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s3 = _add(cos_0, _multiply(t, _add(cos_1, _multiply(t, _add(cos_2, _multiply(t, _s2, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s4 = _add(sin_9, _multiply(t, _add(sin_10, _multiply(t, _add(sin_11, _multiply(sin_12, t, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s5 = _add(sin_6, _multiply(t, _add(sin_7, _multiply(t, _add(sin_8, _multiply(t, _s4, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s6 = _add(sin_3, _multiply(t, _add(sin_4, _multiply(t, _add(sin_5, _multiply(t, _s5, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s7 = _add(sin_0, _multiply(t, _add(sin_1, _multiply(t, _add(sin_2, _multiply(t, _s6, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s8 = _divide(1.0, _sqrt(_add(_multiply(_s3, _s3, _r2), _multiply(_s7, _s7, _r3), _r3), _r3), _r3)
+    _s9 = _multiply(_s3, _s8, _r0)
+    _s10 = _add(cosine_9, _multiply(t, _add(cosine_10, _multiply(t, _add(cosine_11, _multiply(cosine_12, t, _r2), _r2), _r2), _r2), _r2), _r2)
+    _s11 = _add(cosine_6, _multiply(t, _add(cosine_7, _multiply(t, _add(cosine_8, _multiply(t, _s10, _r2), _r2), _r2), _r2), _r2), _r2)
+    _s12 = _add(cosine_3, _multiply(t, _add(cosine_4, _multiply(t, _add(cosine_5, _multiply(t, _s11, _r2), _r2), _r2), _r2), _r2), _r2)
+    _s13 = _add(cosine_0, _multiply(t, _add(cosine_1, _multiply(t, _add(cosine_2, _multiply(t, _s12, _r2), _r2), _r2), _r2), _r2), _r2)
+    _s14 = _add(sine_9, _multiply(t, _add(sine_10, _multiply(t, _add(sine_11, _multiply(sine_12, t, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s15 = _add(sine_6, _multiply(t, _add(sine_7, _multiply(t, _add(sine_8, _multiply(t, _s14, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s16 = _add(sine_3, _multiply(t, _add(sine_4, _multiply(t, _add(sine_5, _multiply(t, _s15, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s17 = _add(sine_0, _multiply(t, _add(sine_1, _multiply(t, _add(sine_2, _multiply(t, _s16, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s18 = _divide(1.0, _sqrt(_add(_multiply(_s13, _s13, _r5), _multiply(_s17, _s17, _r6), _r6), _r6), _r6)
+    _s19 = _multiply(_s13, _s18, _r2)
+    _s20 = p_ball_radius + p_wire_radius
+    _s21 = _add(p_ring_radius, _multiply(_s19, _s20, _r5), _r5)
+    _s22 = _multiply(_s7, _s8, _r3)
+    _s23 = _multiply(_s17, _s18, _r6)
+    _s24 = _add(climb_9, _multiply(t, _add(climb_10, _multiply(t, _add(climb_11, _multiply(climb_12, t, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s25 = _add(climb_6, _multiply(t, _add(climb_7, _multiply(t, _add(climb_8, _multiply(t, _s24, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s26 = _add(climb_3, _multiply(t, _add(climb_4, _multiply(t, _add(climb_5, _multiply(t, _s25, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s27 = climb_0 + _multiply(t, _add(climb_1, _multiply(t, _add(climb_2, _multiply(t, _s26, _r4), _r4), _r4), _r4), _r4)
+    _s28 = _multiply(_s20, _s27, _r4)
+    _s29 = _negative(_multiply(_s28, _s23, _r1), _r1)
+    _s30 = _add(along_9, _multiply(t, _add(along_10, _multiply(t, _add(along_11, _multiply(along_12, t, _r7), _r7), _r7), _r7), _r7), _r7)
+    _s31 = _add(along_6, _multiply(t, _add(along_7, _multiply(t, _add(along_8, _multiply(t, _s30, _r7), _r7), _r7), _r7), _r7), _r7)
+    _s32 = _add(along_3, _multiply(t, _add(along_4, _multiply(t, _add(along_5, _multiply(t, _s31, _r7), _r7), _r7), _r7), _r7), _r7)
+    _s33 = _add(along_0, _multiply(t, _add(along_1, _multiply(t, _add(along_2, _multiply(t, _s32, _r7), _r7), _r7), _r7), _r7), _r7)
+    _s34 = 1.0 / p_ball_radius
+    _s35 = _add(turn_rate_9, _multiply(t, _add(turn_rate_10, _multiply(t, _add(turn_rate_11, _multiply(t, turn_rate_12, _r8), _r8), _r8), _r8), _r8), _r8)
+    _s36 = _add(turn_rate_6, _multiply(t, _add(turn_rate_7, _multiply(t, _add(turn_rate_8, _multiply(t, _s35, _r8), _r8), _r8), _r8), _r8), _r8)
+    _s37 = _add(turn_rate_3, _multiply(t, _add(turn_rate_4, _multiply(t, _add(turn_rate_5, _multiply(t, _s36, _r8), _r8), _r8), _r8), _r8), _r8)
+    _s38 = _add(turn_rate_0, _multiply(t, _add(turn_rate_1, _multiply(t, _add(turn_rate_2, _multiply(t, _s37, _r8), _r8), _r8), _r8), _r8), _r8)
+    _s39 = _subtract(_multiply(_s19, _s38, _r9), _multiply(_s23, _s33, _r10), _r10)
+    return _s9 * _s21, _s22 * _s21, _s23 * _s20, _multiply(_s29, _s9, _r5) - _multiply(_s22, _s33, _r9), _multiply(_s29, _s22, _r1) + _multiply(_s9, _s33, _r9), _s28 * _s19, _s34 * _add(_multiply(_s28, _s22, _r9), _multiply(_s9, _s39, _r1), _r1), _s34 * _subtract(_multiply(_s22, _s39, _r10), _multiply(_s28, _s9, _r4), _r4), _s34 * _add(_multiply(_s19, _s33, _r7), _multiply(_s23, _s38, _r8), _r8), _s27
+
+
+def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_12: Any, cosine_0: Any, cosine_12: Any, force_0: Any, force_1: Any, force_10: Any, force_11: Any, force_2: Any, force_3: Any, force_4: Any, force_5: Any, force_6: Any, force_7: Any, force_8: Any, force_9: Any, p_gravity: Any, omega_0: Any, p_ring_radius: Any, sin_0: Any, sin_12: Any, sine_0: Any, sine_12: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_12: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """A step of the series, and bounds of the motion in it.
+
+    Routh's equations. 272 operations: 80 additions, 4 subtractions, 117 multiplications, 6 divisions, 7 square roots, 1 negation, 53 absolute values, 2 comparisons, 2 selections.
+    Returns stride, strongest, fastest, sway, force, force_rate, force_bend, vx_1, vy_1, vz_1.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, *_ = _room
+    _s0 = _absolute(climb_0, _r0)
+    _s1 = p_ball_radius + p_wire_radius
+    _s2 = _absolute(along_0, _r1)
+    _s3 = _absolute(turn_rate_0, _r2)
+    _s4 = _add(_multiply(_s0, _s1, _r3), _add(_s2, _s3, _r4), _r4)
+    _s5 = _add(0.015625 * p_gravity, _s4, _r3)
+    _s6 = _absolute(climb_11, _r5)
+    _s7 = _absolute(along_11, _r6)
+    _s8 = _absolute(turn_rate_11, _r7)
+    _s9 = _absolute(climb_12, _r8)
+    _s10 = _absolute(along_12, _r9)
+    _s11 = _absolute(turn_rate_12, _r10)
+    _s12 = _add(_multiply(_multiply(0.25, _add(_multiply(_s6, _s1, _r11), _add(_s7, _s8, _r12), _r12), _r12), _add(_divide(_s4, _s1, _r4), _sqrt((p_gravity / _s1)), _r4), _r12), _add(_multiply(_s9, _s1, _r4), _add(_s10, _s11, _r11), _r11), _r11)
+    _s13 = _multiply(_s5, _add(_add(_add(_absolute(cos_12, _r12), _absolute(cosine_12, _r4), _r4), _absolute(sin_12, _r12), _r12), _absolute(sine_12, _r4), _r4), _r4)
+    _s14 = _sqrt(_sqrt(_divide(_multiply(1.7763568394002505e-15, _s5, _r3), _select(_s12 < _s13, _s13, _s12, _r12), _r3), _r3), _r3)
+    _s15 = _sqrt(_sqrt(_s14, _r12), _r12)
+    _s16 = _multiply(_s15, _sqrt(_sqrt(_s15, _r4), _r4), _r4)
+    _s17 = _add(_divide(_s14, _multiply(3.0, _multiply(_s16, _s16, _r12), _r12), _r12), _multiply(0.6666666666666666, _s16, _r4), _r4)
+    _s18 = _add(_divide(_s14, _multiply(3.0, _multiply(_s17, _s17, _r12), _r12), _r12), _multiply(0.6666666666666666, _s17, _r4), _r4)
+    _s19 = _result(_s18 < 0.0625, _s18, 0.0625, _r0)
+    _s20 = _add(_multiply(_add(_multiply(_add(_multiply(_s11, _s19, _r10), _s8, _r10), _s19, _r10), _absolute(turn_rate_10, _r7), _r7), _s19, _r7), _absolute(turn_rate_9, _r10), _r10)
+    _s21 = _add(_multiply(_add(_multiply(_add(_multiply(_s20, _s19, _r10), _absolute(turn_rate_8, _r7), _r7), _s19, _r7), _absolute(turn_rate_7, _r10), _r10), _s19, _r10), _absolute(turn_rate_6, _r7), _r7)
+    _s22 = _add(_multiply(_add(_multiply(_add(_multiply(_s21, _s19, _r7), _absolute(turn_rate_5, _r10), _r10), _s19, _r10), _absolute(turn_rate_4, _r7), _r7), _s19, _r7), _absolute(turn_rate_3, _r10), _r10)
+    _s23 = _add(_multiply(_add(_multiply(_add(_multiply(_s22, _s19, _r10), _absolute(turn_rate_2, _r7), _r7), _s19, _r7), _absolute(turn_rate_1, _r10), _r10), _s19, _r10), _s3, _r10)
+    _s24 = _add(_multiply(_add(_multiply(_add(_multiply(_s10, _s19, _r9), _s7, _r9), _s19, _r9), _absolute(along_10, _r6), _r6), _s19, _r6), _absolute(along_9, _r9), _r9)
+    _s25 = _add(_multiply(_add(_multiply(_add(_multiply(_s24, _s19, _r9), _absolute(along_8, _r6), _r6), _s19, _r6), _absolute(along_7, _r9), _r9), _s19, _r9), _absolute(along_6, _r6), _r6)
+    _s26 = _add(_multiply(_add(_multiply(_add(_multiply(_s25, _s19, _r6), _absolute(along_5, _r9), _r9), _s19, _r9), _absolute(along_4, _r6), _r6), _s19, _r6), _absolute(along_3, _r9), _r9)
+    _s27 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s19, _r9), _absolute(along_2, _r6), _r6), _s19, _r6), _absolute(along_1, _r9), _r9), _s19, _r9), _s2, _r9)
+    _s28 = _multiply(_s27, 1.0 / (p_ring_radius - _s1), _r1)
+    _s29 = _absolute(climb_10, _r6)
+    _s30 = _absolute(climb_9, _r2)
+    _s31 = _add(_multiply(_add(_multiply(_add(_multiply(_s9, _s19, _r7), _s6, _r7), _s19, _r7), _s29, _r7), _s19, _r7), _s30, _r7)
+    _s32 = _absolute(climb_8, _r12)
+    _s33 = _absolute(climb_7, _r3)
+    _s34 = _absolute(climb_6, _r11)
+    _s35 = _add(_multiply(_add(_multiply(_add(_multiply(_s31, _s19, _r7), _s32, _r7), _s19, _r7), _s33, _r7), _s19, _r7), _s34, _r7)
+    _s36 = _absolute(climb_5, _r13)
+    _s37 = _absolute(climb_4, _r14)
+    _s38 = _absolute(climb_3, _r15)
+    _s39 = _add(_multiply(_add(_multiply(_add(_multiply(_s35, _s19, _r7), _s36, _r7), _s19, _r7), _s37, _r7), _s19, _r7), _s38, _r7)
+    _s40 = _absolute(climb_2, _r16)
+    _s41 = _absolute(climb_1, _r17)
+    _s42 = _add(_multiply(_add(_multiply(_add(_multiply(_s39, _s19, _r7), _s40, _r7), _s19, _r7), _s41, _r7), _s19, _r7), _s0, _r7)
+    _s43 = _multiply(_s42, _s42, _r0)
+    _s44 = _multiply(_add(_multiply(_add(_multiply(_multiply(12.0, _s9, _r8), _s19, _r8), _multiply(11.0, _s6, _r5), _r5), _s19, _r5), _multiply(10.0, _s29, _r6), _r6), _s19, _r6)
+    _s45 = _add(_multiply(_add(_multiply(_add(_s44, _multiply(9.0, _s30, _r2), _r2), _s19, _r2), _multiply(8.0, _s32, _r12), _r12), _s19, _r12), _multiply(7.0, _s33, _r3), _r3)
+    _s46 = _add(_multiply(_add(_multiply(_add(_multiply(_s45, _s19, _r3), _multiply(6.0, _s34, _r11), _r11), _s19, _r11), _multiply(5.0, _s36, _r13), _r13), _s19, _r13), _multiply(4.0, _s37, _r14), _r14)
+    _s47 = _add(_multiply(_add(_multiply(_add(_multiply(_s46, _s19, _r14), _multiply(3.0, _s38, _r15), _r15), _s19, _r15), _multiply(2.0, _s40, _r16), _r16), _s19, _r16), _s41, _r16)
+    _s48 = _add(_multiply(_add(_multiply(_multiply(110.0, _absolute(force_11, _r17), _r17), _s19, _r17), _multiply(90.0, _absolute(force_10, _r15), _r15), _r15), _s19, _r15), _multiply(72.0, _absolute(force_9, _r17), _r17), _r17)
+    _s49 = _multiply(_add(_multiply(_add(_multiply(_s48, _s19, _r17), _multiply(56.0, _absolute(force_8, _r15), _r15), _r15), _s19, _r15), _multiply(42.0, _absolute(force_7, _r17), _r17), _r17), _s19, _r17)
+    _s50 = _multiply(_add(_multiply(_add(_s49, _multiply(30.0, _absolute(force_6, _r15), _r15), _r15), _s19, _r15), _multiply(20.0, _absolute(force_5, _r17), _r17), _r17), _s19, _r17)
+    _s51 = _multiply(_add(_multiply(_add(_s50, _multiply(12.0, _absolute(force_4, _r15), _r15), _r15), _s19, _r15), _multiply(6.0, _absolute(force_3, _r17), _r17), _r17), _s19, _r17)
+    _s52 = _multiply(_multiply(climb_0, climb_0, _r4), _s1, _r4)
+    _s53 = _negative(_add(_add(_multiply(along_0, omega_0, _r15), _multiply(cosine_0, _s52, _r14), _r14), _multiply(_multiply(climb_1, sine_0, _r15), _s1, _r15), _r15), _r15)
+    _s54 = _subtract(along_1, _multiply(omega_0, _multiply(_multiply(climb_0, sine_0, _r14), _s1, _r14), _r14), _r14)
+    return _s19, _add(0.6 * p_gravity, _multiply(0.4, _multiply(_s23, _add(_s28, _s42, _r13), _r13), _r13), _r13) + _add(_multiply(_s28, _s27, _r1), _multiply(_s1, _s43, _r10), _r10), _multiply(_s1, _s42, _r7) + _s27, _s1 * _add(_s43, _s47, _r16), force_0, force_1, _s51 + _multiply(2.0, _absolute(force_2, _r16), _r16), _multiply(cos_0, _s53, _r16) - _multiply(sin_0, _s54, _r17), _multiply(cos_0, _s54, _r14) + _multiply(sin_0, _s53, _r15), _multiply(_multiply(climb_1, cosine_0, _r15), _s1, _r15) - _multiply(sine_0, _s52, _r4)
+
+
+def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, omega_0: Any, omega_1: Any, turn_rate_0: Any, turn_rate_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The square of the friction that rolling on the ring takes, and its rate.
+
+    Routh's equations. 24 operations: 6 additions, 18 multiplications.
+    Returns drag, drag_rate, strain, strain_rate.
+    """
+    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _s0 = _multiply(0.4, _multiply(climb_0, turn_rate_0, _r0), _r0)
+    _s1 = _add(p_gravity, _multiply(omega_0, turn_rate_0, _r1), _r1)
+    _s2 = _multiply(0.4, _multiply(cosine_0, _s1, _r2), _r2)
+    _s3 = _multiply(_s2, _multiply(0.4, _add(_multiply(cosine_0, _add(_multiply(omega_0, turn_rate_1, _r3), _multiply(omega_1, turn_rate_0, _r4), _r4), _r4), _multiply(cosine_1, _s1, _r1), _r1), _r1), _r1)
+    _s4 = 2.0 * _add(_multiply(_s0, _multiply(0.4, _add(_multiply(climb_0, turn_rate_1, _r4), _multiply(climb_1, turn_rate_0, _r3), _r3), _r3), _r3), _s3, _r1)
+    return _multiply(_s0, _s0, _r0) + _multiply(_s2, _s2, _r2), _s4, -_inf, 0.0
+
+
+def ring_swung(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0: Any, doubt: Any, fastest: Any, force: Any, force_bend: Any, force_rate: Any, p_gravity: Any, position_error: Any, stride: Any, sway: Any, velocity_error: Any, which: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Whether it is certain to roll for ever.
+
+    Routh's equations. 49 operations: 4 additions, 3 subtractions, 21 multiplications, 1 division, 1 absolute value, 8 comparisons, 6 conjunctions, 1 complement, 4 selections.
+    Returns circled, endless, doubt.
+    """
+    _r0, _r1, _r2, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _multiply(stride, stride, _r0)
+    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(0.125, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < 0.0, force_rate, 0.0, _r1), _r1), _r1), _multiply(_multiply(0.5, force_bend, _r2), _s1, _r2), _r2)))
+    _s3 = _logical_and(_s2, (which == -1.0))
+    _s4 = _logical_and((_multiply(climb, climb_0, _r2) < 0.0), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
+    _s5 = _logical_and(_logical_and(_s3, _s4), (0.0 < circled))
+    _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
+    _s7 = _logical_not((_multiply(_s6, _multiply(512.0, _add(_multiply(fastest, velocity_error, _r2), _multiply(position_error, _s6, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
+    return _result(_s3, _select(_s4, 1.0, circled, _r0), 0.0, _r0), _s5, _result(_logical_and(_s5, _s7), 0.0, doubt, _r0)
+
+
+def ring_round_0(along_0: Any, p_ball_radius: Any, climb_0: Any, cos_0: Any, cosine_0: Any, p_gravity: Any, near_0: Any, p_ring_radius: Any, sin_0: Any, sine_0: Any, turn_rate_0: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 1, from those before.
+
+    Routh's equations. 32 operations: 2 additions, 4 subtractions, 22 multiplications, 1 division, 3 negations.
+    Returns omega_0, around_0, tilted_0, pressed_0, force_0, cosine_1, sine_1, climb_1, along_1, turn_rate_1, cos_1, sin_1.
+    """
+    _r0, _r1, *_ = _room
+    _s0 = along_0 * near_0
+    _s1 = climb_0 * _s0
+    _s2 = _multiply(along_0, sine_0, _r0) - _multiply(0.4, _multiply(cosine_0, turn_rate_0, _r1), _r1)
+    _s3 = along_0 * cosine_0
+    _s4 = p_ball_radius + p_wire_radius
+    return _s0, _s1, _s2, _s3, _subtract(_multiply(p_gravity, sine_0, _r1), _multiply(_multiply(climb_0, climb_0, _r0), _s4, _r0), _r0) - _multiply(_s3, _s0, _r1), -_multiply(climb_0, sine_0, _r1), climb_0 * cosine_0, -_divide(_add(_multiply(_multiply(0.6, cosine_0, _r1), p_gravity, _r1), _multiply(_s0, _s2, _r0), _r0), _s4, _r0), _multiply(_multiply(sine_0, _s1, _r0), _s4, _r0) - _multiply(0.4, _multiply(climb_0, turn_rate_0, _r1), _r1), p_ring_radius * _s1, -_multiply(sin_0, _s0, _r1), cos_0 * _s0
+
+
+def ring_round_1(along_0: Any, along_1: Any, around_0: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, cos_0: Any, cos_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, near_0: Any, omega_0: Any, pressed_0: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sine_0: Any, sine_1: Any, tilted_0: Any, turn_rate_0: Any, turn_rate_1: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 2, from those before.
+
+    Routh's equations. 70 operations: 15 additions, 4 subtractions, 46 multiplications, 1 division, 4 negations.
+    Returns near_1, omega_1, around_1, tilted_1, pressed_1, force_1, cosine_2, sine_2, climb_2, along_2, turn_rate_2, cos_2, sin_2.
+    """
+    _r0, _r1, _r2, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = -_multiply(_multiply(near_0, _multiply(cosine_1, near_0, _r0), _r0), _s0, _r0)
+    _s2 = _multiply(along_0, _s1, _r0) + _multiply(along_1, near_0, _r1)
+    _s3 = _multiply(climb_0, _s2, _r1) + _multiply(climb_1, omega_0, _r0)
+    _s4 = _add(_multiply(along_0, sine_1, _r0), _multiply(along_1, sine_0, _r1), _r1) - _multiply(0.4, _add(_multiply(cosine_0, turn_rate_1, _r0), _multiply(cosine_1, turn_rate_0, _r2), _r2), _r2)
+    _s5 = _multiply(along_0, cosine_1, _r2) + _multiply(along_1, cosine_0, _r1)
+    _s6 = -_divide(_multiply(0.5, _add(_multiply(_multiply(0.6, cosine_1, _r1), p_gravity, _r1), _add(_multiply(omega_0, _s4, _r2), _multiply(tilted_0, _s2, _r0), _r0), _r0), _r0), _s0, _r0)
+    return _s1, _s2, _s3, _s4, _s5, _subtract(_multiply(p_gravity, sine_1, _r0), _multiply(_multiply(_multiply(2.0, climb_0, _r1), climb_1, _r1), _s0, _r1), _r1) - _add(_multiply(omega_0, _s5, _r0), _multiply(pressed_0, _s2, _r2), _r2), -_multiply(0.5, _add(_multiply(climb_0, sine_1, _r2), _multiply(climb_1, sine_0, _r1), _r1), _r1), 0.5 * _add(_multiply(climb_0, cosine_1, _r1), _multiply(climb_1, cosine_0, _r2), _r2), _s6, 0.5 * _subtract(_multiply(_s0, _add(_multiply(around_0, sine_1, _r2), _multiply(sine_0, _s3, _r1), _r1), _r1), _multiply(0.4, _add(_multiply(climb_0, turn_rate_1, _r2), _multiply(climb_1, turn_rate_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s3, -_multiply(0.5, _add(_multiply(omega_0, sin_1, _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), 0.5 * _add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_0, _r0), _r0)
+
+
+def ring_round_2(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, cos_0: Any, cos_1: Any, cos_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, p_gravity: Any, near_0: Any, near_1: Any, omega_0: Any, omega_1: Any, pressed_0: Any, pressed_1: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sine_0: Any, sine_1: Any, sine_2: Any, tilted_0: Any, tilted_1: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 3, from those before.
+
+    Routh's equations. 100 operations: 30 additions, 4 subtractions, 61 multiplications, 1 division, 4 negations.
+    Returns near_2, omega_2, around_2, tilted_2, pressed_2, force_2, cosine_3, sine_3, climb_3, along_3, turn_rate_3, cos_3, sin_3.
+    """
+    _r0, _r1, _r2, _r3, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_multiply(cosine_1, near_1, _r1), _multiply(cosine_2, near_0, _r2), _r2), _r0)
+    _s2 = _add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_1, _r2), _r2) + _multiply(along_2, near_0, _r0)
+    _s3 = _add(_multiply(climb_0, _s2, _r0), _multiply(climb_1, omega_1, _r2), _r2) + _multiply(climb_2, omega_0, _r0)
+    _s4 = _add(_add(_multiply(along_0, sine_2, _r0), _multiply(along_1, sine_1, _r2), _r2), _multiply(along_2, sine_0, _r0), _r0) - _multiply(0.4, _add(_add(_multiply(cosine_0, turn_rate_2, _r2), _multiply(cosine_1, turn_rate_1, _r1), _r1), _multiply(cosine_2, turn_rate_0, _r2), _r2), _r2)
+    _s5 = _add(_multiply(along_0, cosine_2, _r2), _multiply(along_1, cosine_1, _r0), _r0) + _multiply(along_2, cosine_0, _r2)
+    _s6 = _subtract(_multiply(p_gravity, sine_2, _r2), _multiply(_s0, _add(_multiply(climb_1, climb_1, _r0), _multiply(_multiply(2.0, climb_0, _r1), climb_2, _r1), _r1), _r1), _r1) - _add(_add(_multiply(omega_0, _s5, _r2), _multiply(omega_1, pressed_1, _r0), _r0), _multiply(pressed_0, _s2, _r2), _r2)
+    _s7 = _divide(_multiply(0.3333333333333333, _add(_multiply(_multiply(0.6, cosine_2, _r2), p_gravity, _r2), _add(_add(_multiply(omega_0, _s4, _r1), _multiply(omega_1, tilted_1, _r0), _r0), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1), _s0, _r1)
+    _s8 = 0.3333333333333333 * _subtract(_multiply(_s0, _add(_add(_multiply(around_0, sine_2, _r2), _multiply(around_1, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(0.4, _add(_add(_multiply(climb_0, turn_rate_2, _r0), _multiply(climb_1, turn_rate_1, _r3), _r3), _multiply(climb_2, turn_rate_0, _r0), _r0), _r0), _r0)
+    return _s1, _s2, _s3, _s4, _s5, _s6, -_multiply(0.3333333333333333, _add(_add(_multiply(climb_0, sine_2, _r0), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r0), _r0), _r0), 0.3333333333333333 * _add(_add(_multiply(climb_0, cosine_2, _r0), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r0), _r0), -_s7, _s8, (0.3333333333333333 * p_ring_radius) * _s3, -_multiply(0.3333333333333333, _add(_add(_multiply(omega_0, sin_2, _r1), _multiply(omega_1, sin_1, _r0), _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), 0.3333333333333333 * _add(_add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_1, _r0), _r0), _multiply(cos_2, omega_0, _r1), _r1)
+
+
+def ring_round_3(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, omega_0: Any, omega_1: Any, omega_2: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 4, from those before.
+
+    Routh's equations. 129 operations: 44 additions, 4 subtractions, 76 multiplications, 1 division, 4 negations.
+    Returns near_3, omega_3, around_3, tilted_3, pressed_3, force_3, cosine_4, sine_4, climb_4, along_4, turn_rate_4, cos_4, sin_4.
+    """
+    _r0, _r1, _r2, _r3, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_multiply(cosine_1, near_2, _r1), _multiply(cosine_2, near_1, _r2), _r2), _multiply(cosine_3, near_0, _r1), _r1), _r0)
+    _s2 = _add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_2, _r1), _r1), _multiply(along_2, near_1, _r0), _r0) + _multiply(along_3, near_0, _r1)
+    _s3 = _add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_2, _r0), _r0), _multiply(climb_2, omega_1, _r1), _r1) + _multiply(climb_3, omega_0, _r0)
+    _s4 = _add(_add(_add(_multiply(along_0, sine_3, _r0), _multiply(along_1, sine_2, _r1), _r1), _multiply(along_2, sine_1, _r0), _r0), _multiply(along_3, sine_0, _r1), _r1) - _multiply(0.4, _add(_add(_add(_multiply(cosine_0, turn_rate_3, _r0), _multiply(cosine_1, turn_rate_2, _r2), _r2), _multiply(cosine_2, turn_rate_1, _r0), _r0), _multiply(cosine_3, turn_rate_0, _r2), _r2), _r2)
+    _s5 = _add(_add(_multiply(along_0, cosine_3, _r2), _multiply(along_1, cosine_2, _r1), _r1), _multiply(along_2, cosine_1, _r2), _r2) + _multiply(along_3, cosine_0, _r1)
+    _s6 = _subtract(_multiply(p_gravity, sine_3, _r1), _multiply(_s0, _add(_multiply(_multiply(2.0, climb_0, _r2), climb_3, _r2), _multiply(_multiply(2.0, climb_1, _r0), climb_2, _r0), _r0), _r0), _r0) - _add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, pressed_2, _r2), _r2), _multiply(omega_2, pressed_1, _r1), _r1), _multiply(pressed_0, _s2, _r2), _r2)
+    _s7 = -_multiply(0.25, _add(_add(_add(_multiply(climb_0, sine_3, _r2), _multiply(climb_1, sine_2, _r0), _r0), _multiply(climb_2, sine_1, _r2), _r2), _multiply(climb_3, sine_0, _r0), _r0), _r0)
+    _s8 = _multiply(0.25, _add(_multiply(_multiply(0.6, cosine_3, _r0), p_gravity, _r0), _add(_add(_add(_multiply(omega_0, _s4, _r2), _multiply(omega_1, tilted_2, _r1), _r1), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1)
+    _s9 = _subtract(_multiply(_s0, _add(_add(_add(_multiply(around_0, sine_3, _r0), _multiply(around_1, sine_2, _r2), _r2), _multiply(around_2, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(0.4, _add(_add(_add(_multiply(climb_0, turn_rate_3, _r0), _multiply(climb_1, turn_rate_2, _r3), _r3), _multiply(climb_2, turn_rate_1, _r0), _r0), _multiply(climb_3, turn_rate_0, _r3), _r3), _r3), _r3)
+    _s10 = -_multiply(0.25, _add(_add(_add(_multiply(omega_0, sin_3, _r2), _multiply(omega_1, sin_2, _r0), _r0), _multiply(omega_2, sin_1, _r2), _r2), _multiply(sin_0, _s2, _r0), _r0), _r0)
+    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, 0.25 * _add(_add(_add(_multiply(climb_0, cosine_3, _r0), _multiply(climb_1, cosine_2, _r2), _r2), _multiply(climb_2, cosine_1, _r0), _r0), _multiply(climb_3, cosine_0, _r2), _r2), -_divide(_s8, _s0, _r1), 0.25 * _s9, (0.25 * p_ring_radius) * _s3, _s10, 0.25 * _add(_add(_add(_multiply(cos_0, _s2, _r3), _multiply(cos_1, omega_2, _r1), _r1), _multiply(cos_2, omega_1, _r3), _r3), _multiply(cos_3, omega_0, _r1), _r1)
+
+
+def ring_round_4(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 5, from those before.
+
+    Routh's equations. 159 operations: 59 additions, 4 subtractions, 91 multiplications, 1 division, 4 negations.
+    Returns near_4, omega_4, around_4, tilted_4, pressed_4, force_4, cosine_5, sine_5, climb_5, along_5, turn_rate_5, cos_5, sin_5.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_multiply(cosine_1, near_3, _r1), _multiply(cosine_2, near_2, _r2), _r2), _multiply(cosine_3, near_1, _r1), _r1), _multiply(cosine_4, near_0, _r2), _r2), _r0)
+    _s2 = _add(_add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_3, _r2), _r2), _multiply(along_2, near_2, _r0), _r0), _multiply(along_3, near_1, _r2), _r2) + _multiply(along_4, near_0, _r0)
+    _s3 = _add(_add(_add(_multiply(climb_0, _s2, _r0), _multiply(climb_1, omega_3, _r2), _r2), _multiply(climb_2, omega_2, _r0), _r0), _multiply(climb_3, omega_1, _r2), _r2) + _multiply(climb_4, omega_0, _r0)
+    _s4 = _multiply(0.4, _add(_add(_add(_add(_multiply(cosine_0, turn_rate_4, _r0), _multiply(cosine_1, turn_rate_3, _r2), _r2), _multiply(cosine_2, turn_rate_2, _r0), _r0), _multiply(cosine_3, turn_rate_1, _r2), _r2), _multiply(cosine_4, turn_rate_0, _r0), _r0), _r0)
+    _s5 = _add(_add(_add(_add(_multiply(along_0, sine_4, _r2), _multiply(along_1, sine_3, _r1), _r1), _multiply(along_2, sine_2, _r2), _r2), _multiply(along_3, sine_1, _r1), _r1), _multiply(along_4, sine_0, _r2), _r2) - _s4
+    _s6 = _add(_add(_add(_multiply(along_0, cosine_4, _r0), _multiply(along_1, cosine_3, _r2), _r2), _multiply(along_2, cosine_2, _r0), _r0), _multiply(along_3, cosine_1, _r2), _r2) + _multiply(along_4, cosine_0, _r0)
+    _s7 = _subtract(_multiply(p_gravity, sine_4, _r0), _multiply(_s0, _add(_add(_multiply(climb_2, climb_2, _r2), _multiply(_multiply(2.0, climb_0, _r1), climb_4, _r1), _r1), _multiply(_multiply(2.0, climb_1, _r2), climb_3, _r2), _r2), _r2), _r2)
+    _s8 = _s7 - _add(_add(_add(_add(_multiply(omega_0, _s6, _r0), _multiply(omega_1, pressed_3, _r1), _r1), _multiply(omega_2, pressed_2, _r0), _r0), _multiply(omega_3, pressed_1, _r1), _r1), _multiply(pressed_0, _s2, _r0), _r0)
+    _s9 = _multiply(0.2, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r0), _multiply(climb_1, sine_3, _r2), _r2), _multiply(climb_2, sine_2, _r0), _r0), _multiply(climb_3, sine_1, _r2), _r2), _multiply(climb_4, sine_0, _r0), _r0), _r0)
+    _s10 = 0.2 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r2), _multiply(climb_1, cosine_3, _r1), _r1), _multiply(climb_2, cosine_2, _r2), _r2), _multiply(climb_3, cosine_1, _r1), _r1), _multiply(climb_4, cosine_0, _r2), _r2)
+    _s11 = _add(_multiply(_multiply(0.6, cosine_4, _r2), p_gravity, _r2), _add(_add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r1), _r1), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r1), _r1), _r1)
+    _s12 = _multiply(_s0, _add(_add(_add(_add(_multiply(around_0, sine_4, _r2), _multiply(around_1, sine_3, _r3), _r3), _multiply(around_2, sine_2, _r2), _r2), _multiply(around_3, sine_1, _r3), _r3), _multiply(sine_0, _s3, _r2), _r2), _r2)
+    _s13 = _multiply(0.4, _add(_add(_add(_add(_multiply(climb_0, turn_rate_4, _r3), _multiply(climb_1, turn_rate_3, _r4), _r4), _multiply(climb_2, turn_rate_2, _r3), _r3), _multiply(climb_3, turn_rate_1, _r4), _r4), _multiply(climb_4, turn_rate_0, _r3), _r3), _r3)
+    _s14 = _multiply(0.2, _add(_add(_add(_add(_multiply(omega_0, sin_4, _r4), _multiply(omega_1, sin_3, _r5), _r5), _multiply(omega_2, sin_2, _r4), _r4), _multiply(omega_3, sin_1, _r5), _r5), _multiply(sin_0, _s2, _r4), _r4), _r4)
+    _s15 = 0.2 * _add(_add(_add(_add(_multiply(cos_0, _s2, _r5), _multiply(cos_1, omega_3, _r6), _r6), _multiply(cos_2, omega_2, _r5), _r5), _multiply(cos_3, omega_1, _r6), _r6), _multiply(cos_4, omega_0, _r5), _r5)
+    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -_divide(_multiply(0.2, _s11, _r1), _s0, _r1), 0.2 * _subtract(_s12, _s13, _r3), (0.2 * p_ring_radius) * _s3, -_s14, _s15
+
+
+def ring_round_5(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 6, from those before.
+
+    Routh's equations. 188 operations: 73 additions, 4 subtractions, 106 multiplications, 1 division, 4 negations.
+    Returns near_5, omega_5, around_5, tilted_5, pressed_5, force_5, cosine_6, sine_6, climb_6, along_6, turn_rate_6, cos_6, sin_6.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_add(_multiply(cosine_1, near_4, _r1), _multiply(cosine_2, near_3, _r2), _r2), _multiply(cosine_3, near_2, _r1), _r1), _multiply(cosine_4, near_1, _r2), _r2), _multiply(cosine_5, near_0, _r1), _r1), _r0)
+    _s2 = -_s1
+    _s3 = _add(_add(_add(_add(_multiply(along_0, _s2, _r0), _multiply(along_1, near_4, _r1), _r1), _multiply(along_2, near_3, _r0), _r0), _multiply(along_3, near_2, _r1), _r1), _multiply(along_4, near_1, _r0), _r0) + _multiply(along_5, near_0, _r1)
+    _s4 = _add(_add(_add(_add(_multiply(climb_0, _s3, _r1), _multiply(climb_1, omega_4, _r0), _r0), _multiply(climb_2, omega_3, _r1), _r1), _multiply(climb_3, omega_2, _r0), _r0), _multiply(climb_4, omega_1, _r1), _r1) + _multiply(climb_5, omega_0, _r0)
+    _s5 = _add(_add(_add(_add(_add(_multiply(along_0, sine_5, _r0), _multiply(along_1, sine_4, _r1), _r1), _multiply(along_2, sine_3, _r0), _r0), _multiply(along_3, sine_2, _r1), _r1), _multiply(along_4, sine_1, _r0), _r0), _multiply(along_5, sine_0, _r1), _r1)
+    _s6 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_5, _r0), _multiply(cosine_1, turn_rate_4, _r2), _r2), _multiply(cosine_2, turn_rate_3, _r0), _r0), _multiply(cosine_3, turn_rate_2, _r2), _r2), _multiply(cosine_4, turn_rate_1, _r0), _r0), _multiply(cosine_5, turn_rate_0, _r2), _r2)
+    _s7 = _s5 - _multiply(0.4, _s6, _r2)
+    _s8 = _add(_add(_add(_add(_multiply(along_0, cosine_5, _r2), _multiply(along_1, cosine_4, _r1), _r1), _multiply(along_2, cosine_3, _r2), _r2), _multiply(along_3, cosine_2, _r1), _r1), _multiply(along_4, cosine_1, _r2), _r2) + _multiply(along_5, cosine_0, _r1)
+    _s9 = _subtract(_multiply(p_gravity, sine_5, _r1), _multiply(_s0, _add(_add(_multiply(_multiply(2.0, climb_0, _r2), climb_5, _r2), _multiply(_multiply(2.0, climb_1, _r0), climb_4, _r0), _r0), _multiply(_multiply(2.0, climb_2, _r2), climb_3, _r2), _r2), _r2), _r2)
+    _s10 = _add(_add(_add(_add(_add(_multiply(omega_0, _s8, _r1), _multiply(omega_1, pressed_4, _r0), _r0), _multiply(omega_2, pressed_3, _r1), _r1), _multiply(omega_3, pressed_2, _r0), _r0), _multiply(omega_4, pressed_1, _r1), _r1), _multiply(pressed_0, _s3, _r0), _r0)
+    _s11 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_5, _r1), _multiply(climb_1, sine_4, _r3), _r3), _multiply(climb_2, sine_3, _r1), _r1), _multiply(climb_3, sine_2, _r3), _r3), _multiply(climb_4, sine_1, _r1), _r1), _multiply(climb_5, sine_0, _r3), _r3)
+    _s12 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_5, _r1), _multiply(climb_1, cosine_4, _r4), _r4), _multiply(climb_2, cosine_3, _r1), _r1), _multiply(climb_3, cosine_2, _r4), _r4), _multiply(climb_4, cosine_1, _r1), _r1), _multiply(climb_5, cosine_0, _r4), _r4)
+    _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s7, _r1), _multiply(omega_1, tilted_4, _r5), _r5), _multiply(omega_2, tilted_3, _r1), _r1), _multiply(omega_3, tilted_2, _r5), _r5), _multiply(omega_4, tilted_1, _r1), _r1), _multiply(tilted_0, _s3, _r5), _r5)
+    _s14 = -_divide(_multiply(0.16666666666666666, _add(_multiply(_multiply(0.6, cosine_5, _r1), p_gravity, _r1), _s13, _r5), _r5), _s0, _r5)
+    _s15 = _add(_add(_add(_add(_add(_multiply(around_0, sine_5, _r5), _multiply(around_1, sine_4, _r1), _r1), _multiply(around_2, sine_3, _r5), _r5), _multiply(around_3, sine_2, _r1), _r1), _multiply(around_4, sine_1, _r5), _r5), _multiply(sine_0, _s4, _r1), _r1)
+    _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_5, _r5), _multiply(climb_1, turn_rate_4, _r6), _r6), _multiply(climb_2, turn_rate_3, _r5), _r5), _multiply(climb_3, turn_rate_2, _r6), _r6), _multiply(climb_4, turn_rate_1, _r5), _r5), _multiply(climb_5, turn_rate_0, _r6), _r6)
+    _s17 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_5, _r5), _multiply(omega_1, sin_4, _r7), _r7), _multiply(omega_2, sin_3, _r5), _r5), _multiply(omega_3, sin_2, _r7), _r7), _multiply(omega_4, sin_1, _r5), _r5), _multiply(sin_0, _s3, _r7), _r7)
+    _s18 = _add(_add(_add(_add(_add(_multiply(cos_0, _s3, _r5), _multiply(cos_1, omega_4, _r8), _r8), _multiply(cos_2, omega_3, _r5), _r5), _multiply(cos_3, omega_2, _r8), _r8), _multiply(cos_4, omega_1, _r5), _r5), _multiply(cos_5, omega_0, _r8), _r8)
+    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -_multiply(0.16666666666666666, _s11, _r3), 0.16666666666666666 * _s12, _s14, 0.16666666666666666 * _subtract(_multiply(_s0, _s15, _r1), _multiply(0.4, _s16, _r6), _r6), (0.16666666666666666 * p_ring_radius) * _s4, -_multiply(0.16666666666666666, _s17, _r7), 0.16666666666666666 * _s18
+
+
+def ring_round_6(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 7, from those before.
+
+    Routh's equations. 218 operations: 88 additions, 4 subtractions, 121 multiplications, 1 division, 4 negations.
+    Returns near_6, omega_6, around_6, tilted_6, pressed_6, force_6, cosine_7, sine_7, climb_7, along_7, turn_rate_7, cos_7, sin_7.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_5, _r0), _multiply(cosine_2, near_4, _r1), _r1), _multiply(cosine_3, near_3, _r0), _r0), _multiply(cosine_4, near_2, _r1), _r1), _multiply(cosine_5, near_1, _r0), _r0), _multiply(cosine_6, near_0, _r1), _r1)
+    _s2 = -_multiply(_multiply(near_0, _s0, _r0), _s1, _r0)
+    _s3 = _add(_add(_add(_add(_add(_multiply(along_0, _s2, _r0), _multiply(along_1, near_5, _r1), _r1), _multiply(along_2, near_4, _r0), _r0), _multiply(along_3, near_3, _r1), _r1), _multiply(along_4, near_2, _r0), _r0), _multiply(along_5, near_1, _r1), _r1)
+    _s4 = _s3 + _multiply(along_6, near_0, _r0)
+    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, _s4, _r0), _multiply(climb_1, omega_5, _r1), _r1), _multiply(climb_2, omega_4, _r0), _r0), _multiply(climb_3, omega_3, _r1), _r1), _multiply(climb_4, omega_2, _r0), _r0), _multiply(climb_5, omega_1, _r1), _r1)
+    _s6 = _s5 + _multiply(climb_6, omega_0, _r0)
+    _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_6, _r0), _multiply(along_1, sine_5, _r1), _r1), _multiply(along_2, sine_4, _r0), _r0), _multiply(along_3, sine_3, _r1), _r1), _multiply(along_4, sine_2, _r0), _r0), _multiply(along_5, sine_1, _r1), _r1)
+    _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_6, _r0), _multiply(cosine_1, turn_rate_5, _r2), _r2), _multiply(cosine_2, turn_rate_4, _r0), _r0), _multiply(cosine_3, turn_rate_3, _r2), _r2), _multiply(cosine_4, turn_rate_2, _r0), _r0), _multiply(cosine_5, turn_rate_1, _r2), _r2)
+    _s9 = _add(_s7, _multiply(along_6, sine_0, _r0), _r0) - _multiply(0.4, _add(_s8, _multiply(cosine_6, turn_rate_0, _r1), _r1), _r1)
+    _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_6, _r1), _multiply(along_1, cosine_5, _r0), _r0), _multiply(along_2, cosine_4, _r1), _r1), _multiply(along_3, cosine_3, _r0), _r0), _multiply(along_4, cosine_2, _r1), _r1), _multiply(along_5, cosine_1, _r0), _r0)
+    _s11 = _s10 + _multiply(along_6, cosine_0, _r1)
+    _s12 = _multiply(_s0, _add(_add(_add(_multiply(climb_3, climb_3, _r1), _multiply(_multiply(2.0, climb_0, _r0), climb_6, _r0), _r0), _multiply(_multiply(2.0, climb_1, _r1), climb_5, _r1), _r1), _multiply(_multiply(2.0, climb_2, _r0), climb_4, _r0), _r0), _r0)
+    _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s11, _r1), _multiply(omega_1, pressed_5, _r2), _r2), _multiply(omega_2, pressed_4, _r1), _r1), _multiply(omega_3, pressed_3, _r2), _r2), _multiply(omega_4, pressed_2, _r1), _r1), _multiply(omega_5, pressed_1, _r2), _r2)
+    _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_6, _r1), _multiply(climb_1, sine_5, _r3), _r3), _multiply(climb_2, sine_4, _r1), _r1), _multiply(climb_3, sine_3, _r3), _r3), _multiply(climb_4, sine_2, _r1), _r1), _multiply(climb_5, sine_1, _r3), _r3)
+    _s15 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_6, _r1), _multiply(climb_1, cosine_5, _r4), _r4), _multiply(climb_2, cosine_4, _r1), _r1), _multiply(climb_3, cosine_3, _r4), _r4), _multiply(climb_4, cosine_2, _r1), _r1), _multiply(climb_5, cosine_1, _r4), _r4)
+    _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r1), _multiply(omega_1, tilted_5, _r5), _r5), _multiply(omega_2, tilted_4, _r1), _r1), _multiply(omega_3, tilted_3, _r5), _r5), _multiply(omega_4, tilted_2, _r1), _r1), _multiply(omega_5, tilted_1, _r5), _r5)
+    _s17 = -_divide(_multiply(0.14285714285714285, _add(_multiply(_multiply(0.6, cosine_6, _r1), p_gravity, _r1), _add(_s16, _multiply(tilted_0, _s4, _r6), _r6), _r6), _r6), _s0, _r6)
+    _s18 = _add(_add(_add(_add(_add(_multiply(around_0, sine_6, _r6), _multiply(around_1, sine_5, _r1), _r1), _multiply(around_2, sine_4, _r6), _r6), _multiply(around_3, sine_3, _r1), _r1), _multiply(around_4, sine_2, _r6), _r6), _multiply(around_5, sine_1, _r1), _r1)
+    _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_6, _r6), _multiply(climb_1, turn_rate_5, _r5), _r5), _multiply(climb_2, turn_rate_4, _r6), _r6), _multiply(climb_3, turn_rate_3, _r5), _r5), _multiply(climb_4, turn_rate_2, _r6), _r6), _multiply(climb_5, turn_rate_1, _r5), _r5)
+    _s20 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_6, _r6), _multiply(omega_1, sin_5, _r7), _r7), _multiply(omega_2, sin_4, _r6), _r6), _multiply(omega_3, sin_3, _r7), _r7), _multiply(omega_4, sin_2, _r6), _r6), _multiply(omega_5, sin_1, _r7), _r7)
+    _s21 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r6), _multiply(cos_1, omega_5, _r8), _r8), _multiply(cos_2, omega_4, _r6), _r6), _multiply(cos_3, omega_3, _r8), _r8), _multiply(cos_4, omega_2, _r6), _r6), _multiply(cos_5, omega_1, _r8), _r8)
+    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_6, _r6), _s12, _r0) - _add(_s13, _multiply(pressed_0, _s4, _r6), _r6), -_multiply(0.14285714285714285, _add(_s14, _multiply(climb_6, sine_0, _r6), _r6), _r6), 0.14285714285714285 * _add(_s15, _multiply(climb_6, cosine_0, _r6), _r6), _s17, 0.14285714285714285 * _subtract(_multiply(_s0, _add(_s18, _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(0.4, _add(_s19, _multiply(climb_6, turn_rate_0, _r1), _r1), _r1), _r1), (0.14285714285714285 * p_ring_radius) * _s6, -_multiply(0.14285714285714285, _add(_s20, _multiply(sin_0, _s4, _r1), _r1), _r1), 0.14285714285714285 * _add(_s21, _multiply(cos_6, omega_0, _r1), _r1)
+
+
+def ring_round_7(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 8, from those before.
+
+    Routh's equations. 247 operations: 102 additions, 4 subtractions, 136 multiplications, 1 division, 4 negations.
+    Returns near_7, omega_7, around_7, tilted_7, pressed_7, force_7, cosine_8, sine_8, climb_8, along_8, turn_rate_8, cos_8, sin_8.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_6, _r0), _multiply(cosine_2, near_5, _r1), _r1), _multiply(cosine_3, near_4, _r0), _r0), _multiply(cosine_4, near_3, _r1), _r1), _multiply(cosine_5, near_2, _r0), _r0), _multiply(cosine_6, near_1, _r1), _r1)
+    _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_s1, _multiply(cosine_7, near_0, _r2), _r2), _r0)
+    _s3 = _add(_add(_add(_add(_add(_multiply(along_0, _s2, _r0), _multiply(along_1, near_6, _r2), _r2), _multiply(along_2, near_5, _r0), _r0), _multiply(along_3, near_4, _r2), _r2), _multiply(along_4, near_3, _r0), _r0), _multiply(along_5, near_2, _r2), _r2)
+    _s4 = _add(_s3, _multiply(along_6, near_1, _r0), _r0) + _multiply(along_7, near_0, _r2)
+    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, _s4, _r2), _multiply(climb_1, omega_6, _r0), _r0), _multiply(climb_2, omega_5, _r2), _r2), _multiply(climb_3, omega_4, _r0), _r0), _multiply(climb_4, omega_3, _r2), _r2), _multiply(climb_5, omega_2, _r0), _r0)
+    _s6 = _add(_s5, _multiply(climb_6, omega_1, _r2), _r2) + _multiply(climb_7, omega_0, _r0)
+    _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_7, _r0), _multiply(along_1, sine_6, _r2), _r2), _multiply(along_2, sine_5, _r0), _r0), _multiply(along_3, sine_4, _r2), _r2), _multiply(along_4, sine_3, _r0), _r0), _multiply(along_5, sine_2, _r2), _r2)
+    _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_7, _r0), _multiply(cosine_1, turn_rate_6, _r1), _r1), _multiply(cosine_2, turn_rate_5, _r0), _r0), _multiply(cosine_3, turn_rate_4, _r1), _r1), _multiply(cosine_4, turn_rate_3, _r0), _r0), _multiply(cosine_5, turn_rate_2, _r1), _r1)
+    _s9 = _add(_add(_s7, _multiply(along_6, sine_1, _r0), _r0), _multiply(along_7, sine_0, _r2), _r2) - _multiply(0.4, _add(_add(_s8, _multiply(cosine_6, turn_rate_1, _r0), _r0), _multiply(cosine_7, turn_rate_0, _r1), _r1), _r1)
+    _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_7, _r1), _multiply(along_1, cosine_6, _r2), _r2), _multiply(along_2, cosine_5, _r1), _r1), _multiply(along_3, cosine_4, _r2), _r2), _multiply(along_4, cosine_3, _r1), _r1), _multiply(along_5, cosine_2, _r2), _r2)
+    _s11 = _add(_s10, _multiply(along_6, cosine_1, _r1), _r1) + _multiply(along_7, cosine_0, _r2)
+    _s12 = _multiply(_s0, _add(_add(_add(_multiply(_multiply(2.0, climb_0, _r2), climb_7, _r2), _multiply(_multiply(2.0, climb_1, _r1), climb_6, _r1), _r1), _multiply(_multiply(2.0, climb_2, _r2), climb_5, _r2), _r2), _multiply(_multiply(2.0, climb_3, _r1), climb_4, _r1), _r1), _r1)
+    _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s11, _r2), _multiply(omega_1, pressed_6, _r0), _r0), _multiply(omega_2, pressed_5, _r2), _r2), _multiply(omega_3, pressed_4, _r0), _r0), _multiply(omega_4, pressed_3, _r2), _r2), _multiply(omega_5, pressed_2, _r0), _r0)
+    _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_7, _r2), _multiply(climb_1, sine_6, _r3), _r3), _multiply(climb_2, sine_5, _r2), _r2), _multiply(climb_3, sine_4, _r3), _r3), _multiply(climb_4, sine_3, _r2), _r2), _multiply(climb_5, sine_2, _r3), _r3)
+    _s15 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_7, _r2), _multiply(climb_1, cosine_6, _r4), _r4), _multiply(climb_2, cosine_5, _r2), _r2), _multiply(climb_3, cosine_4, _r4), _r4), _multiply(climb_4, cosine_3, _r2), _r2), _multiply(climb_5, cosine_2, _r4), _r4)
+    _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r2), _multiply(omega_1, tilted_6, _r5), _r5), _multiply(omega_2, tilted_5, _r2), _r2), _multiply(omega_3, tilted_4, _r5), _r5), _multiply(omega_4, tilted_3, _r2), _r2), _multiply(omega_5, tilted_2, _r5), _r5)
+    _s17 = _divide(_multiply(0.125, _add(_multiply(_multiply(0.6, cosine_7, _r2), p_gravity, _r2), _add(_add(_s16, _multiply(omega_6, tilted_1, _r6), _r6), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5), _s0, _r5)
+    _s18 = _add(_add(_add(_add(_add(_multiply(around_0, sine_7, _r2), _multiply(around_1, sine_6, _r6), _r6), _multiply(around_2, sine_5, _r2), _r2), _multiply(around_3, sine_4, _r6), _r6), _multiply(around_4, sine_3, _r2), _r2), _multiply(around_5, sine_2, _r6), _r6)
+    _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_7, _r2), _multiply(climb_1, turn_rate_6, _r7), _r7), _multiply(climb_2, turn_rate_5, _r2), _r2), _multiply(climb_3, turn_rate_4, _r7), _r7), _multiply(climb_4, turn_rate_3, _r2), _r2), _multiply(climb_5, turn_rate_2, _r7), _r7)
+    _s20 = 0.125 * _subtract(_multiply(_s0, _add(_add(_s18, _multiply(around_6, sine_1, _r2), _r2), _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(0.4, _add(_add(_s19, _multiply(climb_6, turn_rate_1, _r2), _r2), _multiply(climb_7, turn_rate_0, _r7), _r7), _r7), _r7)
+    _s21 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_7, _r7), _multiply(omega_1, sin_6, _r6), _r6), _multiply(omega_2, sin_5, _r7), _r7), _multiply(omega_3, sin_4, _r6), _r6), _multiply(omega_4, sin_3, _r7), _r7), _multiply(omega_5, sin_2, _r6), _r6)
+    _s22 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r7), _multiply(cos_1, omega_6, _r2), _r2), _multiply(cos_2, omega_5, _r7), _r7), _multiply(cos_3, omega_4, _r2), _r2), _multiply(cos_4, omega_3, _r7), _r7), _multiply(cos_5, omega_2, _r2), _r2)
+    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_7, _r7), _s12, _r1) - _add(_add(_s13, _multiply(omega_6, pressed_1, _r7), _r7), _multiply(pressed_0, _s4, _r0), _r0), -_multiply(0.125, _add(_add(_s14, _multiply(climb_6, sine_1, _r0), _r0), _multiply(climb_7, sine_0, _r3), _r3), _r3), 0.125 * _add(_add(_s15, _multiply(climb_6, cosine_1, _r3), _r3), _multiply(climb_7, cosine_0, _r4), _r4), -_s17, _s20, (0.125 * p_ring_radius) * _s6, -_multiply(0.125, _add(_add(_s21, _multiply(omega_6, sin_1, _r5), _r5), _multiply(sin_0, _s4, _r6), _r6), _r6), 0.125 * _add(_add(_s22, _multiply(cos_6, omega_1, _r6), _r6), _multiply(cos_7, omega_0, _r2), _r2)
+
+
+def ring_round_8(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 9, from those before.
+
+    Routh's equations. 277 operations: 117 additions, 4 subtractions, 151 multiplications, 1 division, 4 negations.
+    Returns near_8, omega_8, around_8, tilted_8, pressed_8, force_8, cosine_9, sine_9, climb_9, along_9, turn_rate_9, cos_9, sin_9.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_7, _r0), _multiply(cosine_2, near_6, _r1), _r1), _multiply(cosine_3, near_5, _r0), _r0), _multiply(cosine_4, near_4, _r1), _r1), _multiply(cosine_5, near_3, _r0), _r0), _multiply(cosine_6, near_2, _r1), _r1)
+    _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_s1, _multiply(cosine_7, near_1, _r2), _r2), _multiply(cosine_8, near_0, _r1), _r1), _r0)
+    _s3 = _add(_add(_add(_add(_add(_multiply(along_0, _s2, _r0), _multiply(along_1, near_7, _r1), _r1), _multiply(along_2, near_6, _r0), _r0), _multiply(along_3, near_5, _r1), _r1), _multiply(along_4, near_4, _r0), _r0), _multiply(along_5, near_3, _r1), _r1)
+    _s4 = _add(_add(_s3, _multiply(along_6, near_2, _r0), _r0), _multiply(along_7, near_1, _r1), _r1) + _multiply(along_8, near_0, _r0)
+    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, _s4, _r0), _multiply(climb_1, omega_7, _r1), _r1), _multiply(climb_2, omega_6, _r0), _r0), _multiply(climb_3, omega_5, _r1), _r1), _multiply(climb_4, omega_4, _r0), _r0), _multiply(climb_5, omega_3, _r1), _r1)
+    _s6 = _add(_add(_s5, _multiply(climb_6, omega_2, _r0), _r0), _multiply(climb_7, omega_1, _r1), _r1) + _multiply(climb_8, omega_0, _r0)
+    _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_8, _r0), _multiply(along_1, sine_7, _r1), _r1), _multiply(along_2, sine_6, _r0), _r0), _multiply(along_3, sine_5, _r1), _r1), _multiply(along_4, sine_4, _r0), _r0), _multiply(along_5, sine_3, _r1), _r1)
+    _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_8, _r0), _multiply(cosine_1, turn_rate_7, _r2), _r2), _multiply(cosine_2, turn_rate_6, _r0), _r0), _multiply(cosine_3, turn_rate_5, _r2), _r2), _multiply(cosine_4, turn_rate_4, _r0), _r0), _multiply(cosine_5, turn_rate_3, _r2), _r2)
+    _s9 = _add(_add(_add(_s7, _multiply(along_6, sine_2, _r0), _r0), _multiply(along_7, sine_1, _r1), _r1), _multiply(along_8, sine_0, _r0), _r0) - _multiply(0.4, _add(_add(_add(_s8, _multiply(cosine_6, turn_rate_2, _r1), _r1), _multiply(cosine_7, turn_rate_1, _r2), _r2), _multiply(cosine_8, turn_rate_0, _r1), _r1), _r1)
+    _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_8, _r1), _multiply(along_1, cosine_7, _r0), _r0), _multiply(along_2, cosine_6, _r1), _r1), _multiply(along_3, cosine_5, _r0), _r0), _multiply(along_4, cosine_4, _r1), _r1), _multiply(along_5, cosine_3, _r0), _r0)
+    _s11 = _add(_add(_s10, _multiply(along_6, cosine_2, _r1), _r1), _multiply(along_7, cosine_1, _r0), _r0) + _multiply(along_8, cosine_0, _r1)
+    _s12 = _add(_add(_add(_add(_multiply(climb_4, climb_4, _r1), _multiply(_multiply(2.0, climb_0, _r0), climb_8, _r0), _r0), _multiply(_multiply(2.0, climb_1, _r1), climb_7, _r1), _r1), _multiply(_multiply(2.0, climb_2, _r0), climb_6, _r0), _r0), _multiply(_multiply(2.0, climb_3, _r1), climb_5, _r1), _r1)
+    _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s11, _r0), _multiply(omega_1, pressed_7, _r2), _r2), _multiply(omega_2, pressed_6, _r0), _r0), _multiply(omega_3, pressed_5, _r2), _r2), _multiply(omega_4, pressed_4, _r0), _r0), _multiply(omega_5, pressed_3, _r2), _r2)
+    _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_8, _r0), _multiply(climb_1, sine_7, _r3), _r3), _multiply(climb_2, sine_6, _r0), _r0), _multiply(climb_3, sine_5, _r3), _r3), _multiply(climb_4, sine_4, _r0), _r0), _multiply(climb_5, sine_3, _r3), _r3)
+    _s15 = -_multiply(0.1111111111111111, _add(_add(_add(_s14, _multiply(climb_6, sine_2, _r0), _r0), _multiply(climb_7, sine_1, _r3), _r3), _multiply(climb_8, sine_0, _r0), _r0), _r0)
+    _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_8, _r0), _multiply(climb_1, cosine_7, _r3), _r3), _multiply(climb_2, cosine_6, _r0), _r0), _multiply(climb_3, cosine_5, _r3), _r3), _multiply(climb_4, cosine_4, _r0), _r0), _multiply(climb_5, cosine_3, _r3), _r3)
+    _s17 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r0), _multiply(omega_1, tilted_7, _r4), _r4), _multiply(omega_2, tilted_6, _r0), _r0), _multiply(omega_3, tilted_5, _r4), _r4), _multiply(omega_4, tilted_4, _r0), _r0), _multiply(omega_5, tilted_3, _r4), _r4)
+    _s18 = _multiply(0.1111111111111111, _add(_multiply(_multiply(0.6, cosine_8, _r0), p_gravity, _r0), _add(_add(_add(_s17, _multiply(omega_6, tilted_2, _r5), _r5), _multiply(omega_7, tilted_1, _r4), _r4), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5)
+    _s19 = _add(_add(_add(_add(_add(_multiply(around_0, sine_8, _r0), _multiply(around_1, sine_7, _r4), _r4), _multiply(around_2, sine_6, _r0), _r0), _multiply(around_3, sine_5, _r4), _r4), _multiply(around_4, sine_4, _r0), _r0), _multiply(around_5, sine_3, _r4), _r4)
+    _s20 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_8, _r0), _multiply(climb_1, turn_rate_7, _r6), _r6), _multiply(climb_2, turn_rate_6, _r0), _r0), _multiply(climb_3, turn_rate_5, _r6), _r6), _multiply(climb_4, turn_rate_4, _r0), _r0), _multiply(climb_5, turn_rate_3, _r6), _r6)
+    _s21 = _subtract(_multiply(_s0, _add(_add(_add(_s19, _multiply(around_6, sine_2, _r0), _r0), _multiply(around_7, sine_1, _r4), _r4), _multiply(sine_0, _s6, _r0), _r0), _r0), _multiply(0.4, _add(_add(_add(_s20, _multiply(climb_6, turn_rate_2, _r4), _r4), _multiply(climb_7, turn_rate_1, _r6), _r6), _multiply(climb_8, turn_rate_0, _r4), _r4), _r4), _r4)
+    _s22 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_8, _r0), _multiply(omega_1, sin_7, _r6), _r6), _multiply(omega_2, sin_6, _r0), _r0), _multiply(omega_3, sin_5, _r6), _r6), _multiply(omega_4, sin_4, _r0), _r0), _multiply(omega_5, sin_3, _r6), _r6)
+    _s23 = -_multiply(0.1111111111111111, _add(_add(_add(_s22, _multiply(omega_6, sin_2, _r0), _r0), _multiply(omega_7, sin_1, _r6), _r6), _multiply(sin_0, _s4, _r0), _r0), _r0)
+    _s24 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r0), _multiply(cos_1, omega_7, _r6), _r6), _multiply(cos_2, omega_6, _r0), _r0), _multiply(cos_3, omega_5, _r6), _r6), _multiply(cos_4, omega_4, _r0), _r0), _multiply(cos_5, omega_3, _r6), _r6)
+    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_8, _r0), _multiply(_s0, _s12, _r1), _r1) - _add(_add(_add(_s13, _multiply(omega_6, pressed_2, _r0), _r0), _multiply(omega_7, pressed_1, _r2), _r2), _multiply(pressed_0, _s4, _r0), _r0), _s15, 0.1111111111111111 * _add(_add(_add(_s16, _multiply(climb_6, cosine_2, _r0), _r0), _multiply(climb_7, cosine_1, _r3), _r3), _multiply(climb_8, cosine_0, _r0), _r0), -_divide(_s18, _s0, _r5), 0.1111111111111111 * _s21, (0.1111111111111111 * p_ring_radius) * _s6, _s23, 0.1111111111111111 * _add(_add(_add(_s24, _multiply(cos_6, omega_2, _r4), _r4), _multiply(cos_7, omega_1, _r6), _r6), _multiply(cos_8, omega_0, _r4), _r4)
+
+
+def ring_round_9(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 10, from those before.
+
+    Routh's equations. 306 operations: 131 additions, 4 subtractions, 166 multiplications, 1 division, 4 negations.
+    Returns near_9, omega_9, around_9, tilted_9, pressed_9, force_9, cosine_10, sine_10, climb_10, along_10, turn_rate_10, cos_10, sin_10.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_8, _r0), _multiply(cosine_2, near_7, _r1), _r1), _multiply(cosine_3, near_6, _r0), _r0), _multiply(cosine_4, near_5, _r1), _r1), _multiply(cosine_5, near_4, _r0), _r0), _multiply(cosine_6, near_3, _r1), _r1)
+    _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_s1, _multiply(cosine_7, near_2, _r2), _r2), _multiply(cosine_8, near_1, _r1), _r1), _multiply(cosine_9, near_0, _r2), _r2), _r0)
+    _s3 = _add(_add(_add(_add(_add(_multiply(along_0, _s2, _r0), _multiply(along_1, near_8, _r2), _r2), _multiply(along_2, near_7, _r0), _r0), _multiply(along_3, near_6, _r2), _r2), _multiply(along_4, near_5, _r0), _r0), _multiply(along_5, near_4, _r2), _r2)
+    _s4 = _add(_add(_add(_s3, _multiply(along_6, near_3, _r0), _r0), _multiply(along_7, near_2, _r2), _r2), _multiply(along_8, near_1, _r0), _r0) + _multiply(along_9, near_0, _r2)
+    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, _s4, _r2), _multiply(climb_1, omega_8, _r0), _r0), _multiply(climb_2, omega_7, _r2), _r2), _multiply(climb_3, omega_6, _r0), _r0), _multiply(climb_4, omega_5, _r2), _r2), _multiply(climb_5, omega_4, _r0), _r0)
+    _s6 = _add(_add(_add(_s5, _multiply(climb_6, omega_3, _r2), _r2), _multiply(climb_7, omega_2, _r0), _r0), _multiply(climb_8, omega_1, _r2), _r2) + _multiply(climb_9, omega_0, _r0)
+    _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_9, _r0), _multiply(along_1, sine_8, _r2), _r2), _multiply(along_2, sine_7, _r0), _r0), _multiply(along_3, sine_6, _r2), _r2), _multiply(along_4, sine_5, _r0), _r0), _multiply(along_5, sine_4, _r2), _r2)
+    _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_9, _r0), _multiply(cosine_1, turn_rate_8, _r1), _r1), _multiply(cosine_2, turn_rate_7, _r0), _r0), _multiply(cosine_3, turn_rate_6, _r1), _r1), _multiply(cosine_4, turn_rate_5, _r0), _r0), _multiply(cosine_5, turn_rate_4, _r1), _r1)
+    _s9 = _multiply(0.4, _add(_add(_add(_add(_s8, _multiply(cosine_6, turn_rate_3, _r0), _r0), _multiply(cosine_7, turn_rate_2, _r1), _r1), _multiply(cosine_8, turn_rate_1, _r0), _r0), _multiply(cosine_9, turn_rate_0, _r1), _r1), _r1)
+    _s10 = _add(_add(_add(_add(_s7, _multiply(along_6, sine_3, _r0), _r0), _multiply(along_7, sine_2, _r2), _r2), _multiply(along_8, sine_1, _r0), _r0), _multiply(along_9, sine_0, _r2), _r2) - _s9
+    _s11 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_9, _r1), _multiply(along_1, cosine_8, _r2), _r2), _multiply(along_2, cosine_7, _r1), _r1), _multiply(along_3, cosine_6, _r2), _r2), _multiply(along_4, cosine_5, _r1), _r1), _multiply(along_5, cosine_4, _r2), _r2)
+    _s12 = _add(_add(_add(_s11, _multiply(along_6, cosine_3, _r1), _r1), _multiply(along_7, cosine_2, _r2), _r2), _multiply(along_8, cosine_1, _r1), _r1) + _multiply(along_9, cosine_0, _r2)
+    _s13 = _add(_add(_add(_add(_multiply(_multiply(2.0, climb_0, _r2), climb_9, _r2), _multiply(_multiply(2.0, climb_1, _r1), climb_8, _r1), _r1), _multiply(_multiply(2.0, climb_2, _r2), climb_7, _r2), _r2), _multiply(_multiply(2.0, climb_3, _r1), climb_6, _r1), _r1), _multiply(_multiply(2.0, climb_4, _r2), climb_5, _r2), _r2)
+    _s14 = _add(_add(_add(_add(_add(_multiply(omega_0, _s12, _r1), _multiply(omega_1, pressed_8, _r0), _r0), _multiply(omega_2, pressed_7, _r1), _r1), _multiply(omega_3, pressed_6, _r0), _r0), _multiply(omega_4, pressed_5, _r1), _r1), _multiply(omega_5, pressed_4, _r0), _r0)
+    _s15 = _subtract(_multiply(p_gravity, sine_9, _r1), _multiply(_s0, _s13, _r2), _r2) - _add(_add(_add(_add(_s14, _multiply(omega_6, pressed_3, _r1), _r1), _multiply(omega_7, pressed_2, _r0), _r0), _multiply(omega_8, pressed_1, _r1), _r1), _multiply(pressed_0, _s4, _r0), _r0)
+    _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r0), _multiply(climb_1, sine_8, _r2), _r2), _multiply(climb_2, sine_7, _r0), _r0), _multiply(climb_3, sine_6, _r2), _r2), _multiply(climb_4, sine_5, _r0), _r0), _multiply(climb_5, sine_4, _r2), _r2)
+    _s17 = _multiply(0.1, _add(_add(_add(_add(_s16, _multiply(climb_6, sine_3, _r0), _r0), _multiply(climb_7, sine_2, _r2), _r2), _multiply(climb_8, sine_1, _r0), _r0), _multiply(climb_9, sine_0, _r2), _r2), _r2)
+    _s18 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r0), _multiply(climb_1, cosine_8, _r1), _r1), _multiply(climb_2, cosine_7, _r0), _r0), _multiply(climb_3, cosine_6, _r1), _r1), _multiply(climb_4, cosine_5, _r0), _r0), _multiply(climb_5, cosine_4, _r1), _r1)
+    _s19 = 0.1 * _add(_add(_add(_add(_s18, _multiply(climb_6, cosine_3, _r0), _r0), _multiply(climb_7, cosine_2, _r1), _r1), _multiply(climb_8, cosine_1, _r0), _r0), _multiply(climb_9, cosine_0, _r1), _r1)
+    _s20 = _add(_add(_add(_add(_add(_multiply(omega_0, _s10, _r1), _multiply(omega_1, tilted_8, _r0), _r0), _multiply(omega_2, tilted_7, _r1), _r1), _multiply(omega_3, tilted_6, _r0), _r0), _multiply(omega_4, tilted_5, _r1), _r1), _multiply(omega_5, tilted_4, _r0), _r0)
+    _s21 = _add(_multiply(_multiply(0.6, cosine_9, _r1), p_gravity, _r1), _add(_add(_add(_add(_s20, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r0), _r0), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s4, _r0), _r0), _r0)
+    _s22 = _add(_add(_add(_add(_add(_multiply(around_0, sine_9, _r1), _multiply(around_1, sine_8, _r3), _r3), _multiply(around_2, sine_7, _r1), _r1), _multiply(around_3, sine_6, _r3), _r3), _multiply(around_4, sine_5, _r1), _r1), _multiply(around_5, sine_4, _r3), _r3)
+    _s23 = _multiply(_s0, _add(_add(_add(_add(_s22, _multiply(around_6, sine_3, _r1), _r1), _multiply(around_7, sine_2, _r3), _r3), _multiply(around_8, sine_1, _r1), _r1), _multiply(sine_0, _s6, _r3), _r3), _r3)
+    _s24 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_9, _r1), _multiply(climb_1, turn_rate_8, _r4), _r4), _multiply(climb_2, turn_rate_7, _r1), _r1), _multiply(climb_3, turn_rate_6, _r4), _r4), _multiply(climb_4, turn_rate_5, _r1), _r1), _multiply(climb_5, turn_rate_4, _r4), _r4)
+    _s25 = _multiply(0.4, _add(_add(_add(_add(_s24, _multiply(climb_6, turn_rate_3, _r1), _r1), _multiply(climb_7, turn_rate_2, _r4), _r4), _multiply(climb_8, turn_rate_1, _r1), _r1), _multiply(climb_9, turn_rate_0, _r4), _r4), _r4)
+    _s26 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_9, _r1), _multiply(omega_1, sin_8, _r5), _r5), _multiply(omega_2, sin_7, _r1), _r1), _multiply(omega_3, sin_6, _r5), _r5), _multiply(omega_4, sin_5, _r1), _r1), _multiply(omega_5, sin_4, _r5), _r5)
+    _s27 = _multiply(0.1, _add(_add(_add(_add(_s26, _multiply(omega_6, sin_3, _r1), _r1), _multiply(omega_7, sin_2, _r5), _r5), _multiply(omega_8, sin_1, _r1), _r1), _multiply(sin_0, _s4, _r5), _r5), _r5)
+    _s28 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r1), _multiply(cos_1, omega_8, _r6), _r6), _multiply(cos_2, omega_7, _r1), _r1), _multiply(cos_3, omega_6, _r6), _r6), _multiply(cos_4, omega_5, _r1), _r1), _multiply(cos_5, omega_4, _r6), _r6)
+    _s29 = 0.1 * _add(_add(_add(_add(_s28, _multiply(cos_6, omega_3, _r1), _r1), _multiply(cos_7, omega_2, _r6), _r6), _multiply(cos_8, omega_1, _r1), _r1), _multiply(cos_9, omega_0, _r6), _r6)
+    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -_divide(_multiply(0.1, _s21, _r0), _s0, _r0), 0.1 * _subtract(_s23, _s25, _r4), (0.1 * p_ring_radius) * _s6, -_s27, _s29
+
+
+def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 11, from those before.
+
+    Routh's equations. 336 operations: 146 additions, 4 subtractions, 181 multiplications, 1 division, 4 negations.
+    Returns near_10, omega_10, around_10, tilted_10, pressed_10, force_10, cosine_11, sine_11, climb_11, along_11, turn_rate_11, cos_11, sin_11.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_9, _r0), _multiply(cosine_10, near_0, _r1), _r1), _multiply(cosine_2, near_8, _r0), _r0), _multiply(cosine_3, near_7, _r1), _r1), _multiply(cosine_4, near_6, _r0), _r0), _multiply(cosine_5, near_5, _r1), _r1)
+    _s2 = _multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_add(_s1, _multiply(cosine_6, near_4, _r2), _r2), _multiply(cosine_7, near_3, _r1), _r1), _multiply(cosine_8, near_2, _r2), _r2), _multiply(cosine_9, near_1, _r1), _r1), _r0)
+    _s3 = -_s2
+    _s4 = _add(_add(_add(_add(_add(_multiply(along_0, _s3, _r0), _multiply(along_1, near_9, _r1), _r1), _multiply(along_10, near_0, _r0), _r0), _multiply(along_2, near_8, _r1), _r1), _multiply(along_3, near_7, _r0), _r0), _multiply(along_4, near_6, _r1), _r1)
+    _s5 = _add(_add(_add(_add(_s4, _multiply(along_5, near_5, _r0), _r0), _multiply(along_6, near_4, _r1), _r1), _multiply(along_7, near_3, _r0), _r0), _multiply(along_8, near_2, _r1), _r1) + _multiply(along_9, near_1, _r0)
+    _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, _s5, _r0), _multiply(climb_1, omega_9, _r1), _r1), _multiply(climb_10, omega_0, _r0), _r0), _multiply(climb_2, omega_8, _r1), _r1), _multiply(climb_3, omega_7, _r0), _r0), _multiply(climb_4, omega_6, _r1), _r1)
+    _s7 = _add(_add(_add(_add(_s6, _multiply(climb_5, omega_5, _r0), _r0), _multiply(climb_6, omega_4, _r1), _r1), _multiply(climb_7, omega_3, _r0), _r0), _multiply(climb_8, omega_2, _r1), _r1) + _multiply(climb_9, omega_1, _r0)
+    _s8 = _add(_add(_add(_add(_add(_multiply(along_0, sine_10, _r0), _multiply(along_1, sine_9, _r1), _r1), _multiply(along_10, sine_0, _r0), _r0), _multiply(along_2, sine_8, _r1), _r1), _multiply(along_3, sine_7, _r0), _r0), _multiply(along_4, sine_6, _r1), _r1)
+    _s9 = _add(_add(_add(_add(_add(_s8, _multiply(along_5, sine_5, _r0), _r0), _multiply(along_6, sine_4, _r1), _r1), _multiply(along_7, sine_3, _r0), _r0), _multiply(along_8, sine_2, _r1), _r1), _multiply(along_9, sine_1, _r0), _r0)
+    _s10 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_10, _r1), _multiply(cosine_1, turn_rate_9, _r2), _r2), _multiply(cosine_10, turn_rate_0, _r1), _r1), _multiply(cosine_2, turn_rate_8, _r2), _r2), _multiply(cosine_3, turn_rate_7, _r1), _r1), _multiply(cosine_4, turn_rate_6, _r2), _r2)
+    _s11 = _add(_add(_add(_add(_add(_s10, _multiply(cosine_5, turn_rate_5, _r1), _r1), _multiply(cosine_6, turn_rate_4, _r2), _r2), _multiply(cosine_7, turn_rate_3, _r1), _r1), _multiply(cosine_8, turn_rate_2, _r2), _r2), _multiply(cosine_9, turn_rate_1, _r1), _r1)
+    _s12 = _s9 - _multiply(0.4, _s11, _r1)
+    _s13 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_10, _r1), _multiply(along_1, cosine_9, _r0), _r0), _multiply(along_10, cosine_0, _r1), _r1), _multiply(along_2, cosine_8, _r0), _r0), _multiply(along_3, cosine_7, _r1), _r1), _multiply(along_4, cosine_6, _r0), _r0)
+    _s14 = _add(_add(_add(_add(_s13, _multiply(along_5, cosine_5, _r1), _r1), _multiply(along_6, cosine_4, _r0), _r0), _multiply(along_7, cosine_3, _r1), _r1), _multiply(along_8, cosine_2, _r0), _r0) + _multiply(along_9, cosine_1, _r1)
+    _s15 = _add(_add(_add(_add(_multiply(climb_5, climb_5, _r1), _multiply(_multiply(2.0, climb_0, _r0), climb_10, _r0), _r0), _multiply(_multiply(2.0, climb_1, _r1), climb_9, _r1), _r1), _multiply(_multiply(2.0, climb_2, _r0), climb_8, _r0), _r0), _multiply(_multiply(2.0, climb_3, _r1), climb_7, _r1), _r1)
+    _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s14, _r0), _multiply(omega_1, pressed_9, _r2), _r2), _multiply(omega_2, pressed_8, _r0), _r0), _multiply(omega_3, pressed_7, _r2), _r2), _multiply(omega_4, pressed_6, _r0), _r0), _multiply(omega_5, pressed_5, _r2), _r2)
+    _s17 = _add(_add(_add(_add(_add(_s16, _multiply(omega_6, pressed_4, _r0), _r0), _multiply(omega_7, pressed_3, _r2), _r2), _multiply(omega_8, pressed_2, _r0), _r0), _multiply(omega_9, pressed_1, _r2), _r2), _multiply(pressed_0, _s5, _r0), _r0)
+    _s18 = _subtract(_multiply(p_gravity, sine_10, _r2), _multiply(_s0, _add(_s15, _multiply(_multiply(2.0, climb_4, _r3), climb_6, _r3), _r3), _r3), _r3) - _s17
+    _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_10, _r0), _multiply(climb_1, sine_9, _r3), _r3), _multiply(climb_10, sine_0, _r0), _r0), _multiply(climb_2, sine_8, _r3), _r3), _multiply(climb_3, sine_7, _r0), _r0), _multiply(climb_4, sine_6, _r3), _r3)
+    _s20 = _add(_add(_add(_add(_add(_s19, _multiply(climb_5, sine_5, _r0), _r0), _multiply(climb_6, sine_4, _r3), _r3), _multiply(climb_7, sine_3, _r0), _r0), _multiply(climb_8, sine_2, _r3), _r3), _multiply(climb_9, sine_1, _r0), _r0)
+    _s21 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_10, _r3), _multiply(climb_1, cosine_9, _r2), _r2), _multiply(climb_10, cosine_0, _r3), _r3), _multiply(climb_2, cosine_8, _r2), _r2), _multiply(climb_3, cosine_7, _r3), _r3), _multiply(climb_4, cosine_6, _r2), _r2)
+    _s22 = _add(_add(_add(_add(_add(_s21, _multiply(climb_5, cosine_5, _r3), _r3), _multiply(climb_6, cosine_4, _r2), _r2), _multiply(climb_7, cosine_3, _r3), _r3), _multiply(climb_8, cosine_2, _r2), _r2), _multiply(climb_9, cosine_1, _r3), _r3)
+    _s23 = _add(_add(_add(_add(_add(_multiply(omega_0, _s12, _r2), _multiply(omega_1, tilted_9, _r1), _r1), _multiply(omega_2, tilted_8, _r2), _r2), _multiply(omega_3, tilted_7, _r1), _r1), _multiply(omega_4, tilted_6, _r2), _r2), _multiply(omega_5, tilted_5, _r1), _r1)
+    _s24 = _add(_add(_add(_add(_add(_s23, _multiply(omega_6, tilted_4, _r2), _r2), _multiply(omega_7, tilted_3, _r1), _r1), _multiply(omega_8, tilted_2, _r2), _r2), _multiply(omega_9, tilted_1, _r1), _r1), _multiply(tilted_0, _s5, _r2), _r2)
+    _s25 = -_divide(_multiply(0.09090909090909091, _add(_multiply(_multiply(0.6, cosine_10, _r1), p_gravity, _r1), _s24, _r2), _r2), _s0, _r2)
+    _s26 = _add(_add(_add(_add(_add(_multiply(around_0, sine_10, _r2), _multiply(around_1, sine_9, _r1), _r1), _multiply(around_2, sine_8, _r2), _r2), _multiply(around_3, sine_7, _r1), _r1), _multiply(around_4, sine_6, _r2), _r2), _multiply(around_5, sine_5, _r1), _r1)
+    _s27 = _add(_add(_add(_add(_add(_s26, _multiply(around_6, sine_4, _r2), _r2), _multiply(around_7, sine_3, _r1), _r1), _multiply(around_8, sine_2, _r2), _r2), _multiply(around_9, sine_1, _r1), _r1), _multiply(sine_0, _s7, _r2), _r2)
+    _s28 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_10, _r1), _multiply(climb_1, turn_rate_9, _r4), _r4), _multiply(climb_10, turn_rate_0, _r1), _r1), _multiply(climb_2, turn_rate_8, _r4), _r4), _multiply(climb_3, turn_rate_7, _r1), _r1), _multiply(climb_4, turn_rate_6, _r4), _r4)
+    _s29 = _add(_add(_add(_add(_add(_s28, _multiply(climb_5, turn_rate_5, _r1), _r1), _multiply(climb_6, turn_rate_4, _r4), _r4), _multiply(climb_7, turn_rate_3, _r1), _r1), _multiply(climb_8, turn_rate_2, _r4), _r4), _multiply(climb_9, turn_rate_1, _r1), _r1)
+    _s30 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_10, _r4), _multiply(omega_1, sin_9, _r5), _r5), _multiply(omega_2, sin_8, _r4), _r4), _multiply(omega_3, sin_7, _r5), _r5), _multiply(omega_4, sin_6, _r4), _r4), _multiply(omega_5, sin_5, _r5), _r5)
+    _s31 = _add(_add(_add(_add(_add(_s30, _multiply(omega_6, sin_4, _r4), _r4), _multiply(omega_7, sin_3, _r5), _r5), _multiply(omega_8, sin_2, _r4), _r4), _multiply(omega_9, sin_1, _r5), _r5), _multiply(sin_0, _s5, _r4), _r4)
+    _s32 = _add(_add(_add(_add(_add(_multiply(cos_0, _s5, _r5), _multiply(cos_1, omega_9, _r6), _r6), _multiply(cos_10, omega_0, _r5), _r5), _multiply(cos_2, omega_8, _r6), _r6), _multiply(cos_3, omega_7, _r5), _r5), _multiply(cos_4, omega_6, _r6), _r6)
+    _s33 = _add(_add(_add(_add(_add(_s32, _multiply(cos_5, omega_5, _r5), _r5), _multiply(cos_6, omega_4, _r6), _r6), _multiply(cos_7, omega_3, _r5), _r5), _multiply(cos_8, omega_2, _r6), _r6), _multiply(cos_9, omega_1, _r5), _r5)
+    return _s3, _s5, _s7, _s12, _s14, _s18, -_multiply(0.09090909090909091, _s20, _r0), 0.09090909090909091 * _s22, _s25, 0.09090909090909091 * _subtract(_multiply(_s0, _s27, _r2), _multiply(0.4, _s29, _r1), _r1), (0.09090909090909091 * p_ring_radius) * _s7, -_multiply(0.09090909090909091, _s31, _r4), 0.09090909090909091 * _s33
+
+
+def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_10: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_10: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 12, from those before.
+
+    Routh's equations. 365 operations: 160 additions, 4 subtractions, 196 multiplications, 1 division, 4 negations.
+    Returns near_11, omega_11, around_11, tilted_11, pressed_11, force_11, cosine_12, sine_12, climb_12, along_12, turn_rate_12, cos_12, sin_12.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_10, _r0), _multiply(cosine_10, near_1, _r1), _r1), _multiply(cosine_11, near_0, _r0), _r0), _multiply(cosine_2, near_9, _r1), _r1), _multiply(cosine_3, near_8, _r0), _r0), _multiply(cosine_4, near_7, _r1), _r1)
+    _s2 = _add(_add(_add(_add(_add(_s1, _multiply(cosine_5, near_6, _r0), _r0), _multiply(cosine_6, near_5, _r1), _r1), _multiply(cosine_7, near_4, _r0), _r0), _multiply(cosine_8, near_3, _r1), _r1), _multiply(cosine_9, near_2, _r0), _r0)
+    _s3 = -_multiply(_multiply(near_0, _s0, _r1), _s2, _r1)
+    _s4 = _add(_add(_add(_add(_add(_multiply(along_0, _s3, _r1), _multiply(along_1, near_10, _r0), _r0), _multiply(along_10, near_1, _r1), _r1), _multiply(along_11, near_0, _r0), _r0), _multiply(along_2, near_9, _r1), _r1), _multiply(along_3, near_8, _r0), _r0)
+    _s5 = _add(_add(_add(_add(_add(_s4, _multiply(along_4, near_7, _r1), _r1), _multiply(along_5, near_6, _r0), _r0), _multiply(along_6, near_5, _r1), _r1), _multiply(along_7, near_4, _r0), _r0), _multiply(along_8, near_3, _r1), _r1)
+    _s6 = _s5 + _multiply(along_9, near_2, _r0)
+    _s7 = _add(_add(_add(_add(_add(_multiply(climb_0, _s6, _r0), _multiply(climb_1, omega_10, _r1), _r1), _multiply(climb_10, omega_1, _r0), _r0), _multiply(climb_11, omega_0, _r1), _r1), _multiply(climb_2, omega_9, _r0), _r0), _multiply(climb_3, omega_8, _r1), _r1)
+    _s8 = _add(_add(_add(_add(_add(_s7, _multiply(climb_4, omega_7, _r0), _r0), _multiply(climb_5, omega_6, _r1), _r1), _multiply(climb_6, omega_5, _r0), _r0), _multiply(climb_7, omega_4, _r1), _r1), _multiply(climb_8, omega_3, _r0), _r0)
+    _s9 = _s8 + _multiply(climb_9, omega_2, _r1)
+    _s10 = _add(_add(_add(_add(_add(_multiply(along_0, sine_11, _r1), _multiply(along_1, sine_10, _r0), _r0), _multiply(along_10, sine_1, _r1), _r1), _multiply(along_11, sine_0, _r0), _r0), _multiply(along_2, sine_9, _r1), _r1), _multiply(along_3, sine_8, _r0), _r0)
+    _s11 = _add(_add(_add(_add(_add(_s10, _multiply(along_4, sine_7, _r1), _r1), _multiply(along_5, sine_6, _r0), _r0), _multiply(along_6, sine_5, _r1), _r1), _multiply(along_7, sine_4, _r0), _r0), _multiply(along_8, sine_3, _r1), _r1)
+    _s12 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_11, _r0), _multiply(cosine_1, turn_rate_10, _r2), _r2), _multiply(cosine_10, turn_rate_1, _r0), _r0), _multiply(cosine_11, turn_rate_0, _r2), _r2), _multiply(cosine_2, turn_rate_9, _r0), _r0), _multiply(cosine_3, turn_rate_8, _r2), _r2)
+    _s13 = _add(_add(_add(_add(_add(_s12, _multiply(cosine_4, turn_rate_7, _r0), _r0), _multiply(cosine_5, turn_rate_6, _r2), _r2), _multiply(cosine_6, turn_rate_5, _r0), _r0), _multiply(cosine_7, turn_rate_4, _r2), _r2), _multiply(cosine_8, turn_rate_3, _r0), _r0)
+    _s14 = _add(_s11, _multiply(along_9, sine_2, _r2), _r2) - _multiply(0.4, _add(_s13, _multiply(cosine_9, turn_rate_2, _r1), _r1), _r1)
+    _s15 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_11, _r1), _multiply(along_1, cosine_10, _r2), _r2), _multiply(along_10, cosine_1, _r1), _r1), _multiply(along_11, cosine_0, _r2), _r2), _multiply(along_2, cosine_9, _r1), _r1), _multiply(along_3, cosine_8, _r2), _r2)
+    _s16 = _add(_add(_add(_add(_add(_s15, _multiply(along_4, cosine_7, _r1), _r1), _multiply(along_5, cosine_6, _r2), _r2), _multiply(along_6, cosine_5, _r1), _r1), _multiply(along_7, cosine_4, _r2), _r2), _multiply(along_8, cosine_3, _r1), _r1)
+    _s17 = _s16 + _multiply(along_9, cosine_2, _r2)
+    _s18 = _add(_add(_add(_add(_multiply(_multiply(2.0, climb_0, _r2), climb_11, _r2), _multiply(_multiply(2.0, climb_1, _r1), climb_10, _r1), _r1), _multiply(_multiply(2.0, climb_2, _r2), climb_9, _r2), _r2), _multiply(_multiply(2.0, climb_3, _r1), climb_8, _r1), _r1), _multiply(_multiply(2.0, climb_4, _r2), climb_7, _r2), _r2)
+    _s19 = _add(_add(_add(_add(_add(_multiply(omega_0, _s17, _r1), _multiply(omega_1, pressed_10, _r0), _r0), _multiply(omega_10, pressed_1, _r1), _r1), _multiply(omega_2, pressed_9, _r0), _r0), _multiply(omega_3, pressed_8, _r1), _r1), _multiply(omega_4, pressed_7, _r0), _r0)
+    _s20 = _add(_add(_add(_add(_add(_s19, _multiply(omega_5, pressed_6, _r1), _r1), _multiply(omega_6, pressed_5, _r0), _r0), _multiply(omega_7, pressed_4, _r1), _r1), _multiply(omega_8, pressed_3, _r0), _r0), _multiply(omega_9, pressed_2, _r1), _r1)
+    _s21 = _subtract(_multiply(p_gravity, sine_11, _r0), _multiply(_s0, _add(_s18, _multiply(_multiply(2.0, climb_5, _r3), climb_6, _r3), _r3), _r3), _r3) - _add(_s20, _multiply(pressed_0, _s6, _r0), _r0)
+    _s22 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_11, _r0), _multiply(climb_1, sine_10, _r3), _r3), _multiply(climb_10, sine_1, _r0), _r0), _multiply(climb_11, sine_0, _r3), _r3), _multiply(climb_2, sine_9, _r0), _r0), _multiply(climb_3, sine_8, _r3), _r3)
+    _s23 = _add(_add(_add(_add(_add(_s22, _multiply(climb_4, sine_7, _r0), _r0), _multiply(climb_5, sine_6, _r3), _r3), _multiply(climb_6, sine_5, _r0), _r0), _multiply(climb_7, sine_4, _r3), _r3), _multiply(climb_8, sine_3, _r0), _r0)
+    _s24 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_11, _r3), _multiply(climb_1, cosine_10, _r1), _r1), _multiply(climb_10, cosine_1, _r3), _r3), _multiply(climb_11, cosine_0, _r1), _r1), _multiply(climb_2, cosine_9, _r3), _r3), _multiply(climb_3, cosine_8, _r1), _r1)
+    _s25 = _add(_add(_add(_add(_add(_s24, _multiply(climb_4, cosine_7, _r3), _r3), _multiply(climb_5, cosine_6, _r1), _r1), _multiply(climb_6, cosine_5, _r3), _r3), _multiply(climb_7, cosine_4, _r1), _r1), _multiply(climb_8, cosine_3, _r3), _r3)
+    _s26 = _add(_add(_add(_add(_add(_multiply(omega_0, _s14, _r1), _multiply(omega_1, tilted_10, _r2), _r2), _multiply(omega_10, tilted_1, _r1), _r1), _multiply(omega_2, tilted_9, _r2), _r2), _multiply(omega_3, tilted_8, _r1), _r1), _multiply(omega_4, tilted_7, _r2), _r2)
+    _s27 = _add(_add(_add(_add(_add(_s26, _multiply(omega_5, tilted_6, _r1), _r1), _multiply(omega_6, tilted_5, _r2), _r2), _multiply(omega_7, tilted_4, _r1), _r1), _multiply(omega_8, tilted_3, _r2), _r2), _multiply(omega_9, tilted_2, _r1), _r1)
+    _s28 = -_divide(_multiply(0.08333333333333333, _add(_multiply(_multiply(0.6, cosine_11, _r2), p_gravity, _r2), _add(_s27, _multiply(tilted_0, _s6, _r4), _r4), _r4), _r4), _s0, _r4)
+    _s29 = _add(_add(_add(_add(_add(_multiply(around_0, sine_11, _r4), _multiply(around_1, sine_10, _r2), _r2), _multiply(around_10, sine_1, _r4), _r4), _multiply(around_2, sine_9, _r2), _r2), _multiply(around_3, sine_8, _r4), _r4), _multiply(around_4, sine_7, _r2), _r2)
+    _s30 = _add(_add(_add(_add(_add(_s29, _multiply(around_5, sine_6, _r4), _r4), _multiply(around_6, sine_5, _r2), _r2), _multiply(around_7, sine_4, _r4), _r4), _multiply(around_8, sine_3, _r2), _r2), _multiply(around_9, sine_2, _r4), _r4)
+    _s31 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_11, _r2), _multiply(climb_1, turn_rate_10, _r1), _r1), _multiply(climb_10, turn_rate_1, _r2), _r2), _multiply(climb_11, turn_rate_0, _r1), _r1), _multiply(climb_2, turn_rate_9, _r2), _r2), _multiply(climb_3, turn_rate_8, _r1), _r1)
+    _s32 = _add(_add(_add(_add(_add(_s31, _multiply(climb_4, turn_rate_7, _r2), _r2), _multiply(climb_5, turn_rate_6, _r1), _r1), _multiply(climb_6, turn_rate_5, _r2), _r2), _multiply(climb_7, turn_rate_4, _r1), _r1), _multiply(climb_8, turn_rate_3, _r2), _r2)
+    _s33 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_11, _r1), _multiply(omega_1, sin_10, _r5), _r5), _multiply(omega_10, sin_1, _r1), _r1), _multiply(omega_2, sin_9, _r5), _r5), _multiply(omega_3, sin_8, _r1), _r1), _multiply(omega_4, sin_7, _r5), _r5)
+    _s34 = _add(_add(_add(_add(_add(_s33, _multiply(omega_5, sin_6, _r1), _r1), _multiply(omega_6, sin_5, _r5), _r5), _multiply(omega_7, sin_4, _r1), _r1), _multiply(omega_8, sin_3, _r5), _r5), _multiply(omega_9, sin_2, _r1), _r1)
+    _s35 = _add(_add(_add(_add(_add(_multiply(cos_0, _s6, _r5), _multiply(cos_1, omega_10, _r6), _r6), _multiply(cos_10, omega_1, _r5), _r5), _multiply(cos_11, omega_0, _r6), _r6), _multiply(cos_2, omega_9, _r5), _r5), _multiply(cos_3, omega_8, _r6), _r6)
+    _s36 = _add(_add(_add(_add(_add(_s35, _multiply(cos_4, omega_7, _r5), _r5), _multiply(cos_5, omega_6, _r6), _r6), _multiply(cos_6, omega_5, _r5), _r5), _multiply(cos_7, omega_4, _r6), _r6), _multiply(cos_8, omega_3, _r5), _r5)
+    return _s3, _s6, _s9, _s14, _s17, _s21, -_multiply(0.08333333333333333, _add(_s23, _multiply(climb_9, sine_2, _r6), _r6), _r6), 0.08333333333333333 * _add(_s25, _multiply(climb_9, cosine_2, _r6), _r6), _s28, 0.08333333333333333 * _subtract(_multiply(_s0, _add(_s30, _multiply(sine_0, _s9, _r6), _r6), _r6), _multiply(0.4, _add(_s32, _multiply(climb_9, turn_rate_2, _r4), _r4), _r4), _r4), (0.08333333333333333 * p_ring_radius) * _s9, -_multiply(0.08333333333333333, _add(_s34, _multiply(sin_0, _s6, _r4), _r4), _r4), 0.08333333333333333 * _add(_s36, _multiply(cos_9, omega_2, _r4), _r4)
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -3467,7 +4025,7 @@ def backboard_tube(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: An
     """What a ball that stays on it rolls on.
 
     Table 2. 65 operations: 9 additions, 3 subtractions, 6 multiplications, 1 division, 8 negations, 2 absolute values, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections.
-    Returns bent_x, bent_y, bent_z, per_reach, ring.
+    Returns bent_x, bent_y, bent_z, per_reach.
     """
     _r0, _r1, *_ = _room
     _s0 = 1.4210854715202004e-14 * p_ball_radius
@@ -3486,7 +4044,7 @@ def backboard_tube(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: An
     _s13 = -_s11
     _s14 = _subtract(p_board_bottom, z, _r1)
     _s15 = _result(_logical_or(_logical_or((_s11 < _s12), _logical_and((_s13 < _s12), (0.0 < vz))), _logical_or((_s11 < _s14), _logical_and((_s13 < _s14), (0.0 < _negative(vz, _r1))))), 1.0, 0.0, _r0)
-    return _s5, _s10, _s15, 1.0 / p_ball_radius, 0.0
+    return _s5, _s10, _s15, 1.0 / p_ball_radius
 
 
 def backboard_turning(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3589,6 +4147,31 @@ def backboard_seam5(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, v
     Returns gap, nearing, near.
     """
     return z - p_board_top, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * _absolute(p_board_bottom))) + (1.4210854715202004e-14 * _absolute(p_board_top))
+
+
+def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """A bound below the distance from all places at this height and distance from the axis.
+
+    Table 2. 57 operations: 6 additions, 6 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
+    Returns gap, nearing.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = _subtract(z, p_board_top, _r0)
+    _s1 = _subtract(p_board_bottom, z, _r1)
+    _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
+    _s3 = -p_board_half_width
+    _s4 = _where(0.0 < _s3, _s3, 0.0)
+    _s5 = _where(_s4 < _s3, _s3, _s4)
+    _s6 = -(p_board_distance + p_board_thickness)
+    _s7 = _where(0.0 < _s6, _s6, 0.0)
+    _s8 = _where(_s7 < p_board_distance, p_board_distance, _s7)
+    _s9 = _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r4), _r4), _r4)
+    _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
+    _s11 = _select(0.0 < _s10, _s10, 0.0, _r5)
+    _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
+    _s13 = _negative(_divide(_multiply(0.5, _add(_multiply(_multiply(2.0, vx, _r6), x, _r6), _multiply(_multiply(2.0, vy, _r8), y, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s14 = _add(_multiply(_multiply(2.0, _subtract(_select(_s0 < 0.0, 0.0, vz, _r0), _select(_s1 < 0.0, 0.0, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(2.0, _s11, _r5), _select(0.0 < _s10, _s13, 0.0, _r2), _r5), _r5)
+    return _s12 - p_ball_radius, _multiply(0.5, _s14, _r5) / _s12
 
 
 def backboard_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -3976,7 +4559,7 @@ def bridge_tube(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, 
     """What a ball that stays on it rolls on.
 
     Table 2. 65 operations: 8 additions, 5 subtractions, 6 multiplications, 1 division, 8 negations, 1 absolute value, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections.
-    Returns bent_x, bent_y, bent_z, per_reach, ring.
+    Returns bent_x, bent_y, bent_z, per_reach.
     """
     _r0, _r1, *_ = _room
     _s0 = 1.4210854715202004e-14 * p_ball_radius
@@ -3995,7 +4578,7 @@ def bridge_tube(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, 
     _s13 = -_s11
     _s14 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
     _s15 = _result(_logical_or(_logical_or((_s11 < _s12), _logical_and((_s13 < _s12), (0.0 < vz))), _logical_or((_s11 < _s14), _logical_and((_s13 < _s14), (0.0 < _negative(vz, _r1))))), 1.0, 0.0, _r0)
-    return _s5, _s10, _s15, 1.0 / p_ball_radius, 0.0
+    return _s5, _s10, _s15, 1.0 / p_ball_radius
 
 
 def bridge_turning(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4099,6 +4682,31 @@ def bridge_seam5(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius
     Returns gap, nearing, near.
     """
     return z - p_wire_radius, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * _absolute((p_bridge_depth - p_wire_radius)))
+
+
+def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """A bound below the distance from all places at this height and distance from the axis.
+
+    Table 2. 57 operations: 5 additions, 7 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
+    Returns gap, nearing.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = _subtract(z, p_wire_radius, _r0)
+    _s1 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
+    _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
+    _s3 = -p_board_distance
+    _s4 = _where(0.0 < _s3, _s3, 0.0)
+    _s5 = _where(_s4 < p_ring_radius, p_ring_radius, _s4)
+    _s6 = -p_bridge_half_width
+    _s7 = _where(0.0 < _s6, _s6, 0.0)
+    _s8 = _where(_s7 < _s6, _s6, _s7)
+    _s9 = _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r4), _r4), _r4)
+    _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
+    _s11 = _select(0.0 < _s10, _s10, 0.0, _r5)
+    _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
+    _s13 = _negative(_divide(_multiply(0.5, _add(_multiply(_multiply(2.0, vx, _r6), x, _r6), _multiply(_multiply(2.0, vy, _r8), y, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s14 = _add(_multiply(_multiply(2.0, _subtract(_select(_s0 < 0.0, 0.0, vz, _r0), _select(_s1 < 0.0, 0.0, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(2.0, _s11, _r5), _select(0.0 < _s10, _s13, 0.0, _r2), _r5), _r5)
+    return _s12 - p_ball_radius, _multiply(0.5, _s14, _r5) / _s12
 
 
 def bridge_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -4223,9 +4831,9 @@ def end_tube() -> tuple[Any, ...]:
     """What a ball that stays on it rolls on.
 
     Table 2. No operations.
-    Returns bent_x, bent_y, bent_z, per_reach, ring.
+    Returns bent_x, bent_y, bent_z, per_reach.
     """
-    return 0.0, 0.0, 0.0, 0.0, 0.0
+    return 0.0, 0.0, 0.0, 0.0
 
 
 def end_turning() -> tuple[Any, ...]:
@@ -4244,6 +4852,15 @@ def end_parting(p_gravity: Any) -> tuple[Any, ...]:
     Returns lift, surge, snap.
     """
     return -p_gravity, 0.0, 0.0
+
+
+def end_around(p_end_depth: Any, vz: Any, z: Any) -> tuple[Any, ...]:
+    """A bound below the distance from all places at this height and distance from the axis.
+
+    Table 2. 2 operations: 1 subtraction, 1 negation.
+    Returns gap, nearing.
+    """
+    return z - (-p_end_depth), vz
 
 
 def end_reached(g0: Any, through: Any) -> tuple[Any, ...]:
@@ -4532,6 +5149,7 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
 
 def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage reach of the event loop, the path alone."""
+    _circled_0 = columns["circled"]
     _clock_0 = columns["clock"]
     _contacts_0 = columns["contacts"]
     _held_0 = columns["held"]
@@ -4577,7 +5195,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _which_0 = _choose(_possible_0, _which_1, _which_0)
     _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows1, _count2 = _rows(_open_0, shots)
     if _count2:
         _extent_1 = _take(_extent_0, _rows1)
@@ -4724,7 +5342,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _which_0 = _put(_which_0, _rows1, _which_1, shots)
     _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = backboard_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows10, _count11 = _rows(_open_0, shots)
     if _count11:
         _extent_1 = _take(_extent_0, _rows10)
@@ -4875,7 +5493,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _which_0 = _put(_which_0, _rows10, _which_1, shots)
     _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = bridge_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows19, _count20 = _rows(_open_0, shots)
     if _count20:
         _extent_1 = _take(_extent_0, _rows19)
@@ -5037,6 +5655,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _which_0 = _put(_which_0, _rows28, _which_1, shots)
     _rows30, _count31 = _rows(_kept_0, shots)
     if _count31:
+        _circled_1 = _take(_circled_0, _rows30)
         _clock_1 = _take(_clock_0, _rows30)
         _held_1 = _take(_held_0, _rows30)
         _mode_1 = _take(_mode_0, _rows30)
@@ -5065,7 +5684,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _x_1 = _take(_x_0, _rows30)
         _y_1 = _take(_y_0, _rows30)
         _z_1 = _take(_z_0, _rows30)
-        _which_1, _, _began_1, _, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _surge_1, _snap_1, _per_reach_1, _ring_1 = resumed(_clock_1, _mode_1, 0.0, 0.0)
+        _which_1, _, _began_1, _, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _surge_1, _snap_1, _per_reach_1 = resumed(_clock_1, _mode_1, 0.0, 0.0)
         _rows32, _count33 = _rows(_begins_1, _count31)
         if _count33:
             _gap_2 = _take(_gap_1, _rows32)
@@ -5120,7 +5739,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _gap_3, = bridge_off(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
             _gap_2 = _choose(_here_2, _gap_3, _gap_2)
             _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _x_2, _y_2, _z_2, _room_2)
-            _which_2, = beginning_contact()
+            _which_2, _circled_2 = beginning_contact()
+            _circled_1 = _put(_circled_1, _rows32, _circled_2, _count31)
             _nx_1 = _put(_nx_1, _rows32, _nx_2, _count31)
             _ny_1 = _put(_ny_1, _rows32, _ny_2, _count31)
             _nz_1 = _put(_nz_1, _rows32, _nz_2, _count31)
@@ -5134,6 +5754,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_1 = _put(_x_1, _rows32, _x_2, _count31)
             _y_1 = _put(_y_1, _rows32, _y_2, _count31)
             _z_1 = _put(_z_1, _rows32, _z_2, _count31)
+        _circling_1, _rolling_1 = circles(_held_1, 0.0, _rolling_1)
         _rows34, _count35 = _rows(_rolling_1, _count31)
         if _count35:
             _bent_x_2 = _take(_bent_x_1, _rows34)
@@ -5149,7 +5770,6 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _p_gravity_2 = _take(_p_gravity_1, _rows34)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows34)
             _per_reach_2 = _take(_per_reach_1, _rows34)
-            _ring_2 = _take(_ring_1, _rows34)
             _rolling_2 = _take(_rolling_1, _rows34)
             _through_2 = _take(_through_1, _rows34)
             _time_limit_2 = _take(_time_limit_1, _rows34)
@@ -5178,21 +5798,27 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_1 = _copy(_x_1, _count31)
             _y_1 = _copy(_y_1, _count31)
             _z_1 = _copy(_z_1, _count31)
-            for _ in range(64):
+            for _ in range(16):
                 _room_2 = room(_count35)
-                _here_2, = holding(_held_2, 0.0)
+                _here_2, = holding(_held_2, 1.0)
                 _rows36, _count37 = _rows(_here_2, _count35)
                 if _count37:
                     _far = _of(_rows34, _rows36)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows36)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows36)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _vx_3 = _take(_vx_2, _rows36)
+                    _vy_3 = _take(_vy_2, _rows36)
+                    _vz_3 = _take(_vz_2, _rows36)
                     _x_3 = _take(_x_2, _rows36)
                     _y_3 = _take(_y_2, _rows36)
                     _z_3 = _take(_z_2, _rows36)
                     _room_3 = room(_count37)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = ring_tube(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
                     _bent_x_2 = _put(_bent_x_2, _rows36, _bent_x_3, _count35)
                     _bent_y_2 = _put(_bent_y_2, _rows36, _bent_y_3, _count35)
                     _bent_z_2 = _put(_bent_z_2, _rows36, _bent_z_3, _count35)
@@ -5200,17 +5826,16 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _ny_2 = _put(_ny_2, _rows36, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows36, _nz_3, _count35)
                     _per_reach_2 = _put(_per_reach_2, _rows36, _per_reach_3, _count35)
-                    _ring_2 = _put(_ring_2, _rows36, _ring_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
+                _here_2, = holding(_held_2, 2.0)
                 _rows38, _count39 = _rows(_here_2, _count35)
                 if _count39:
                     _far = _of(_rows34, _rows38)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows38)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows38)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _vx_3 = _take(_vx_2, _rows38)
                     _vy_3 = _take(_vy_2, _rows38)
                     _vz_3 = _take(_vz_2, _rows38)
@@ -5218,8 +5843,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_3 = _take(_y_2, _rows38)
                     _z_3 = _take(_z_2, _rows38)
                     _room_3 = room(_count39)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                     _bent_x_2 = _put(_bent_x_2, _rows38, _bent_x_3, _count35)
                     _bent_y_2 = _put(_bent_y_2, _rows38, _bent_y_3, _count35)
                     _bent_z_2 = _put(_bent_z_2, _rows38, _bent_z_3, _count35)
@@ -5227,53 +5852,50 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _ny_2 = _put(_ny_2, _rows38, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows38, _nz_3, _count35)
                     _per_reach_2 = _put(_per_reach_2, _rows38, _per_reach_3, _count35)
-                    _ring_2 = _put(_ring_2, _rows38, _ring_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
-                _rows40, _count41 = _rows(_here_2, _count35)
+                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2)
+                _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
+                _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2 = roll_1(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _room_2)
+                _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2 = roll_2(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _room_2)
+                _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2 = roll_3(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _room_2)
+                _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2 = roll_4(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _room_2)
+                _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2 = roll_5(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _room_2)
+                _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2 = roll_6(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _room_2)
+                _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2 = roll_7(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _room_2)
+                _stride_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
+                _stride_2, _which_2, _rests_2, *_ = leaving_force(_p_ball_radius_2, _inf, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, 0.0, _stride_2, 0.0, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
+                _beside_2, = beside(_held_2, 0.0)
+                _rows40, _count41 = _rows(_beside_2, _count35)
                 if _count41:
                     _far = _of(_rows34, _rows40)
+                    _fastest_3 = _take(_fastest_2, _rows40)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows40)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows40)
                     _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _stride_3 = _take(_stride_2, _rows40)
+                    _strongest_3 = _take(_strongest_2, _rows40)
                     _vx_3 = _take(_vx_2, _rows40)
                     _vy_3 = _take(_vy_2, _rows40)
                     _vz_3 = _take(_vz_2, _rows40)
+                    _which_3 = _take(_which_2, _rows40)
                     _x_3 = _take(_x_2, _rows40)
                     _y_3 = _take(_y_2, _rows40)
                     _z_3 = _take(_z_2, _rows40)
                     _room_3 = room(_count41)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _bent_x_2 = _put(_bent_x_2, _rows40, _bent_x_3, _count35)
-                    _bent_y_2 = _put(_bent_y_2, _rows40, _bent_y_3, _count35)
-                    _bent_z_2 = _put(_bent_z_2, _rows40, _bent_z_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows40, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows40, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows40, _nz_3, _count35)
-                    _per_reach_2 = _put(_per_reach_2, _rows40, _per_reach_3, _count35)
-                    _ring_2 = _put(_ring_2, _rows40, _ring_3, _count35)
-                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _ring_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _room_2)
-                _across_0_2, _round_0_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2, _widened_1_2, _near_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _p_gravity_2, _near_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _ring_2, _sin_0_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
-                _across_1_2, _round_1_2, _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2, _widened_2_2, _near_2_2 = roll_1(_across_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _p_gravity_2, _lift_0_2, _near_0_2, _near_1_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _ring_2, _round_0_2, _sin_0_2, _sin_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _widened_1_2, _room_2)
-                _across_2_2, _round_2_2, _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2, _widened_3_2, _near_3_2 = roll_2(_across_0_2, _across_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _p_gravity_2, _lift_0_2, _lift_1_2, _near_0_2, _near_1_2, _near_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _sin_0_2, _sin_1_2, _sin_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _widened_1_2, _widened_2_2, _room_2)
-                _across_3_2, _round_3_2, _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2, _widened_4_2, _near_4_2 = roll_3(_across_0_2, _across_1_2, _across_2_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _widened_1_2, _widened_2_2, _widened_3_2, _room_2)
-                _across_4_2, _round_4_2, _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2, _widened_5_2, _near_5_2 = roll_4(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _room_2)
-                _across_5_2, _round_5_2, _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2, _widened_6_2, _near_6_2 = roll_5(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _room_2)
-                _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
-                _, _, _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
-                _stride_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
-                _stride_2, _which_2, _rests_2, *_ = leaving_force(_p_ball_radius_2, _inf, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, 0.0, _stride_2, 0.0, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
-                _beside_2, = beside(_held_2, 0.0)
+                    _gap_3, _nearing_3, _dent_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _dent_3, _inf, _fastest_3, _gap_3, 0.0, 0.0, _nearing_3, 0.0, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_2 = _put(_stride_2, _rows40, _stride_3, _count35)
+                    _which_2 = _put(_which_2, _rows40, _which_3, _count35)
+                _beside_2, = beside(_held_2, 1.0)
                 _rows42, _count43 = _rows(_beside_2, _count35)
                 if _count43:
                     _far = _of(_rows34, _rows42)
                     _fastest_3 = _take(_fastest_2, _rows42)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows42)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows42)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
                     _stride_3 = _take(_stride_2, _rows42)
                     _strongest_3 = _take(_strongest_2, _rows42)
                     _vx_3 = _take(_vx_2, _rows42)
@@ -5284,21 +5906,21 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_3 = _take(_y_2, _rows42)
                     _z_3 = _take(_z_2, _rows42)
                     _room_3 = room(_count43)
-                    _gap_3, _nearing_3, _dent_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _dent_3, _inf, _fastest_3, _gap_3, 0.0, 0.0, _nearing_3, 0.0, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_3, _nearing_3, _dent_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _dent_3, _inf, _fastest_3, _gap_3, 1.0, 0.0, _nearing_3, 0.0, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
                     _stride_2 = _put(_stride_2, _rows42, _stride_3, _count35)
                     _which_2 = _put(_which_2, _rows42, _which_3, _count35)
-                _beside_2, = beside(_held_2, 1.0)
+                _beside_2, = beside(_held_2, 2.0)
                 _rows44, _count45 = _rows(_beside_2, _count35)
                 if _count45:
                     _far = _of(_rows34, _rows44)
                     _fastest_3 = _take(_fastest_2, _rows44)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows44)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows44)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _stride_3 = _take(_stride_2, _rows44)
                     _strongest_3 = _take(_strongest_2, _rows44)
                     _vx_3 = _take(_vx_2, _rows44)
@@ -5309,57 +5931,32 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_3 = _take(_y_2, _rows44)
                     _z_3 = _take(_z_2, _rows44)
                     _room_3 = room(_count45)
-                    _gap_3, _nearing_3, _dent_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
-                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _dent_3, _inf, _fastest_3, _gap_3, 1.0, 0.0, _nearing_3, 0.0, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_3, _nearing_3, _dent_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _dent_3, _inf, _fastest_3, _gap_3, 2.0, 0.0, _nearing_3, 0.0, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
                     _stride_2 = _put(_stride_2, _rows44, _stride_3, _count35)
                     _which_2 = _put(_which_2, _rows44, _which_3, _count35)
-                _beside_2, = beside(_held_2, 2.0)
-                _rows46, _count47 = _rows(_beside_2, _count35)
+                _gap_2, _nearing_2, _dent_2 = end_beside(_p_end_depth_2, _vz_2, _z_2)
+                _stride_2, _which_2, *_ = beside_gate(_p_ball_radius_2, _dent_2, _inf, _fastest_2, _gap_2, 3.0, 0.0, _nearing_2, 0.0, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
+                _here_2, = holding(_held_2, 1.0)
+                _rows46, _count47 = _rows(_here_2, _count35)
                 if _count47:
                     _far = _of(_rows34, _rows46)
                     _fastest_3 = _take(_fastest_2, _rows46)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows46)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows46)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _stride_3 = _take(_stride_2, _rows46)
-                    _strongest_3 = _take(_strongest_2, _rows46)
-                    _vx_3 = _take(_vx_2, _rows46)
-                    _vy_3 = _take(_vy_2, _rows46)
-                    _vz_3 = _take(_vz_2, _rows46)
-                    _which_3 = _take(_which_2, _rows46)
-                    _x_3 = _take(_x_2, _rows46)
-                    _y_3 = _take(_y_2, _rows46)
-                    _z_3 = _take(_z_2, _rows46)
-                    _room_3 = room(_count47)
-                    _gap_3, _nearing_3, _dent_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _dent_3, _inf, _fastest_3, _gap_3, 2.0, 0.0, _nearing_3, 0.0, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
-                    _stride_2 = _put(_stride_2, _rows46, _stride_3, _count35)
-                    _which_2 = _put(_which_2, _rows46, _which_3, _count35)
-                _gap_2, _nearing_2, _dent_2 = end_beside(_p_end_depth_2, _vz_2, _z_2)
-                _stride_2, _which_2, *_ = beside_gate(_p_ball_radius_2, _dent_2, _inf, _fastest_2, _gap_2, 3.0, 0.0, _nearing_2, 0.0, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
-                _here_2, = holding(_held_2, 1.0)
-                _rows48, _count49 = _rows(_here_2, _count35)
-                if _count49:
-                    _far = _of(_rows34, _rows48)
-                    _fastest_3 = _take(_fastest_2, _rows48)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows48)
                     _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
                     _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
                     _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
                     _p_board_top_3 = _take(_p_board_top_1, _far)
-                    _stride_3 = _take(_stride_2, _rows48)
-                    _strongest_3 = _take(_strongest_2, _rows48)
-                    _vx_3 = _take(_vx_2, _rows48)
-                    _vy_3 = _take(_vy_2, _rows48)
-                    _vz_3 = _take(_vz_2, _rows48)
-                    _x_3 = _take(_x_2, _rows48)
-                    _y_3 = _take(_y_2, _rows48)
-                    _z_3 = _take(_z_2, _rows48)
-                    _room_3 = room(_count49)
+                    _stride_3 = _take(_stride_2, _rows46)
+                    _strongest_3 = _take(_strongest_2, _rows46)
+                    _vx_3 = _take(_vx_2, _rows46)
+                    _vy_3 = _take(_vy_2, _rows46)
+                    _vz_3 = _take(_vz_2, _rows46)
+                    _x_3 = _take(_x_2, _rows46)
+                    _y_3 = _take(_y_2, _rows46)
+                    _z_3 = _take(_z_2, _rows46)
+                    _room_3 = room(_count47)
                     _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _vx_3, _x_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _vx_3, _x_3)
@@ -5372,28 +5969,28 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _vz_3, _z_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows48, _gap_3, _count35)
-                    _stride_2 = _put(_stride_2, _rows48, _stride_3, _count35)
+                    _gap_2 = _put(_gap_2, _rows46, _gap_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows46, _stride_3, _count35)
                 _here_2, = holding(_held_2, 2.0)
-                _rows50, _count51 = _rows(_here_2, _count35)
-                if _count51:
-                    _far = _of(_rows34, _rows50)
-                    _fastest_3 = _take(_fastest_2, _rows50)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows50)
+                _rows48, _count49 = _rows(_here_2, _count35)
+                if _count49:
+                    _far = _of(_rows34, _rows48)
+                    _fastest_3 = _take(_fastest_2, _rows48)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows48)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
                     _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
                     _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows50)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows48)
                     _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _stride_3 = _take(_stride_2, _rows50)
-                    _strongest_3 = _take(_strongest_2, _rows50)
-                    _vx_3 = _take(_vx_2, _rows50)
-                    _vy_3 = _take(_vy_2, _rows50)
-                    _vz_3 = _take(_vz_2, _rows50)
-                    _x_3 = _take(_x_2, _rows50)
-                    _y_3 = _take(_y_2, _rows50)
-                    _z_3 = _take(_z_2, _rows50)
-                    _room_3 = room(_count51)
+                    _stride_3 = _take(_stride_2, _rows48)
+                    _strongest_3 = _take(_strongest_2, _rows48)
+                    _vx_3 = _take(_vx_2, _rows48)
+                    _vy_3 = _take(_vy_2, _rows48)
+                    _vz_3 = _take(_vz_2, _rows48)
+                    _x_3 = _take(_x_2, _rows48)
+                    _y_3 = _take(_y_2, _rows48)
+                    _z_3 = _take(_z_2, _rows48)
+                    _room_3 = room(_count49)
                     _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _vx_3, _x_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _vx_3, _x_3)
@@ -5406,246 +6003,56 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _vz_3, _p_wire_radius_3, _z_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows50, _gap_3, _count35)
-                    _stride_2 = _put(_stride_2, _rows50, _stride_3, _count35)
+                    _gap_2 = _put(_gap_2, _rows48, _gap_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows48, _stride_3, _count35)
                 _stride_2, _which_2 = beside_time(_clock_2, _stride_2, _time_limit_2, _which_2)
-                _apart_2, = apart(_p_ball_radius_2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, _room_2)
-                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = neighbour(_apart_2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
                 _over_2, = passing_from(_z_2)
                 _x_2, _vx_2, _y_2, _vy_2, _z_2, _vz_2, _turn_rate_2 = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _x_2, _y_2, _z_2, _room_2)
-                _here_2, = holding(_held_2, 0.0)
+                _here_2, = holding(_held_2, 1.0)
+                _rows50, _count51 = _rows(_here_2, _count35)
+                if _count51:
+                    _far = _of(_rows34, _rows50)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows50)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _x_3 = _take(_x_2, _rows50)
+                    _y_3 = _take(_y_2, _rows50)
+                    _z_3 = _take(_z_2, _rows50)
+                    _room_3 = room(_count51)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows50, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows50, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows50, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows50, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
                 _rows52, _count53 = _rows(_here_2, _count35)
                 if _count53:
                     _far = _of(_rows34, _rows52)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows52)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows52)
                     _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _x_3 = _take(_x_2, _rows52)
                     _y_3 = _take(_y_2, _rows52)
                     _z_3 = _take(_z_2, _rows52)
                     _room_3 = room(_count53)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                     _gap_2 = _put(_gap_2, _rows52, _gap_3, _count35)
                     _nx_2 = _put(_nx_2, _rows52, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows52, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows52, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
-                _rows54, _count55 = _rows(_here_2, _count35)
-                if _count55:
-                    _far = _of(_rows34, _rows54)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows54)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
-                    _x_3 = _take(_x_2, _rows54)
-                    _y_3 = _take(_y_2, _rows54)
-                    _z_3 = _take(_z_2, _rows54)
-                    _room_3 = room(_count55)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows54, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows54, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows54, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows54, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
-                _rows56, _count57 = _rows(_here_2, _count35)
-                if _count57:
-                    _far = _of(_rows34, _rows56)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows56)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows56)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _x_3 = _take(_x_2, _rows56)
-                    _y_3 = _take(_y_2, _rows56)
-                    _z_3 = _take(_z_2, _rows56)
-                    _room_3 = room(_count57)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows56, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows56, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows56, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows56, _nz_3, _count35)
                 _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
                 _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
-                _here_2, = holding(_held_2, 0.0)
-                _rows58, _count59 = _rows(_here_2, _count35)
-                if _count59:
-                    _far = _of(_rows34, _rows58)
-                    _far_x_3 = _take(_far_x_2, _rows58)
-                    _far_y_3 = _take(_far_y_2, _rows58)
-                    _far_z_3 = _take(_far_z_2, _rows58)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows58)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows58)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _room_3 = room(_count59)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _nx_2 = _put(_nx_2, _rows58, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows58, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows58, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
-                _rows60, _count61 = _rows(_here_2, _count35)
-                if _count61:
-                    _far = _of(_rows34, _rows60)
-                    _far_x_3 = _take(_far_x_2, _rows60)
-                    _far_y_3 = _take(_far_y_2, _rows60)
-                    _far_z_3 = _take(_far_z_2, _rows60)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows60)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
-                    _room_3 = room(_count61)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _nx_2 = _put(_nx_2, _rows60, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows60, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows60, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
-                _rows62, _count63 = _rows(_here_2, _count35)
-                if _count63:
-                    _far = _of(_rows34, _rows62)
-                    _far_x_3 = _take(_far_x_2, _rows62)
-                    _far_y_3 = _take(_far_y_2, _rows62)
-                    _far_z_3 = _take(_far_z_2, _rows62)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows62)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows62)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _room_3 = room(_count63)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _nx_2 = _put(_nx_2, _rows62, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows62, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows62, _nz_3, _count35)
-                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
-                _here_2, = holding(_held_2, 0.0)
-                _rows64, _count65 = _rows(_here_2, _count35)
-                if _count65:
-                    _far = _of(_rows34, _rows64)
-                    _far_x_3 = _take(_far_x_2, _rows64)
-                    _far_y_3 = _take(_far_y_2, _rows64)
-                    _far_z_3 = _take(_far_z_2, _rows64)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows64)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows64)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _room_3 = room(_count65)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows64, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows64, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows64, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows64, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
-                _rows66, _count67 = _rows(_here_2, _count35)
-                if _count67:
-                    _far = _of(_rows34, _rows66)
-                    _far_x_3 = _take(_far_x_2, _rows66)
-                    _far_y_3 = _take(_far_y_2, _rows66)
-                    _far_z_3 = _take(_far_z_2, _rows66)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows66)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
-                    _room_3 = room(_count67)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows66, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows66, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows66, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows66, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
-                _rows68, _count69 = _rows(_here_2, _count35)
-                if _count69:
-                    _far = _of(_rows34, _rows68)
-                    _far_x_3 = _take(_far_x_2, _rows68)
-                    _far_y_3 = _take(_far_y_2, _rows68)
-                    _far_z_3 = _take(_far_z_2, _rows68)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows68)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows68)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _room_3 = room(_count69)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows68, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows68, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows68, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows68, _nz_3, _count35)
-                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
-                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _ring_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _room_2)
-                _across_0_2, _round_0_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2, _widened_1_2, _near_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _p_gravity_2, _near_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _ring_2, _sin_0_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
-                _across_1_2, _round_1_2, _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2, _widened_2_2, _near_2_2 = roll_1(_across_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _p_gravity_2, _lift_0_2, _near_0_2, _near_1_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _ring_2, _round_0_2, _sin_0_2, _sin_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _widened_1_2, _room_2)
-                _across_2_2, _round_2_2, _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2, _widened_3_2, _near_3_2 = roll_2(_across_0_2, _across_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _p_gravity_2, _lift_0_2, _lift_1_2, _near_0_2, _near_1_2, _near_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _sin_0_2, _sin_1_2, _sin_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _widened_1_2, _widened_2_2, _room_2)
-                _across_3_2, _round_3_2, _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2, _widened_4_2, _near_4_2 = roll_3(_across_0_2, _across_1_2, _across_2_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _widened_1_2, _widened_2_2, _widened_3_2, _room_2)
-                _across_4_2, _round_4_2, _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2, _widened_5_2, _near_5_2 = roll_4(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _room_2)
-                _across_5_2, _round_5_2, _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2, _widened_6_2, _near_6_2 = roll_5(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _room_2)
-                _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
-                _, _, _, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _, _, _, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
-                _far_x_2, _, _far_y_2, _, _far_z_2, *_ = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
-                _here_2, = holding(_held_2, 0.0)
-                _rows70, _count71 = _rows(_here_2, _count35)
-                if _count71:
-                    _far = _of(_rows34, _rows70)
-                    _far_x_3 = _take(_far_x_2, _rows70)
-                    _far_y_3 = _take(_far_y_2, _rows70)
-                    _far_z_3 = _take(_far_z_2, _rows70)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows70)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows70)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _room_3 = room(_count71)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _nx_2 = _put(_nx_2, _rows70, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows70, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows70, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
-                _rows72, _count73 = _rows(_here_2, _count35)
-                if _count73:
-                    _far = _of(_rows34, _rows72)
-                    _far_x_3 = _take(_far_x_2, _rows72)
-                    _far_y_3 = _take(_far_y_2, _rows72)
-                    _far_z_3 = _take(_far_z_2, _rows72)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows72)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
-                    _room_3 = room(_count73)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _nx_2 = _put(_nx_2, _rows72, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows72, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows72, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
-                _rows74, _count75 = _rows(_here_2, _count35)
-                if _count75:
-                    _far = _of(_rows34, _rows74)
-                    _far_x_3 = _take(_far_x_2, _rows74)
-                    _far_y_3 = _take(_far_y_2, _rows74)
-                    _far_z_3 = _take(_far_z_2, _rows74)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows74)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows74)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _room_3 = room(_count75)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _nx_2 = _put(_nx_2, _rows74, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows74, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows74, _nz_3, _count35)
                 _clock_2, _rolling_2 = rolled_on(_clock_2, _rests_2, _stride_2, _which_2)
-                _going76 = _where_true(_rolling_2)
-                if len(_going76) == _count35:
+                _going54 = _where_true(_rolling_2)
+                if len(_going54) == _count35:
                     continue
                 _done = _where_true(_logical_not(_rolling_2))
                 _store(_clock_1, _of(_rows34, _done), _clock_2, _done)
@@ -5663,37 +6070,36 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_x_1, _of(_rows34, _done), _x_2, _done)
                 _store(_y_1, _of(_rows34, _done), _y_2, _done)
                 _store(_z_1, _of(_rows34, _done), _z_2, _done)
-                _rows34, _count35 = _of(_rows34, _going76), len(_going76)
+                _rows34, _count35 = _of(_rows34, _going54), len(_going54)
                 if not _count35:
                     break
-                _bent_x_2 = _take(_bent_x_2, _going76)
-                _bent_y_2 = _take(_bent_y_2, _going76)
-                _bent_z_2 = _take(_bent_z_2, _going76)
-                _clock_2 = _take(_clock_2, _going76)
-                _held_2 = _take(_held_2, _going76)
-                _nx_2 = _take(_nx_2, _going76)
-                _ny_2 = _take(_ny_2, _going76)
-                _nz_2 = _take(_nz_2, _going76)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going76)
-                _p_end_depth_2 = _take(_p_end_depth_2, _going76)
-                _p_gravity_2 = _take(_p_gravity_2, _going76)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going76)
-                _per_reach_2 = _take(_per_reach_2, _going76)
-                _rests_2 = _take(_rests_2, _going76)
-                _ring_2 = _take(_ring_2, _going76)
-                _rolling_2 = _take(_rolling_2, _going76)
-                _through_2 = _take(_through_2, _going76)
-                _time_limit_2 = _take(_time_limit_2, _going76)
-                _vx_2 = _take(_vx_2, _going76)
-                _vy_2 = _take(_vy_2, _going76)
-                _vz_2 = _take(_vz_2, _going76)
-                _which_2 = _take(_which_2, _going76)
-                _wx_2 = _take(_wx_2, _going76)
-                _wy_2 = _take(_wy_2, _going76)
-                _wz_2 = _take(_wz_2, _going76)
-                _x_2 = _take(_x_2, _going76)
-                _y_2 = _take(_y_2, _going76)
-                _z_2 = _take(_z_2, _going76)
+                _bent_x_2 = _take(_bent_x_2, _going54)
+                _bent_y_2 = _take(_bent_y_2, _going54)
+                _bent_z_2 = _take(_bent_z_2, _going54)
+                _clock_2 = _take(_clock_2, _going54)
+                _held_2 = _take(_held_2, _going54)
+                _nx_2 = _take(_nx_2, _going54)
+                _ny_2 = _take(_ny_2, _going54)
+                _nz_2 = _take(_nz_2, _going54)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going54)
+                _p_end_depth_2 = _take(_p_end_depth_2, _going54)
+                _p_gravity_2 = _take(_p_gravity_2, _going54)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going54)
+                _per_reach_2 = _take(_per_reach_2, _going54)
+                _rests_2 = _take(_rests_2, _going54)
+                _rolling_2 = _take(_rolling_2, _going54)
+                _through_2 = _take(_through_2, _going54)
+                _time_limit_2 = _take(_time_limit_2, _going54)
+                _vx_2 = _take(_vx_2, _going54)
+                _vy_2 = _take(_vy_2, _going54)
+                _vz_2 = _take(_vz_2, _going54)
+                _which_2 = _take(_which_2, _going54)
+                _wx_2 = _take(_wx_2, _going54)
+                _wy_2 = _take(_wy_2, _going54)
+                _wz_2 = _take(_wz_2, _going54)
+                _x_2 = _take(_x_2, _going54)
+                _y_2 = _take(_y_2, _going54)
+                _z_2 = _take(_z_2, _going54)
             else:
                 _store(_clock_1, _rows34, _clock_2, None)
                 _store(_per_reach_1, _rows34, _per_reach_2, None)
@@ -5710,165 +6116,326 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_x_1, _rows34, _x_2, None)
                 _store(_y_1, _rows34, _y_2, None)
                 _store(_z_1, _rows34, _z_2, None)
-        _rows77, _count78 = _rows(_leaves_1, _count31)
-        if _count78:
-            _held_2 = _take(_held_1, _rows77)
-            _lift_2 = _take(_lift_1, _rows77)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows77)
-            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows77)
-            _p_board_distance_2 = _take(_p_board_distance_1, _rows77)
-            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows77)
-            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows77)
-            _p_board_top_2 = _take(_p_board_top_1, _rows77)
-            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows77)
-            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows77)
-            _p_end_depth_2 = _take(_p_end_depth_1, _rows77)
-            _p_gravity_2 = _take(_p_gravity_1, _rows77)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows77)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows77)
-            _per_reach_2 = _take(_per_reach_1, _rows77)
-            _snap_2 = _take(_snap_1, _rows77)
-            _surge_2 = _take(_surge_1, _rows77)
-            _vx_2 = _take(_vx_1, _rows77)
-            _vy_2 = _take(_vy_1, _rows77)
-            _vz_2 = _take(_vz_1, _rows77)
-            _x_2 = _take(_x_1, _rows77)
-            _y_2 = _take(_y_1, _rows77)
-            _z_2 = _take(_z_1, _rows77)
-            _room_2 = room(_count78)
+        _rows55, _count56 = _rows(_circling_1, _count31)
+        if _count56:
+            _circled_2 = _take(_circled_1, _rows55)
+            _circling_2 = _take(_circling_1, _rows55)
+            _clock_2 = _take(_clock_1, _rows55)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows55)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows55)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows55)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows55)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows55)
+            _p_board_top_2 = _take(_p_board_top_1, _rows55)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows55)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows55)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows55)
+            _p_gravity_2 = _take(_p_gravity_1, _rows55)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows55)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows55)
+            _through_2 = _take(_through_1, _rows55)
+            _time_limit_2 = _take(_time_limit_1, _rows55)
+            _vx_2 = _take(_vx_1, _rows55)
+            _vy_2 = _take(_vy_1, _rows55)
+            _vz_2 = _take(_vz_1, _rows55)
+            _which_2 = _take(_which_1, _rows55)
+            _wx_2 = _take(_wx_1, _rows55)
+            _wy_2 = _take(_wy_1, _rows55)
+            _wz_2 = _take(_wz_1, _rows55)
+            _x_2 = _take(_x_1, _rows55)
+            _y_2 = _take(_y_1, _rows55)
+            _z_2 = _take(_z_1, _rows55)
+            _circled_1 = _copy(_circled_1, _count31)
+            _circling_1 = _copy(_circling_1, _count31)
+            _clock_1 = _copy(_clock_1, _count31)
+            _per_reach_1 = _copy(_per_reach_1, _count31)
+            _rests_1 = _copy(_rests_1, _count31)
+            _through_1 = _copy(_through_1, _count31)
+            _vx_1 = _copy(_vx_1, _count31)
+            _vy_1 = _copy(_vy_1, _count31)
+            _vz_1 = _copy(_vz_1, _count31)
+            _which_1 = _copy(_which_1, _count31)
+            _wx_1 = _copy(_wx_1, _count31)
+            _wy_1 = _copy(_wy_1, _count31)
+            _wz_1 = _copy(_wz_1, _count31)
+            _x_1 = _copy(_x_1, _count31)
+            _y_1 = _copy(_y_1, _count31)
+            _z_1 = _copy(_z_1, _count31)
+            for _ in range(16):
+                _room_2 = room(_count56)
+                _, _, _, _per_reach_2 = ring_tube(_p_ball_radius_2, _p_wire_radius_2)
+                _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _omega_0_2, _around_0_2, _tilted_0_2, _pressed_0_2, _force_0_2, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2 = ring_round_0(_along_0_2, _p_ball_radius_2, _climb_0_2, _cos_0_2, _cosine_0_2, _p_gravity_2, _near_0_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _turn_rate_0_2, _p_wire_radius_2, _room_2)
+                _near_1_2, _omega_1_2, _around_1_2, _tilted_1_2, _pressed_1_2, _force_1_2, _cosine_2_2, _sine_2_2, _climb_2_2, _along_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2 = ring_round_1(_along_0_2, _along_1_2, _around_0_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _cos_0_2, _cos_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _near_0_2, _omega_0_2, _pressed_0_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sine_0_2, _sine_1_2, _tilted_0_2, _turn_rate_0_2, _turn_rate_1_2, _p_wire_radius_2, _room_2)
+                _near_2_2, _omega_2_2, _around_2_2, _tilted_2_2, _pressed_2_2, _force_2_2, _cosine_3_2, _sine_3_2, _climb_3_2, _along_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2 = ring_round_2(_along_0_2, _along_1_2, _along_2_2, _around_0_2, _around_1_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _cos_0_2, _cos_1_2, _cos_2_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _p_gravity_2, _near_0_2, _near_1_2, _omega_0_2, _omega_1_2, _pressed_0_2, _pressed_1_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sine_0_2, _sine_1_2, _sine_2_2, _tilted_0_2, _tilted_1_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _p_wire_radius_2, _room_2)
+                _near_3_2, _omega_3_2, _around_3_2, _tilted_3_2, _pressed_3_2, _force_3_2, _cosine_4_2, _sine_4_2, _climb_4_2, _along_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2 = ring_round_3(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _around_0_2, _around_1_2, _around_2_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _omega_0_2, _omega_1_2, _omega_2_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _p_wire_radius_2, _room_2)
+                _near_4_2, _omega_4_2, _around_4_2, _tilted_4_2, _pressed_4_2, _force_4_2, _cosine_5_2, _sine_5_2, _climb_5_2, _along_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2 = ring_round_4(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _p_wire_radius_2, _room_2)
+                _near_5_2, _omega_5_2, _around_5_2, _tilted_5_2, _pressed_5_2, _force_5_2, _cosine_6_2, _sine_6_2, _climb_6_2, _along_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2 = ring_round_5(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _p_wire_radius_2, _room_2)
+                _near_6_2, _omega_6_2, _around_6_2, _tilted_6_2, _pressed_6_2, _force_6_2, _cosine_7_2, _sine_7_2, _climb_7_2, _along_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2 = ring_round_6(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _p_wire_radius_2, _room_2)
+                _near_7_2, _omega_7_2, _around_7_2, _tilted_7_2, _pressed_7_2, _force_7_2, _cosine_8_2, _sine_8_2, _climb_8_2, _along_8_2, _turn_rate_8_2, _cos_8_2, _sin_8_2 = ring_round_7(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _p_wire_radius_2, _room_2)
+                _near_8_2, _omega_8_2, _around_8_2, _tilted_8_2, _pressed_8_2, _force_8_2, _cosine_9_2, _sine_9_2, _climb_9_2, _along_9_2, _turn_rate_9_2, _cos_9_2, _sin_9_2 = ring_round_8(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _p_wire_radius_2, _room_2)
+                _near_9_2, _omega_9_2, _around_9_2, _tilted_9_2, _pressed_9_2, _force_9_2, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _cos_10_2, _sin_10_2 = ring_round_9(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _near_10_2, _omega_10_2, _around_10_2, _tilted_10_2, _pressed_10_2, _force_10_2, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _cos_11_2, _sin_11_2 = ring_round_10(_along_0_2, _along_1_2, _along_10_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _, _, _, _, _, _force_11_2, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, _cos_12_2, _sin_12_2 = ring_round_11(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_10_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_10_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _stride_2, _strongest_2, _fastest_2, _sway_2, _force_2, _force_rate_2, _force_bend_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_12_2, _cosine_0_2, _cosine_12_2, _force_0_2, _force_1_2, _force_10_2, _force_11_2, _force_2_2, _force_3_2, _force_4_2, _force_5_2, _force_6_2, _force_7_2, _force_8_2, _force_9_2, _p_gravity_2, _omega_0_2, _p_ring_radius_2, _sin_0_2, _sin_12_2, _sine_0_2, _sine_12_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _stride_2, _which_2, _rests_2, *_ = leaving_force(_p_ball_radius_2, _inf, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, 0.0, _stride_2, 0.0, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
+                _gap_2, _nearing_2, _dent_2 = backboard_beside(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
+                _stride_2, _which_2, *_ = beside_body(_p_ball_radius_2, _dent_2, _inf, _fastest_2, _gap_2, 1.0, 0.0, _nearing_2, 0.0, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
+                _gap_2, _nearing_2, _dent_2 = bridge_beside(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+                _stride_2, _which_2, *_ = beside_body(_p_ball_radius_2, _dent_2, _inf, _fastest_2, _gap_2, 2.0, 0.0, _nearing_2, 0.0, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
+                _gap_2, _nearing_2, _dent_2 = end_beside(_p_end_depth_2, _vz_2, _z_2)
+                _stride_2, _which_2, *_ = beside_gate(_p_ball_radius_2, _dent_2, _inf, _fastest_2, _gap_2, 3.0, 0.0, _nearing_2, 0.0, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
+                _stride_2, _which_2 = beside_time(_clock_2, _stride_2, _time_limit_2, _which_2)
+                _over_2, = passing_from(_z_2)
+                _berth_2, *_ = alone()
+                _forth_2, _back_2 = leaps(_stride_2)
+                _gap_2, _nearing_2 = backboard_around(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _forth_2, _nearing_2)
+                _gap_2, _nearing_2 = bridge_around(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _forth_2, _nearing_2)
+                _gap_2, _nearing_2 = end_around(_p_end_depth_2, _vz_2, _z_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _forth_2, _nearing_2)
+                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _climb_2 = ring_round_moved(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_12_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_12_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_12_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
+                _gap_2, _nearing_2 = backboard_around(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _back_2, _nearing_2)
+                _gap_2, _nearing_2 = bridge_around(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _back_2, _nearing_2)
+                _gap_2, _nearing_2 = end_around(_p_end_depth_2, _vz_2, _z_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _back_2, _nearing_2)
+                _circled_2, _endless_2, *_ = ring_swung(_p_ball_radius_2, _berth_2, _circled_2, _climb_2, _climb_0_2, _inf, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, 0.0, _stride_2, _sway_2, 0.0, _which_2, _p_wire_radius_2, _room_2)
+                _which_2, = for_ever(_endless_2, _which_2)
+                _clock_2, _circling_2 = rolled_on(_clock_2, _rests_2, _stride_2, _which_2)
+                _going57 = _where_true(_circling_2)
+                if len(_going57) == _count56:
+                    continue
+                _done = _where_true(_logical_not(_circling_2))
+                _store(_circled_1, _of(_rows55, _done), _circled_2, _done)
+                _store(_circling_1, _of(_rows55, _done), _circling_2, _done)
+                _store(_clock_1, _of(_rows55, _done), _clock_2, _done)
+                _store(_per_reach_1, _of(_rows55, _done), _per_reach_2, _done)
+                _store(_rests_1, _of(_rows55, _done), _rests_2, _done)
+                _store(_through_1, _of(_rows55, _done), _through_2, _done)
+                _store(_vx_1, _of(_rows55, _done), _vx_2, _done)
+                _store(_vy_1, _of(_rows55, _done), _vy_2, _done)
+                _store(_vz_1, _of(_rows55, _done), _vz_2, _done)
+                _store(_which_1, _of(_rows55, _done), _which_2, _done)
+                _store(_wx_1, _of(_rows55, _done), _wx_2, _done)
+                _store(_wy_1, _of(_rows55, _done), _wy_2, _done)
+                _store(_wz_1, _of(_rows55, _done), _wz_2, _done)
+                _store(_x_1, _of(_rows55, _done), _x_2, _done)
+                _store(_y_1, _of(_rows55, _done), _y_2, _done)
+                _store(_z_1, _of(_rows55, _done), _z_2, _done)
+                _rows55, _count56 = _of(_rows55, _going57), len(_going57)
+                if not _count56:
+                    break
+                _circled_2 = _take(_circled_2, _going57)
+                _circling_2 = _take(_circling_2, _going57)
+                _clock_2 = _take(_clock_2, _going57)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going57)
+                _p_board_bottom_2 = _take(_p_board_bottom_2, _going57)
+                _p_board_distance_2 = _take(_p_board_distance_2, _going57)
+                _p_board_half_width_2 = _take(_p_board_half_width_2, _going57)
+                _p_board_thickness_2 = _take(_p_board_thickness_2, _going57)
+                _p_board_top_2 = _take(_p_board_top_2, _going57)
+                _p_bridge_depth_2 = _take(_p_bridge_depth_2, _going57)
+                _p_bridge_half_width_2 = _take(_p_bridge_half_width_2, _going57)
+                _p_end_depth_2 = _take(_p_end_depth_2, _going57)
+                _p_gravity_2 = _take(_p_gravity_2, _going57)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going57)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going57)
+                _per_reach_2 = _take(_per_reach_2, _going57)
+                _rests_2 = _take(_rests_2, _going57)
+                _through_2 = _take(_through_2, _going57)
+                _time_limit_2 = _take(_time_limit_2, _going57)
+                _vx_2 = _take(_vx_2, _going57)
+                _vy_2 = _take(_vy_2, _going57)
+                _vz_2 = _take(_vz_2, _going57)
+                _which_2 = _take(_which_2, _going57)
+                _wx_2 = _take(_wx_2, _going57)
+                _wy_2 = _take(_wy_2, _going57)
+                _wz_2 = _take(_wz_2, _going57)
+                _x_2 = _take(_x_2, _going57)
+                _y_2 = _take(_y_2, _going57)
+                _z_2 = _take(_z_2, _going57)
+            else:
+                _store(_circled_1, _rows55, _circled_2, None)
+                _store(_circling_1, _rows55, _circling_2, None)
+                _store(_clock_1, _rows55, _clock_2, None)
+                _store(_per_reach_1, _rows55, _per_reach_2, None)
+                _store(_rests_1, _rows55, _rests_2, None)
+                _store(_through_1, _rows55, _through_2, None)
+                _store(_vx_1, _rows55, _vx_2, None)
+                _store(_vy_1, _rows55, _vy_2, None)
+                _store(_vz_1, _rows55, _vz_2, None)
+                _store(_which_1, _rows55, _which_2, None)
+                _store(_wx_1, _rows55, _wx_2, None)
+                _store(_wy_1, _rows55, _wy_2, None)
+                _store(_wz_1, _rows55, _wz_2, None)
+                _store(_x_1, _rows55, _x_2, None)
+                _store(_y_1, _rows55, _y_2, None)
+                _store(_z_1, _rows55, _z_2, None)
+        _rolling_1, = rejoined(_circling_1, _rolling_1)
+        _rows58, _count59 = _rows(_leaves_1, _count31)
+        if _count59:
+            _held_2 = _take(_held_1, _rows58)
+            _lift_2 = _take(_lift_1, _rows58)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows58)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows58)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows58)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows58)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows58)
+            _p_board_top_2 = _take(_p_board_top_1, _rows58)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows58)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows58)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows58)
+            _p_gravity_2 = _take(_p_gravity_1, _rows58)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows58)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows58)
+            _per_reach_2 = _take(_per_reach_1, _rows58)
+            _snap_2 = _take(_snap_1, _rows58)
+            _surge_2 = _take(_surge_1, _rows58)
+            _vx_2 = _take(_vx_1, _rows58)
+            _vy_2 = _take(_vy_1, _rows58)
+            _vz_2 = _take(_vz_1, _rows58)
+            _x_2 = _take(_x_1, _rows58)
+            _y_2 = _take(_y_1, _rows58)
+            _z_2 = _take(_z_1, _rows58)
+            _room_2 = room(_count59)
             _here_2, = holding(_held_2, 0.0)
-            _rows79, _count80 = _rows(_here_2, _count78)
-            if _count80:
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows79)
-                _p_gravity_3 = _take(_p_gravity_2, _rows79)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows79)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows79)
-                _vx_3 = _take(_vx_2, _rows79)
-                _vy_3 = _take(_vy_2, _rows79)
-                _vz_3 = _take(_vz_2, _rows79)
-                _x_3 = _take(_x_2, _rows79)
-                _y_3 = _take(_y_2, _rows79)
-                _z_3 = _take(_z_2, _rows79)
-                _room_3 = room(_count80)
-                _, _, _, _per_reach_3, *_ = ring_tube(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3)
+            _rows60, _count61 = _rows(_here_2, _count59)
+            if _count61:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows60)
+                _p_gravity_3 = _take(_p_gravity_2, _rows60)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows60)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows60)
+                _vx_3 = _take(_vx_2, _rows60)
+                _vy_3 = _take(_vy_2, _rows60)
+                _vz_3 = _take(_vz_2, _rows60)
+                _x_3 = _take(_x_2, _rows60)
+                _y_3 = _take(_y_2, _rows60)
+                _z_3 = _take(_z_2, _rows60)
+                _room_3 = room(_count61)
+                _, _, _, _per_reach_3 = ring_tube(_p_ball_radius_3, _p_wire_radius_3)
                 _lift_3, _surge_3, _snap_3 = ring_parting(_p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_2 = _put(_lift_2, _rows79, _lift_3, _count78)
-                _per_reach_2 = _put(_per_reach_2, _rows79, _per_reach_3, _count78)
-                _snap_2 = _put(_snap_2, _rows79, _snap_3, _count78)
-                _surge_2 = _put(_surge_2, _rows79, _surge_3, _count78)
+                _lift_2 = _put(_lift_2, _rows60, _lift_3, _count59)
+                _per_reach_2 = _put(_per_reach_2, _rows60, _per_reach_3, _count59)
+                _snap_2 = _put(_snap_2, _rows60, _snap_3, _count59)
+                _surge_2 = _put(_surge_2, _rows60, _surge_3, _count59)
             _here_2, = holding(_held_2, 1.0)
-            _rows81, _count82 = _rows(_here_2, _count78)
-            if _count82:
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows81)
-                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows81)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows81)
-                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows81)
-                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows81)
-                _p_board_top_3 = _take(_p_board_top_2, _rows81)
-                _p_gravity_3 = _take(_p_gravity_2, _rows81)
-                _vx_3 = _take(_vx_2, _rows81)
-                _vy_3 = _take(_vy_2, _rows81)
-                _vz_3 = _take(_vz_2, _rows81)
-                _x_3 = _take(_x_2, _rows81)
-                _y_3 = _take(_y_2, _rows81)
-                _z_3 = _take(_z_2, _rows81)
-                _room_3 = room(_count82)
-                _, _, _, _per_reach_3, *_ = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+            _rows62, _count63 = _rows(_here_2, _count59)
+            if _count63:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows62)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows62)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows62)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows62)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows62)
+                _p_board_top_3 = _take(_p_board_top_2, _rows62)
+                _p_gravity_3 = _take(_p_gravity_2, _rows62)
+                _vx_3 = _take(_vx_2, _rows62)
+                _vy_3 = _take(_vy_2, _rows62)
+                _vz_3 = _take(_vz_2, _rows62)
+                _x_3 = _take(_x_2, _rows62)
+                _y_3 = _take(_y_2, _rows62)
+                _z_3 = _take(_z_2, _rows62)
+                _room_3 = room(_count63)
+                _, _, _, _per_reach_3 = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
                 _lift_3, _surge_3, _snap_3 = backboard_parting(_p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_2 = _put(_lift_2, _rows81, _lift_3, _count78)
-                _per_reach_2 = _put(_per_reach_2, _rows81, _per_reach_3, _count78)
-                _snap_2 = _put(_snap_2, _rows81, _snap_3, _count78)
-                _surge_2 = _put(_surge_2, _rows81, _surge_3, _count78)
+                _lift_2 = _put(_lift_2, _rows62, _lift_3, _count59)
+                _per_reach_2 = _put(_per_reach_2, _rows62, _per_reach_3, _count59)
+                _snap_2 = _put(_snap_2, _rows62, _snap_3, _count59)
+                _surge_2 = _put(_surge_2, _rows62, _surge_3, _count59)
             _here_2, = holding(_held_2, 2.0)
-            _rows83, _count84 = _rows(_here_2, _count78)
-            if _count84:
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows83)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows83)
-                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows83)
-                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows83)
-                _p_gravity_3 = _take(_p_gravity_2, _rows83)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows83)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows83)
-                _vx_3 = _take(_vx_2, _rows83)
-                _vy_3 = _take(_vy_2, _rows83)
-                _vz_3 = _take(_vz_2, _rows83)
-                _x_3 = _take(_x_2, _rows83)
-                _y_3 = _take(_y_2, _rows83)
-                _z_3 = _take(_z_2, _rows83)
-                _room_3 = room(_count84)
-                _, _, _, _per_reach_3, *_ = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+            _rows64, _count65 = _rows(_here_2, _count59)
+            if _count65:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows64)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows64)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows64)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows64)
+                _p_gravity_3 = _take(_p_gravity_2, _rows64)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows64)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows64)
+                _vx_3 = _take(_vx_2, _rows64)
+                _vy_3 = _take(_vy_2, _rows64)
+                _vz_3 = _take(_vz_2, _rows64)
+                _x_3 = _take(_x_2, _rows64)
+                _y_3 = _take(_y_2, _rows64)
+                _z_3 = _take(_z_2, _rows64)
+                _room_3 = room(_count65)
+                _, _, _, _per_reach_3 = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                 _lift_3, _surge_3, _snap_3 = bridge_parting(_p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_2 = _put(_lift_2, _rows83, _lift_3, _count78)
-                _per_reach_2 = _put(_per_reach_2, _rows83, _per_reach_3, _count78)
-                _snap_2 = _put(_snap_2, _rows83, _snap_3, _count78)
-                _surge_2 = _put(_surge_2, _rows83, _surge_3, _count78)
+                _lift_2 = _put(_lift_2, _rows64, _lift_3, _count59)
+                _per_reach_2 = _put(_per_reach_2, _rows64, _per_reach_3, _count59)
+                _snap_2 = _put(_snap_2, _rows64, _snap_3, _count59)
+                _surge_2 = _put(_surge_2, _rows64, _surge_3, _count59)
             _nearest_2, *_ = alone()
             _beside_2, = beside(_held_2, 0.0)
-            _rows85, _count86 = _rows(_beside_2, _count78)
-            if _count86:
-                _nearest_3 = _take(_nearest_2, _rows85)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows85)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows85)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows85)
-                _vx_3 = _take(_vx_2, _rows85)
-                _vy_3 = _take(_vy_2, _rows85)
-                _vz_3 = _take(_vz_2, _rows85)
-                _x_3 = _take(_x_2, _rows85)
-                _y_3 = _take(_y_2, _rows85)
-                _z_3 = _take(_z_2, _rows85)
-                _room_3 = room(_count86)
+            _rows66, _count67 = _rows(_beside_2, _count59)
+            if _count67:
+                _nearest_3 = _take(_nearest_2, _rows66)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows66)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows66)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows66)
+                _vx_3 = _take(_vx_2, _rows66)
+                _vy_3 = _take(_vy_2, _rows66)
+                _vz_3 = _take(_vz_2, _rows66)
+                _x_3 = _take(_x_2, _rows66)
+                _y_3 = _take(_y_2, _rows66)
+                _z_3 = _take(_z_2, _rows66)
+                _room_3 = room(_count67)
                 _gap_3, *_ = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                 _nearest_3, = neared(_gap_3, _nearest_3)
-                _nearest_2 = _put(_nearest_2, _rows85, _nearest_3, _count78)
+                _nearest_2 = _put(_nearest_2, _rows66, _nearest_3, _count59)
             _beside_2, = beside(_held_2, 1.0)
-            _rows87, _count88 = _rows(_beside_2, _count78)
-            if _count88:
-                _nearest_3 = _take(_nearest_2, _rows87)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows87)
-                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows87)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows87)
-                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows87)
-                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows87)
-                _p_board_top_3 = _take(_p_board_top_2, _rows87)
-                _vx_3 = _take(_vx_2, _rows87)
-                _vy_3 = _take(_vy_2, _rows87)
-                _vz_3 = _take(_vz_2, _rows87)
-                _x_3 = _take(_x_2, _rows87)
-                _y_3 = _take(_y_2, _rows87)
-                _z_3 = _take(_z_2, _rows87)
-                _room_3 = room(_count88)
+            _rows68, _count69 = _rows(_beside_2, _count59)
+            if _count69:
+                _nearest_3 = _take(_nearest_2, _rows68)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows68)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows68)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows68)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows68)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows68)
+                _p_board_top_3 = _take(_p_board_top_2, _rows68)
+                _vx_3 = _take(_vx_2, _rows68)
+                _vy_3 = _take(_vy_2, _rows68)
+                _vz_3 = _take(_vz_2, _rows68)
+                _x_3 = _take(_x_2, _rows68)
+                _y_3 = _take(_y_2, _rows68)
+                _z_3 = _take(_z_2, _rows68)
+                _room_3 = room(_count69)
                 _gap_3, *_ = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
                 _nearest_3, = neared(_gap_3, _nearest_3)
-                _nearest_2 = _put(_nearest_2, _rows87, _nearest_3, _count78)
+                _nearest_2 = _put(_nearest_2, _rows68, _nearest_3, _count59)
             _beside_2, = beside(_held_2, 2.0)
-            _rows89, _count90 = _rows(_beside_2, _count78)
-            if _count90:
-                _nearest_3 = _take(_nearest_2, _rows89)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows89)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows89)
-                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows89)
-                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows89)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows89)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows89)
-                _vx_3 = _take(_vx_2, _rows89)
-                _vy_3 = _take(_vy_2, _rows89)
-                _vz_3 = _take(_vz_2, _rows89)
-                _x_3 = _take(_x_2, _rows89)
-                _y_3 = _take(_y_2, _rows89)
-                _z_3 = _take(_z_2, _rows89)
-                _room_3 = room(_count90)
+            _rows70, _count71 = _rows(_beside_2, _count59)
+            if _count71:
+                _nearest_3 = _take(_nearest_2, _rows70)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows70)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows70)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows70)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows70)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows70)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows70)
+                _vx_3 = _take(_vx_2, _rows70)
+                _vy_3 = _take(_vy_2, _rows70)
+                _vz_3 = _take(_vz_2, _rows70)
+                _x_3 = _take(_x_2, _rows70)
+                _y_3 = _take(_y_2, _rows70)
+                _z_3 = _take(_z_2, _rows70)
+                _room_3 = room(_count71)
                 _gap_3, *_ = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                 _nearest_3, = neared(_gap_3, _nearest_3)
-                _nearest_2 = _put(_nearest_2, _rows89, _nearest_3, _count78)
+                _nearest_2 = _put(_nearest_2, _rows70, _nearest_3, _count59)
             _beside_2, = beside(_held_2, 3.0)
             _gap_3, *_ = end_beside(_p_end_depth_2, _vz_2, _z_2)
             _nearest_3, = neared(_gap_3, _nearest_2)
             _nearest_2 = _choose(_beside_2, _nearest_3, _nearest_2)
             _when_2, *_ = parted(_inf, _p_gravity_2, _lift_2, _nearest_2, _per_reach_2, 0.0, _snap_2, _surge_2, 0.0, _vx_2, _vy_2, _vz_2, _room_2)
             _which_2, = hopping()
-            _when_1 = _put(_when_1, _rows77, _when_2, _count31)
-            _which_1 = _put(_which_1, _rows77, _which_2, _count31)
+            _when_1 = _put(_when_1, _rows58, _when_2, _count31)
+            _which_1 = _put(_which_1, _rows58, _which_2, _count31)
         _began_0 = _put(_began_0, _rows30, _began_1, shots)
+        _circled_0 = _put(_circled_0, _rows30, _circled_1, shots)
         _clock_0 = _put(_clock_0, _rows30, _clock_1, shots)
         _rests_0 = _put(_rests_0, _rows30, _rests_1, shots)
         _rolling_0 = _put(_rolling_0, _rows30, _rolling_1, shots)
@@ -5886,72 +6453,73 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _z_0 = _put(_z_0, _rows30, _z_1, shots)
     _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
-    _rows91, _count92 = _rows(_moves_0, shots)
-    if _count92:
-        _clock_1 = _take(_clock_0, _rows91)
-        _p_gravity_1 = _take(_p_gravity_0, _rows91)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows91)
-        _through_1 = _take(_through_0, _rows91)
-        _vx_1 = _take(_vx_0, _rows91)
-        _vy_1 = _take(_vy_0, _rows91)
-        _vz_1 = _take(_vz_0, _rows91)
-        _when_1 = _take(_when_0, _rows91)
-        _x_1 = _take(_x_0, _rows91)
-        _y_1 = _take(_y_0, _rows91)
-        _z_1 = _take(_z_0, _rows91)
-        _room_1 = room(_count92)
+    _rows72, _count73 = _rows(_moves_0, shots)
+    if _count73:
+        _clock_1 = _take(_clock_0, _rows72)
+        _p_gravity_1 = _take(_p_gravity_0, _rows72)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows72)
+        _through_1 = _take(_through_0, _rows72)
+        _vx_1 = _take(_vx_0, _rows72)
+        _vy_1 = _take(_vy_0, _rows72)
+        _vz_1 = _take(_vz_0, _rows72)
+        _when_1 = _take(_when_0, _rows72)
+        _x_1 = _take(_x_0, _rows72)
+        _y_1 = _take(_y_0, _rows72)
+        _z_1 = _take(_z_0, _rows72)
+        _room_1 = room(_count73)
         _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _clock_1, = ticked(_clock_1, _when_1)
-        _clock_0 = _put(_clock_0, _rows91, _clock_1, shots)
-        _through_0 = _put(_through_0, _rows91, _through_1, shots)
-        _vx_0 = _put(_vx_0, _rows91, _vx_1, shots)
-        _vy_0 = _put(_vy_0, _rows91, _vy_1, shots)
-        _vz_0 = _put(_vz_0, _rows91, _vz_1, shots)
-        _x_0 = _put(_x_0, _rows91, _x_1, shots)
-        _y_0 = _put(_y_0, _rows91, _y_1, shots)
-        _z_0 = _put(_z_0, _rows91, _z_1, shots)
-    _rows93, _count94 = _rows(_limited_0, shots)
-    if _count94:
-        _body_1 = _take(_body_0, _rows93)
-        _clock_1 = _take(_clock_0, _rows93)
-        _ends_1 = _take(_ends_0, _rows93)
-        _reached_1 = _take(_reached_0, _rows93)
-        _time_limit_1 = _take(_time_limit_0, _rows93)
-        _which_1 = _take(_which_0, _rows93)
+        _clock_0 = _put(_clock_0, _rows72, _clock_1, shots)
+        _through_0 = _put(_through_0, _rows72, _through_1, shots)
+        _vx_0 = _put(_vx_0, _rows72, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows72, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows72, _vz_1, shots)
+        _x_0 = _put(_x_0, _rows72, _x_1, shots)
+        _y_0 = _put(_y_0, _rows72, _y_1, shots)
+        _z_0 = _put(_z_0, _rows72, _z_1, shots)
+    _rows74, _count75 = _rows(_limited_0, shots)
+    if _count75:
+        _body_1 = _take(_body_0, _rows74)
+        _clock_1 = _take(_clock_0, _rows74)
+        _ends_1 = _take(_ends_0, _rows74)
+        _reached_1 = _take(_reached_0, _rows74)
+        _time_limit_1 = _take(_time_limit_0, _rows74)
+        _which_1 = _take(_which_0, _rows74)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows93, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows93, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows93, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows93, _reached_1, shots)
-    _rows95, _count96 = _rows(_kept_0, shots)
-    if _count96:
-        _began_1 = _take(_began_0, _rows95)
-        _body_1 = _take(_body_0, _rows95)
-        _clock_1 = _take(_clock_0, _rows95)
-        _ends_1 = _take(_ends_0, _rows95)
-        _held_1 = _take(_held_0, _rows95)
-        _last_1 = _take(_last_0, _rows95)
-        _reached_1 = _take(_reached_0, _rows95)
-        _rests_1 = _take(_rests_0, _rows95)
-        _rolling_1 = _take(_rolling_0, _rows95)
-        _rolls_1 = _take(_rolls_0, _rows95)
-        _which_1 = _take(_which_0, _rows95)
-        _room_1 = room(_count96)
+        _body_0 = _put(_body_0, _rows74, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows74, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows74, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows74, _reached_1, shots)
+    _rows76, _count77 = _rows(_kept_0, shots)
+    if _count77:
+        _began_1 = _take(_began_0, _rows76)
+        _body_1 = _take(_body_0, _rows76)
+        _clock_1 = _take(_clock_0, _rows76)
+        _ends_1 = _take(_ends_0, _rows76)
+        _held_1 = _take(_held_0, _rows76)
+        _last_1 = _take(_last_0, _rows76)
+        _reached_1 = _take(_reached_0, _rows76)
+        _rests_1 = _take(_rests_0, _rows76)
+        _rolling_1 = _take(_rolling_0, _rows76)
+        _rolls_1 = _take(_rolls_0, _rows76)
+        _which_1 = _take(_which_0, _rows76)
+        _room_1 = room(_count77)
         _body_1, _reached_1, _, _ends_1, _, _last_1, _mode_1, _held_1, _rolls_1 = kept_on(_began_1, _body_1, _clock_1, _inf, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1, _room_1)
-        _body_0 = _put(_body_0, _rows95, _body_1, shots)
-        _ends_0 = _put(_ends_0, _rows95, _ends_1, shots)
-        _held_0 = _put(_held_0, _rows95, _held_1, shots)
-        _last_0 = _put(_last_0, _rows95, _last_1, shots)
-        _mode_0 = _put(_mode_0, _rows95, _mode_1, shots)
-        _reached_0 = _put(_reached_0, _rows95, _reached_1, shots)
-        _rolls_0 = _put(_rolls_0, _rows95, _rolls_1, shots)
+        _body_0 = _put(_body_0, _rows76, _body_1, shots)
+        _ends_0 = _put(_ends_0, _rows76, _ends_1, shots)
+        _held_0 = _put(_held_0, _rows76, _held_1, shots)
+        _last_0 = _put(_last_0, _rows76, _last_1, shots)
+        _mode_0 = _put(_mode_0, _rows76, _mode_1, shots)
+        _reached_0 = _put(_reached_0, _rows76, _reached_1, shots)
+        _rolls_0 = _put(_rolls_0, _rows76, _rolls_1, shots)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1, _through_0)
     _reached_0 = _choose(_here_0, _reached_1, _reached_0)
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
     columns["body"] = _body_0
+    columns["circled"] = _circled_0
     columns["clock"] = _clock_0
     columns["contacts"] = _contacts_0
     columns["ends"] = _ends_0
@@ -6456,6 +7024,7 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
 def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage reach of the event loop, with bounds on errors."""
     _assured_0 = columns["assured"]
+    _circled_0 = columns["circled"]
     _clock_0 = columns["clock"]
     _clock_error_0 = columns["clock_error"]
     _contacts_0 = columns["contacts"]
@@ -6527,7 +7096,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _which_0 = _choose(_possible_0, _which_1, _which_0)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows1, _count2 = _rows(_open_0, shots)
     if _count2:
         _doubt_1 = _take(_doubt_0, _rows1)
@@ -6705,7 +7274,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _which_0 = _put(_which_0, _rows1, _which_1, shots)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = backboard_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows10, _count11 = _rows(_open_0, shots)
     if _count11:
         _doubt_1 = _take(_doubt_0, _rows10)
@@ -6887,7 +7456,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _which_0 = _put(_which_0, _rows10, _which_1, shots)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = bridge_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _room_0)
-    _open_0, = opens(_clear_0)
+    _open_0, = opens_in_flight(_clear_0, _kept_0)
     _rows19, _count20 = _rows(_open_0, shots)
     if _count20:
         _doubt_1 = _take(_doubt_0, _rows19)
@@ -7085,6 +7654,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _which_0 = _put(_which_0, _rows28, _which_1, shots)
     _rows30, _count31 = _rows(_kept_0, shots)
     if _count31:
+        _circled_1 = _take(_circled_0, _rows30)
         _clock_1 = _take(_clock_0, _rows30)
         _clock_error_1 = _take(_clock_error_0, _rows30)
         _dvx_1 = _take(_dvx_0, _rows30)
@@ -7132,7 +7702,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _x_1 = _take(_x_0, _rows30)
         _y_1 = _take(_y_0, _rows30)
         _z_1 = _take(_z_0, _rows30)
-        _which_1, _late_1, _began_1, _doubt_1, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _surge_1, _snap_1, _per_reach_1, _ring_1 = resumed(_clock_1, _mode_1, _position_error_1, _velocity_error_1)
+        _which_1, _late_1, _began_1, _doubt_1, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _surge_1, _snap_1, _per_reach_1 = resumed(_clock_1, _mode_1, _position_error_1, _velocity_error_1)
         _rows32, _count33 = _rows(_begins_1, _count31)
         if _count33:
             _dvx_2 = _take(_dvx_1, _rows32)
@@ -7198,7 +7768,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _x_2, _y_2, _z_2, _room_2)
             _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = begun_errors(_p_ball_radius_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _vx_2, _vy_2, _vz_2, _room_2)
             _taut_2, = untaut()
-            _which_2, = beginning_contact()
+            _which_2, _circled_2 = beginning_contact()
+            _circled_1 = _put(_circled_1, _rows32, _circled_2, _count31)
             _dvx_1 = _put(_dvx_1, _rows32, _dvx_2, _count31)
             _dvy_1 = _put(_dvy_1, _rows32, _dvy_2, _count31)
             _dvz_1 = _put(_dvz_1, _rows32, _dvz_2, _count31)
@@ -7222,6 +7793,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_1 = _put(_x_1, _rows32, _x_2, _count31)
             _y_1 = _put(_y_1, _rows32, _y_2, _count31)
             _z_1 = _put(_z_1, _rows32, _z_2, _count31)
+        _circling_1, _rolling_1 = circles(_held_1, 0.0, _rolling_1)
         _rows34, _count35 = _rows(_rolling_1, _count31)
         if _count35:
             _bent_x_2 = _take(_bent_x_1, _rows34)
@@ -7250,10 +7822,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _p_bridge_friction_2 = _take(_p_bridge_friction_1, _rows34)
             _p_end_depth_2 = _take(_p_end_depth_1, _rows34)
             _p_gravity_2 = _take(_p_gravity_1, _rows34)
-            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows34)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows34)
             _per_reach_2 = _take(_per_reach_1, _rows34)
-            _ring_2 = _take(_ring_1, _rows34)
             _rolling_2 = _take(_rolling_1, _rows34)
             _taut_2 = _take(_taut_1, _rows34)
             _taut_clock_2 = _take(_taut_clock_1, _rows34)
@@ -7302,22 +7872,28 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_1 = _copy(_x_1, _count31)
             _y_1 = _copy(_y_1, _count31)
             _z_1 = _copy(_z_1, _count31)
-            for _ in range(64):
+            for _ in range(16):
                 _room_2 = room(_count35)
                 _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
-                _here_2, = holding(_held_2, 0.0)
+                _here_2, = holding(_held_2, 1.0)
                 _rows36, _count37 = _rows(_here_2, _count35)
                 if _count37:
                     _far = _of(_rows34, _rows36)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows36)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows36)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _vx_3 = _take(_vx_2, _rows36)
+                    _vy_3 = _take(_vy_2, _rows36)
+                    _vz_3 = _take(_vz_2, _rows36)
                     _x_3 = _take(_x_2, _rows36)
                     _y_3 = _take(_y_2, _rows36)
                     _z_3 = _take(_z_2, _rows36)
                     _room_3 = room(_count37)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = ring_tube(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
                     _bent_x_2 = _put(_bent_x_2, _rows36, _bent_x_3, _count35)
                     _bent_y_2 = _put(_bent_y_2, _rows36, _bent_y_3, _count35)
                     _bent_z_2 = _put(_bent_z_2, _rows36, _bent_z_3, _count35)
@@ -7325,17 +7901,16 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _ny_2 = _put(_ny_2, _rows36, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows36, _nz_3, _count35)
                     _per_reach_2 = _put(_per_reach_2, _rows36, _per_reach_3, _count35)
-                    _ring_2 = _put(_ring_2, _rows36, _ring_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
+                _here_2, = holding(_held_2, 2.0)
                 _rows38, _count39 = _rows(_here_2, _count35)
                 if _count39:
                     _far = _of(_rows34, _rows38)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows38)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows38)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _vx_3 = _take(_vx_2, _rows38)
                     _vy_3 = _take(_vy_2, _rows38)
                     _vz_3 = _take(_vz_2, _rows38)
@@ -7343,8 +7918,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_3 = _take(_y_2, _rows38)
                     _z_3 = _take(_z_2, _rows38)
                     _room_3 = room(_count39)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                     _bent_x_2 = _put(_bent_x_2, _rows38, _bent_x_3, _count35)
                     _bent_y_2 = _put(_bent_y_2, _rows38, _bent_y_3, _count35)
                     _bent_z_2 = _put(_bent_z_2, _rows38, _bent_z_3, _count35)
@@ -7352,49 +7927,17 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _ny_2 = _put(_ny_2, _rows38, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows38, _nz_3, _count35)
                     _per_reach_2 = _put(_per_reach_2, _rows38, _per_reach_3, _count35)
-                    _ring_2 = _put(_ring_2, _rows38, _ring_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
-                _rows40, _count41 = _rows(_here_2, _count35)
-                if _count41:
-                    _far = _of(_rows34, _rows40)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows40)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows40)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _vx_3 = _take(_vx_2, _rows40)
-                    _vy_3 = _take(_vy_2, _rows40)
-                    _vz_3 = _take(_vz_2, _rows40)
-                    _x_3 = _take(_x_2, _rows40)
-                    _y_3 = _take(_y_2, _rows40)
-                    _z_3 = _take(_z_2, _rows40)
-                    _room_3 = room(_count41)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _bent_x_2 = _put(_bent_x_2, _rows40, _bent_x_3, _count35)
-                    _bent_y_2 = _put(_bent_y_2, _rows40, _bent_y_3, _count35)
-                    _bent_z_2 = _put(_bent_z_2, _rows40, _bent_z_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows40, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows40, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows40, _nz_3, _count35)
-                    _per_reach_2 = _put(_per_reach_2, _rows40, _per_reach_3, _count35)
-                    _ring_2 = _put(_ring_2, _rows40, _ring_3, _count35)
-                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _ring_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _room_2)
-                _across_0_2, _round_0_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2, _widened_1_2, _near_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _p_gravity_2, _near_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _ring_2, _sin_0_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
-                _across_1_2, _round_1_2, _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2, _widened_2_2, _near_2_2 = roll_1(_across_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _p_gravity_2, _lift_0_2, _near_0_2, _near_1_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _ring_2, _round_0_2, _sin_0_2, _sin_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _widened_1_2, _room_2)
-                _across_2_2, _round_2_2, _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2, _widened_3_2, _near_3_2 = roll_2(_across_0_2, _across_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _p_gravity_2, _lift_0_2, _lift_1_2, _near_0_2, _near_1_2, _near_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _sin_0_2, _sin_1_2, _sin_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _widened_1_2, _widened_2_2, _room_2)
-                _across_3_2, _round_3_2, _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2, _widened_4_2, _near_4_2 = roll_3(_across_0_2, _across_1_2, _across_2_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _widened_1_2, _widened_2_2, _widened_3_2, _room_2)
-                _across_4_2, _round_4_2, _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2, _widened_5_2, _near_5_2 = roll_4(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _room_2)
-                _across_5_2, _round_5_2, _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2, _widened_6_2, _near_6_2 = roll_5(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _room_2)
-                _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
-                _, _, _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
+                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2)
+                _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
+                _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2 = roll_1(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _room_2)
+                _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2 = roll_2(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _room_2)
+                _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2 = roll_3(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _room_2)
+                _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2 = roll_4(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _room_2)
+                _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2 = roll_5(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _room_2)
+                _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2 = roll_6(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _room_2)
+                _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2 = roll_7(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _room_2)
                 _stride_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
                 _drag_2, _drag_rate_2, _strain_2, _strain_rate_2 = pulled(_p_gravity_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _room_2)
-                _here_2, = holding(_held_2, 0.0)
-                _strain_3, _strain_rate_3 = ring_impact_strained(_drag_2, _drag_rate_2, _force_2, _force_rate_2, _p_ring_friction_2)
-                _strain_2 = _choose(_here_2, _strain_3, _strain_2)
-                _strain_rate_2 = _choose(_here_2, _strain_rate_3, _strain_rate_2)
                 _here_2, = holding(_held_2, 1.0)
                 _strain_3, _strain_rate_3 = ring_impact_strained(_drag_2, _drag_rate_2, _force_2, _force_rate_2, _p_backboard_friction_2)
                 _strain_2 = _choose(_here_2, _strain_3, _strain_2)
@@ -7404,20 +7947,47 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _strain_2 = _choose(_here_2, _strain_3, _strain_2)
                 _strain_rate_2 = _choose(_here_2, _strain_rate_3, _strain_rate_2)
                 _loses_2, = losing(_grip_lost_2, _strain_2)
-                _rows42, _count43 = _rows(_loses_2, _count35)
-                if _count43:
-                    _clock_3 = _take(_clock_2, _rows42)
-                    _strain_3 = _take(_strain_2, _rows42)
-                    _strain_rate_3 = _take(_strain_rate_2, _rows42)
-                    _taut_3 = _take(_taut_2, _rows42)
-                    _taut_clock_3 = _take(_taut_clock_2, _rows42)
-                    _taut_rate_3 = _take(_taut_rate_2, _rows42)
-                    _room_3 = room(_count43)
+                _rows40, _count41 = _rows(_loses_2, _count35)
+                if _count41:
+                    _clock_3 = _take(_clock_2, _rows40)
+                    _strain_3 = _take(_strain_2, _rows40)
+                    _strain_rate_3 = _take(_strain_rate_2, _rows40)
+                    _taut_3 = _take(_taut_2, _rows40)
+                    _taut_clock_3 = _take(_taut_clock_2, _rows40)
+                    _taut_rate_3 = _take(_taut_rate_2, _rows40)
+                    _room_3 = room(_count41)
                     _grip_lost_3, = lost_grip(_clock_3, _strain_3, _strain_rate_3, _taut_3, _taut_clock_3, _taut_rate_3, _room_3)
-                    _grip_lost_2 = _put(_grip_lost_2, _rows42, _grip_lost_3, _count35)
+                    _grip_lost_2 = _put(_grip_lost_2, _rows40, _grip_lost_3, _count35)
                 _taut_2, _taut_rate_2, _taut_clock_2 = tightened(_clock_2, _strain_2, _strain_rate_2)
                 _stride_2, _which_2, _rests_2, _doubt_2 = leaving_force(_p_ball_radius_2, _doubt_2, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, _position_error_2, _stride_2, _velocity_error_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
                 _beside_2, = beside(_held_2, 0.0)
+                _rows42, _count43 = _rows(_beside_2, _count35)
+                if _count43:
+                    _far = _of(_rows34, _rows42)
+                    _doubt_3 = _take(_doubt_2, _rows42)
+                    _fastest_3 = _take(_fastest_2, _rows42)
+                    _late_3 = _take(_late_2, _rows42)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows42)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows42)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _position_error_3 = _take(_position_error_2, _rows42)
+                    _stride_3 = _take(_stride_2, _rows42)
+                    _strongest_3 = _take(_strongest_2, _rows42)
+                    _vx_3 = _take(_vx_2, _rows42)
+                    _vy_3 = _take(_vy_2, _rows42)
+                    _vz_3 = _take(_vz_2, _rows42)
+                    _which_3 = _take(_which_2, _rows42)
+                    _x_3 = _take(_x_2, _rows42)
+                    _y_3 = _take(_y_2, _rows42)
+                    _z_3 = _take(_z_2, _rows42)
+                    _room_3 = room(_count43)
+                    _gap_3, _nearing_3, _dent_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 0.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _doubt_2 = _put(_doubt_2, _rows42, _doubt_3, _count35)
+                    _late_2 = _put(_late_2, _rows42, _late_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows42, _stride_3, _count35)
+                    _which_2 = _put(_which_2, _rows42, _which_3, _count35)
+                _beside_2, = beside(_held_2, 1.0)
                 _rows44, _count45 = _rows(_beside_2, _count35)
                 if _count45:
                     _far = _of(_rows34, _rows44)
@@ -7425,8 +7995,11 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _fastest_3 = _take(_fastest_2, _rows44)
                     _late_3 = _take(_late_2, _rows44)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows44)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows44)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
                     _position_error_3 = _take(_position_error_2, _rows44)
                     _stride_3 = _take(_stride_2, _rows44)
                     _strongest_3 = _take(_strongest_2, _rows44)
@@ -7438,13 +8011,13 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_3 = _take(_y_2, _rows44)
                     _z_3 = _take(_z_2, _rows44)
                     _room_3 = room(_count45)
-                    _gap_3, _nearing_3, _dent_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 0.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_3, _nearing_3, _dent_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 1.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
                     _doubt_2 = _put(_doubt_2, _rows44, _doubt_3, _count35)
                     _late_2 = _put(_late_2, _rows44, _late_3, _count35)
                     _stride_2 = _put(_stride_2, _rows44, _stride_3, _count35)
                     _which_2 = _put(_which_2, _rows44, _which_3, _count35)
-                _beside_2, = beside(_held_2, 1.0)
+                _beside_2, = beside(_held_2, 2.0)
                 _rows46, _count47 = _rows(_beside_2, _count35)
                 if _count47:
                     _far = _of(_rows34, _rows46)
@@ -7452,11 +8025,11 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _fastest_3 = _take(_fastest_2, _rows46)
                     _late_3 = _take(_late_2, _rows46)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows46)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows46)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _position_error_3 = _take(_position_error_2, _rows46)
                     _stride_3 = _take(_stride_2, _rows46)
                     _strongest_3 = _take(_strongest_2, _rows46)
@@ -7468,64 +8041,34 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_3 = _take(_y_2, _rows46)
                     _z_3 = _take(_z_2, _rows46)
                     _room_3 = room(_count47)
-                    _gap_3, _nearing_3, _dent_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
-                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 1.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_3, _nearing_3, _dent_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 2.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
                     _doubt_2 = _put(_doubt_2, _rows46, _doubt_3, _count35)
                     _late_2 = _put(_late_2, _rows46, _late_3, _count35)
                     _stride_2 = _put(_stride_2, _rows46, _stride_3, _count35)
                     _which_2 = _put(_which_2, _rows46, _which_3, _count35)
-                _beside_2, = beside(_held_2, 2.0)
-                _rows48, _count49 = _rows(_beside_2, _count35)
-                if _count49:
-                    _far = _of(_rows34, _rows48)
-                    _doubt_3 = _take(_doubt_2, _rows48)
-                    _fastest_3 = _take(_fastest_2, _rows48)
-                    _late_3 = _take(_late_2, _rows48)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows48)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows48)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _position_error_3 = _take(_position_error_2, _rows48)
-                    _stride_3 = _take(_stride_2, _rows48)
-                    _strongest_3 = _take(_strongest_2, _rows48)
-                    _vx_3 = _take(_vx_2, _rows48)
-                    _vy_3 = _take(_vy_2, _rows48)
-                    _vz_3 = _take(_vz_2, _rows48)
-                    _which_3 = _take(_which_2, _rows48)
-                    _x_3 = _take(_x_2, _rows48)
-                    _y_3 = _take(_y_2, _rows48)
-                    _z_3 = _take(_z_2, _rows48)
-                    _room_3 = room(_count49)
-                    _gap_3, _nearing_3, _dent_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 2.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
-                    _doubt_2 = _put(_doubt_2, _rows48, _doubt_3, _count35)
-                    _late_2 = _put(_late_2, _rows48, _late_3, _count35)
-                    _stride_2 = _put(_stride_2, _rows48, _stride_3, _count35)
-                    _which_2 = _put(_which_2, _rows48, _which_3, _count35)
                 _gap_2, _nearing_2, _dent_2 = end_beside(_p_end_depth_2, _vz_2, _z_2)
                 _stride_2, _which_2, _doubt_2, _late_2 = beside_gate(_p_ball_radius_2, _dent_2, _doubt_2, _fastest_2, _gap_2, 3.0, _late_2, _nearing_2, _position_error_2, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
                 _here_2, = holding(_held_2, 1.0)
-                _rows50, _count51 = _rows(_here_2, _count35)
-                if _count51:
-                    _far = _of(_rows34, _rows50)
-                    _fastest_3 = _take(_fastest_2, _rows50)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows50)
+                _rows48, _count49 = _rows(_here_2, _count35)
+                if _count49:
+                    _far = _of(_rows34, _rows48)
+                    _fastest_3 = _take(_fastest_2, _rows48)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows48)
                     _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
                     _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
                     _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
                     _p_board_top_3 = _take(_p_board_top_1, _far)
-                    _stride_3 = _take(_stride_2, _rows50)
-                    _strongest_3 = _take(_strongest_2, _rows50)
-                    _vx_3 = _take(_vx_2, _rows50)
-                    _vy_3 = _take(_vy_2, _rows50)
-                    _vz_3 = _take(_vz_2, _rows50)
-                    _x_3 = _take(_x_2, _rows50)
-                    _y_3 = _take(_y_2, _rows50)
-                    _z_3 = _take(_z_2, _rows50)
-                    _room_3 = room(_count51)
+                    _stride_3 = _take(_stride_2, _rows48)
+                    _strongest_3 = _take(_strongest_2, _rows48)
+                    _vx_3 = _take(_vx_2, _rows48)
+                    _vy_3 = _take(_vy_2, _rows48)
+                    _vz_3 = _take(_vz_2, _rows48)
+                    _x_3 = _take(_x_2, _rows48)
+                    _y_3 = _take(_y_2, _rows48)
+                    _z_3 = _take(_z_2, _rows48)
+                    _room_3 = room(_count49)
                     _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _vx_3, _x_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _vx_3, _x_3)
@@ -7538,28 +8081,28 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _vz_3, _z_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows50, _gap_3, _count35)
-                    _stride_2 = _put(_stride_2, _rows50, _stride_3, _count35)
+                    _gap_2 = _put(_gap_2, _rows48, _gap_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows48, _stride_3, _count35)
                 _here_2, = holding(_held_2, 2.0)
-                _rows52, _count53 = _rows(_here_2, _count35)
-                if _count53:
-                    _far = _of(_rows34, _rows52)
-                    _fastest_3 = _take(_fastest_2, _rows52)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows52)
+                _rows50, _count51 = _rows(_here_2, _count35)
+                if _count51:
+                    _far = _of(_rows34, _rows50)
+                    _fastest_3 = _take(_fastest_2, _rows50)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows50)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
                     _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
                     _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows52)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows50)
                     _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _stride_3 = _take(_stride_2, _rows52)
-                    _strongest_3 = _take(_strongest_2, _rows52)
-                    _vx_3 = _take(_vx_2, _rows52)
-                    _vy_3 = _take(_vy_2, _rows52)
-                    _vz_3 = _take(_vz_2, _rows52)
-                    _x_3 = _take(_x_2, _rows52)
-                    _y_3 = _take(_y_2, _rows52)
-                    _z_3 = _take(_z_2, _rows52)
-                    _room_3 = room(_count53)
+                    _stride_3 = _take(_stride_2, _rows50)
+                    _strongest_3 = _take(_strongest_2, _rows50)
+                    _vx_3 = _take(_vx_2, _rows50)
+                    _vy_3 = _take(_vy_2, _rows50)
+                    _vz_3 = _take(_vz_2, _rows50)
+                    _x_3 = _take(_x_2, _rows50)
+                    _y_3 = _take(_y_2, _rows50)
+                    _z_3 = _take(_z_2, _rows50)
+                    _room_3 = room(_count51)
                     _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _vx_3, _x_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _vx_3, _x_3)
@@ -7572,73 +8115,93 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _vz_3, _p_wire_radius_3, _z_3)
                     _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows52, _gap_3, _count35)
-                    _stride_2 = _put(_stride_2, _rows52, _stride_3, _count35)
+                    _gap_2 = _put(_gap_2, _rows50, _gap_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows50, _stride_3, _count35)
                 _stride_2, _which_2 = beside_time(_clock_2, _stride_2, _time_limit_2, _which_2)
                 _apart_2, = apart(_p_ball_radius_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _room_2)
-                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = neighbour(_apart_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_gap_2 = neighbour(_apart_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
                 _over_2, = passing_from(_z_2)
                 _x_2, _vx_2, _y_2, _vy_2, _z_2, _vz_2, _turn_rate_2 = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _x_2, _y_2, _z_2, _room_2)
-                _here_2, = holding(_held_2, 0.0)
+                _here_2, = holding(_held_2, 1.0)
+                _rows52, _count53 = _rows(_here_2, _count35)
+                if _count53:
+                    _far = _of(_rows34, _rows52)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows52)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _x_3 = _take(_x_2, _rows52)
+                    _y_3 = _take(_y_2, _rows52)
+                    _z_3 = _take(_z_2, _rows52)
+                    _room_3 = room(_count53)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows52, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows52, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows52, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows52, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
                 _rows54, _count55 = _rows(_here_2, _count35)
                 if _count55:
                     _far = _of(_rows34, _rows54)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows54)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows54)
                     _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _x_3 = _take(_x_2, _rows54)
                     _y_3 = _take(_y_2, _rows54)
                     _z_3 = _take(_z_2, _rows54)
                     _room_3 = room(_count55)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                     _gap_2 = _put(_gap_2, _rows54, _gap_3, _count35)
                     _nx_2 = _put(_nx_2, _rows54, _nx_3, _count35)
                     _ny_2 = _put(_ny_2, _rows54, _ny_3, _count35)
                     _nz_2 = _put(_nz_2, _rows54, _nz_3, _count35)
+                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
+                _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
                 _here_2, = holding(_held_2, 1.0)
                 _rows56, _count57 = _rows(_here_2, _count35)
                 if _count57:
                     _far = _of(_rows34, _rows56)
+                    _far_x_3 = _take(_far_x_2, _rows56)
+                    _far_y_3 = _take(_far_y_2, _rows56)
+                    _far_z_3 = _take(_far_z_2, _rows56)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows56)
                     _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
                     _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
                     _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
                     _p_board_top_3 = _take(_p_board_top_1, _far)
-                    _x_3 = _take(_x_2, _rows56)
-                    _y_3 = _take(_y_2, _rows56)
-                    _z_3 = _take(_z_2, _rows56)
                     _room_3 = room(_count57)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows56, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows56, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows56, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows56, _nz_3, _count35)
+                    _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _far_nx_2 = _put(_far_nx_2, _rows56, _far_nx_3, _count35)
+                    _far_ny_2 = _put(_far_ny_2, _rows56, _far_ny_3, _count35)
+                    _far_nz_2 = _put(_far_nz_2, _rows56, _far_nz_3, _count35)
                 _here_2, = holding(_held_2, 2.0)
                 _rows58, _count59 = _rows(_here_2, _count35)
                 if _count59:
                     _far = _of(_rows34, _rows58)
+                    _far_x_3 = _take(_far_x_2, _rows58)
+                    _far_y_3 = _take(_far_y_2, _rows58)
+                    _far_z_3 = _take(_far_z_2, _rows58)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows58)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
                     _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
                     _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows58)
                     _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _x_3 = _take(_x_2, _rows58)
-                    _y_3 = _take(_y_2, _rows58)
-                    _z_3 = _take(_z_2, _rows58)
                     _room_3 = room(_count59)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows58, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows58, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows58, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows58, _nz_3, _count35)
-                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
-                _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
-                _here_2, = holding(_held_2, 0.0)
+                    _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _far_nx_2 = _put(_far_nx_2, _rows58, _far_nx_3, _count35)
+                    _far_ny_2 = _put(_far_ny_2, _rows58, _far_ny_3, _count35)
+                    _far_nz_2 = _put(_far_nz_2, _rows58, _far_nz_3, _count35)
+                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
+                _here_2, = holding(_held_2, 1.0)
                 _rows60, _count61 = _rows(_here_2, _count35)
                 if _count61:
                     _far = _of(_rows34, _rows60)
@@ -7646,14 +8209,19 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows60)
                     _far_z_3 = _take(_far_z_2, _rows60)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows60)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows60)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
                     _room_3 = room(_count61)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _nx_2 = _put(_nx_2, _rows60, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows60, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows60, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
+                    _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _far_gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _far_gap_2 = _put(_far_gap_2, _rows60, _far_gap_3, _count35)
+                    _far_nx_2 = _put(_far_nx_2, _rows60, _far_nx_3, _count35)
+                    _far_ny_2 = _put(_far_ny_2, _rows60, _far_ny_3, _count35)
+                    _far_nz_2 = _put(_far_nz_2, _rows60, _far_nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
                 _rows62, _count63 = _rows(_here_2, _count35)
                 if _count63:
                     _far = _of(_rows34, _rows62)
@@ -7661,17 +8229,30 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows62)
                     _far_z_3 = _take(_far_z_2, _rows62)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows62)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows62)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _room_3 = room(_count63)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _nx_2 = _put(_nx_2, _rows62, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows62, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows62, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
+                    _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _far_gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _far_gap_2 = _put(_far_gap_2, _rows62, _far_gap_3, _count35)
+                    _far_nx_2 = _put(_far_nx_2, _rows62, _far_nx_3, _count35)
+                    _far_ny_2 = _put(_far_ny_2, _rows62, _far_ny_3, _count35)
+                    _far_nz_2 = _put(_far_nz_2, _rows62, _far_nz_3, _count35)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
+                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2 = roll_start(_p_ball_radius_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2)
+                _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
+                _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2 = roll_1(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _room_2)
+                _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2 = roll_2(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _room_2)
+                _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2 = roll_3(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _room_2)
+                _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2 = roll_4(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _room_2)
+                _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2 = roll_5(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _room_2)
+                _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2 = roll_6(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _room_2)
+                _, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _, _, _, _turn_rate_8_2 = roll_7(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _room_2)
+                _far_x_2, _far_vx_2, _far_y_2, _far_vy_2, _far_z_2, _far_vz_2, _turn_rate_2 = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
+                _here_2, = holding(_held_2, 1.0)
                 _rows64, _count65 = _rows(_here_2, _count35)
                 if _count65:
                     _far = _of(_rows34, _rows64)
@@ -7679,18 +8260,19 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows64)
                     _far_z_3 = _take(_far_z_2, _rows64)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows64)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
                     _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows64)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
                     _room_3 = room(_count65)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _nx_2 = _put(_nx_2, _rows64, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows64, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows64, _nz_3, _count35)
-                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
-                _here_2, = holding(_held_2, 0.0)
+                    _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _far_gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _far_gap_2 = _put(_far_gap_2, _rows64, _far_gap_3, _count35)
+                    _far_nx_2 = _put(_far_nx_2, _rows64, _far_nx_3, _count35)
+                    _far_ny_2 = _put(_far_ny_2, _rows64, _far_ny_3, _count35)
+                    _far_nz_2 = _put(_far_nz_2, _rows64, _far_nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
                 _rows66, _count67 = _rows(_here_2, _count35)
                 if _count67:
                     _far = _of(_rows34, _rows66)
@@ -7698,128 +8280,23 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_y_3 = _take(_far_y_2, _rows66)
                     _far_z_3 = _take(_far_z_2, _rows66)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows66)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows66)
                     _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
                     _room_3 = room(_count67)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows66, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows66, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows66, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows66, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
-                _rows68, _count69 = _rows(_here_2, _count35)
-                if _count69:
-                    _far = _of(_rows34, _rows68)
-                    _far_x_3 = _take(_far_x_2, _rows68)
-                    _far_y_3 = _take(_far_y_2, _rows68)
-                    _far_z_3 = _take(_far_z_2, _rows68)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows68)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
-                    _room_3 = room(_count69)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows68, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows68, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows68, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows68, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
-                _rows70, _count71 = _rows(_here_2, _count35)
-                if _count71:
-                    _far = _of(_rows34, _rows70)
-                    _far_x_3 = _take(_far_x_2, _rows70)
-                    _far_y_3 = _take(_far_y_2, _rows70)
-                    _far_z_3 = _take(_far_z_2, _rows70)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows70)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows70)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _room_3 = room(_count71)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows70, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows70, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows70, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows70, _nz_3, _count35)
-                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
-                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _ring_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _room_2)
-                _across_0_2, _round_0_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2, _widened_1_2, _near_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _p_gravity_2, _near_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _ring_2, _sin_0_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
-                _across_1_2, _round_1_2, _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2, _widened_2_2, _near_2_2 = roll_1(_across_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _p_gravity_2, _lift_0_2, _near_0_2, _near_1_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _ring_2, _round_0_2, _sin_0_2, _sin_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _widened_1_2, _room_2)
-                _across_2_2, _round_2_2, _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2, _widened_3_2, _near_3_2 = roll_2(_across_0_2, _across_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _p_gravity_2, _lift_0_2, _lift_1_2, _near_0_2, _near_1_2, _near_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _sin_0_2, _sin_1_2, _sin_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _widened_1_2, _widened_2_2, _room_2)
-                _across_3_2, _round_3_2, _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2, _widened_4_2, _near_4_2 = roll_3(_across_0_2, _across_1_2, _across_2_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _widened_1_2, _widened_2_2, _widened_3_2, _room_2)
-                _across_4_2, _round_4_2, _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2, _widened_5_2, _near_5_2 = roll_4(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _room_2)
-                _across_5_2, _round_5_2, _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2, _widened_6_2, _near_6_2 = roll_5(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _room_2)
-                _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
-                _, _, _, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _, _, _, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
-                _far_x_2, _far_vx_2, _far_y_2, _far_vy_2, _far_z_2, _far_vz_2, _turn_rate_2 = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
-                _here_2, = holding(_held_2, 0.0)
-                _rows72, _count73 = _rows(_here_2, _count35)
-                if _count73:
-                    _far = _of(_rows34, _rows72)
-                    _far_x_3 = _take(_far_x_2, _rows72)
-                    _far_y_3 = _take(_far_y_2, _rows72)
-                    _far_z_3 = _take(_far_z_2, _rows72)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows72)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows72)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _room_3 = room(_count73)
-                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
-                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows72, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows72, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows72, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows72, _nz_3, _count35)
-                _here_2, = holding(_held_2, 1.0)
-                _rows74, _count75 = _rows(_here_2, _count35)
-                if _count75:
-                    _far = _of(_rows34, _rows74)
-                    _far_x_3 = _take(_far_x_2, _rows74)
-                    _far_y_3 = _take(_far_y_2, _rows74)
-                    _far_z_3 = _take(_far_z_2, _rows74)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows74)
-                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
-                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
-                    _p_board_top_3 = _take(_p_board_top_1, _far)
-                    _room_3 = room(_count75)
-                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows74, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows74, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows74, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows74, _nz_3, _count35)
-                _here_2, = holding(_held_2, 2.0)
-                _rows76, _count77 = _rows(_here_2, _count35)
-                if _count77:
-                    _far = _of(_rows34, _rows76)
-                    _far_x_3 = _take(_far_x_2, _rows76)
-                    _far_y_3 = _take(_far_y_2, _rows76)
-                    _far_z_3 = _take(_far_z_2, _rows76)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows76)
-                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
-                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
-                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows76)
-                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
-                    _room_3 = room(_count77)
-                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _gap_2 = _put(_gap_2, _rows76, _gap_3, _count35)
-                    _nx_2 = _put(_nx_2, _rows76, _nx_3, _count35)
-                    _ny_2 = _put(_ny_2, _rows76, _ny_3, _count35)
-                    _nz_2 = _put(_nz_2, _rows76, _nz_3, _count35)
-                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
+                    _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _far_gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _far_gap_2 = _put(_far_gap_2, _rows66, _far_gap_3, _count35)
+                    _far_nx_2 = _put(_far_nx_2, _rows66, _far_nx_3, _count35)
+                    _far_ny_2 = _put(_far_ny_2, _rows66, _far_ny_3, _count35)
+                    _far_nz_2 = _put(_far_nz_2, _rows66, _far_nz_3, _count35)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
                 _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_apart_2, _p_ball_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
                 _clock_2, _rolling_2 = rolled_on(_clock_2, _rests_2, _stride_2, _which_2)
-                _going78 = _where_true(_rolling_2)
-                if len(_going78) == _count35:
+                _going68 = _where_true(_rolling_2)
+                if len(_going68) == _count35:
                     continue
                 _done = _where_true(_logical_not(_rolling_2))
                 _store(_clock_1, _of(_rows34, _done), _clock_2, _done)
@@ -7854,58 +8331,56 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_x_1, _of(_rows34, _done), _x_2, _done)
                 _store(_y_1, _of(_rows34, _done), _y_2, _done)
                 _store(_z_1, _of(_rows34, _done), _z_2, _done)
-                _rows34, _count35 = _of(_rows34, _going78), len(_going78)
+                _rows34, _count35 = _of(_rows34, _going68), len(_going68)
                 if not _count35:
                     break
-                _bent_x_2 = _take(_bent_x_2, _going78)
-                _bent_y_2 = _take(_bent_y_2, _going78)
-                _bent_z_2 = _take(_bent_z_2, _going78)
-                _clock_2 = _take(_clock_2, _going78)
-                _clock_error_2 = _take(_clock_error_2, _going78)
-                _doubt_2 = _take(_doubt_2, _going78)
-                _dvx_2 = _take(_dvx_2, _going78)
-                _dvy_2 = _take(_dvy_2, _going78)
-                _dvz_2 = _take(_dvz_2, _going78)
-                _dwx_2 = _take(_dwx_2, _going78)
-                _dwy_2 = _take(_dwy_2, _going78)
-                _dwz_2 = _take(_dwz_2, _going78)
-                _dx_2 = _take(_dx_2, _going78)
-                _dy_2 = _take(_dy_2, _going78)
-                _dz_2 = _take(_dz_2, _going78)
-                _grip_lost_2 = _take(_grip_lost_2, _going78)
-                _held_2 = _take(_held_2, _going78)
-                _late_2 = _take(_late_2, _going78)
-                _nx_2 = _take(_nx_2, _going78)
-                _ny_2 = _take(_ny_2, _going78)
-                _nz_2 = _take(_nz_2, _going78)
-                _p_backboard_friction_2 = _take(_p_backboard_friction_2, _going78)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going78)
-                _p_bridge_friction_2 = _take(_p_bridge_friction_2, _going78)
-                _p_end_depth_2 = _take(_p_end_depth_2, _going78)
-                _p_gravity_2 = _take(_p_gravity_2, _going78)
-                _p_ring_friction_2 = _take(_p_ring_friction_2, _going78)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going78)
-                _per_reach_2 = _take(_per_reach_2, _going78)
-                _position_error_2 = _take(_position_error_2, _going78)
-                _rests_2 = _take(_rests_2, _going78)
-                _ring_2 = _take(_ring_2, _going78)
-                _rolling_2 = _take(_rolling_2, _going78)
-                _taut_2 = _take(_taut_2, _going78)
-                _taut_clock_2 = _take(_taut_clock_2, _going78)
-                _taut_rate_2 = _take(_taut_rate_2, _going78)
-                _through_2 = _take(_through_2, _going78)
-                _time_limit_2 = _take(_time_limit_2, _going78)
-                _velocity_error_2 = _take(_velocity_error_2, _going78)
-                _vx_2 = _take(_vx_2, _going78)
-                _vy_2 = _take(_vy_2, _going78)
-                _vz_2 = _take(_vz_2, _going78)
-                _which_2 = _take(_which_2, _going78)
-                _wx_2 = _take(_wx_2, _going78)
-                _wy_2 = _take(_wy_2, _going78)
-                _wz_2 = _take(_wz_2, _going78)
-                _x_2 = _take(_x_2, _going78)
-                _y_2 = _take(_y_2, _going78)
-                _z_2 = _take(_z_2, _going78)
+                _bent_x_2 = _take(_bent_x_2, _going68)
+                _bent_y_2 = _take(_bent_y_2, _going68)
+                _bent_z_2 = _take(_bent_z_2, _going68)
+                _clock_2 = _take(_clock_2, _going68)
+                _clock_error_2 = _take(_clock_error_2, _going68)
+                _doubt_2 = _take(_doubt_2, _going68)
+                _dvx_2 = _take(_dvx_2, _going68)
+                _dvy_2 = _take(_dvy_2, _going68)
+                _dvz_2 = _take(_dvz_2, _going68)
+                _dwx_2 = _take(_dwx_2, _going68)
+                _dwy_2 = _take(_dwy_2, _going68)
+                _dwz_2 = _take(_dwz_2, _going68)
+                _dx_2 = _take(_dx_2, _going68)
+                _dy_2 = _take(_dy_2, _going68)
+                _dz_2 = _take(_dz_2, _going68)
+                _grip_lost_2 = _take(_grip_lost_2, _going68)
+                _held_2 = _take(_held_2, _going68)
+                _late_2 = _take(_late_2, _going68)
+                _nx_2 = _take(_nx_2, _going68)
+                _ny_2 = _take(_ny_2, _going68)
+                _nz_2 = _take(_nz_2, _going68)
+                _p_backboard_friction_2 = _take(_p_backboard_friction_2, _going68)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going68)
+                _p_bridge_friction_2 = _take(_p_bridge_friction_2, _going68)
+                _p_end_depth_2 = _take(_p_end_depth_2, _going68)
+                _p_gravity_2 = _take(_p_gravity_2, _going68)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going68)
+                _per_reach_2 = _take(_per_reach_2, _going68)
+                _position_error_2 = _take(_position_error_2, _going68)
+                _rests_2 = _take(_rests_2, _going68)
+                _rolling_2 = _take(_rolling_2, _going68)
+                _taut_2 = _take(_taut_2, _going68)
+                _taut_clock_2 = _take(_taut_clock_2, _going68)
+                _taut_rate_2 = _take(_taut_rate_2, _going68)
+                _through_2 = _take(_through_2, _going68)
+                _time_limit_2 = _take(_time_limit_2, _going68)
+                _velocity_error_2 = _take(_velocity_error_2, _going68)
+                _vx_2 = _take(_vx_2, _going68)
+                _vy_2 = _take(_vy_2, _going68)
+                _vz_2 = _take(_vz_2, _going68)
+                _which_2 = _take(_which_2, _going68)
+                _wx_2 = _take(_wx_2, _going68)
+                _wy_2 = _take(_wy_2, _going68)
+                _wz_2 = _take(_wz_2, _going68)
+                _x_2 = _take(_x_2, _going68)
+                _y_2 = _take(_y_2, _going68)
+                _z_2 = _take(_z_2, _going68)
             else:
                 _store(_clock_1, _rows34, _clock_2, None)
                 _store(_doubt_1, _rows34, _doubt_2, None)
@@ -7939,180 +8414,461 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_x_1, _rows34, _x_2, None)
                 _store(_y_1, _rows34, _y_2, None)
                 _store(_z_1, _rows34, _z_2, None)
-        _rows79, _count80 = _rows(_leaves_1, _count31)
-        if _count80:
-            _clock_error_2 = _take(_clock_error_1, _rows79)
-            _doubt_2 = _take(_doubt_1, _rows79)
-            _dvx_2 = _take(_dvx_1, _rows79)
-            _dvy_2 = _take(_dvy_1, _rows79)
-            _dvz_2 = _take(_dvz_1, _rows79)
-            _dwx_2 = _take(_dwx_1, _rows79)
-            _dwy_2 = _take(_dwy_1, _rows79)
-            _dwz_2 = _take(_dwz_1, _rows79)
-            _dx_2 = _take(_dx_1, _rows79)
-            _dy_2 = _take(_dy_1, _rows79)
-            _dz_2 = _take(_dz_1, _rows79)
-            _held_2 = _take(_held_1, _rows79)
-            _lift_2 = _take(_lift_1, _rows79)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows79)
-            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows79)
-            _p_board_distance_2 = _take(_p_board_distance_1, _rows79)
-            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows79)
-            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows79)
-            _p_board_top_2 = _take(_p_board_top_1, _rows79)
-            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows79)
-            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows79)
-            _p_end_depth_2 = _take(_p_end_depth_1, _rows79)
-            _p_gravity_2 = _take(_p_gravity_1, _rows79)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows79)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows79)
-            _per_reach_2 = _take(_per_reach_1, _rows79)
-            _snap_2 = _take(_snap_1, _rows79)
-            _surge_2 = _take(_surge_1, _rows79)
-            _vx_2 = _take(_vx_1, _rows79)
-            _vy_2 = _take(_vy_1, _rows79)
-            _vz_2 = _take(_vz_1, _rows79)
-            _x_2 = _take(_x_1, _rows79)
-            _y_2 = _take(_y_1, _rows79)
-            _z_2 = _take(_z_1, _rows79)
-            _room_2 = room(_count80)
+        _rows69, _count70 = _rows(_circling_1, _count31)
+        if _count70:
+            _circled_2 = _take(_circled_1, _rows69)
+            _circling_2 = _take(_circling_1, _rows69)
+            _clock_2 = _take(_clock_1, _rows69)
+            _clock_error_2 = _take(_clock_error_1, _rows69)
+            _doubt_2 = _take(_doubt_1, _rows69)
+            _dvx_2 = _take(_dvx_1, _rows69)
+            _dvy_2 = _take(_dvy_1, _rows69)
+            _dvz_2 = _take(_dvz_1, _rows69)
+            _dwx_2 = _take(_dwx_1, _rows69)
+            _dwy_2 = _take(_dwy_1, _rows69)
+            _dwz_2 = _take(_dwz_1, _rows69)
+            _dx_2 = _take(_dx_1, _rows69)
+            _dy_2 = _take(_dy_1, _rows69)
+            _dz_2 = _take(_dz_1, _rows69)
+            _grip_lost_2 = _take(_grip_lost_1, _rows69)
+            _late_2 = _take(_late_1, _rows69)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows69)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows69)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows69)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows69)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows69)
+            _p_board_top_2 = _take(_p_board_top_1, _rows69)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows69)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows69)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows69)
+            _p_gravity_2 = _take(_p_gravity_1, _rows69)
+            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows69)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows69)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows69)
+            _taut_2 = _take(_taut_1, _rows69)
+            _taut_clock_2 = _take(_taut_clock_1, _rows69)
+            _taut_rate_2 = _take(_taut_rate_1, _rows69)
+            _through_2 = _take(_through_1, _rows69)
+            _time_limit_2 = _take(_time_limit_1, _rows69)
+            _vx_2 = _take(_vx_1, _rows69)
+            _vy_2 = _take(_vy_1, _rows69)
+            _vz_2 = _take(_vz_1, _rows69)
+            _which_2 = _take(_which_1, _rows69)
+            _wx_2 = _take(_wx_1, _rows69)
+            _wy_2 = _take(_wy_1, _rows69)
+            _wz_2 = _take(_wz_1, _rows69)
+            _x_2 = _take(_x_1, _rows69)
+            _y_2 = _take(_y_1, _rows69)
+            _z_2 = _take(_z_1, _rows69)
+            _circled_1 = _copy(_circled_1, _count31)
+            _circling_1 = _copy(_circling_1, _count31)
+            _clock_1 = _copy(_clock_1, _count31)
+            _doubt_1 = _copy(_doubt_1, _count31)
+            _dvx_1 = _copy(_dvx_1, _count31)
+            _dvy_1 = _copy(_dvy_1, _count31)
+            _dvz_1 = _copy(_dvz_1, _count31)
+            _dwx_1 = _copy(_dwx_1, _count31)
+            _dwy_1 = _copy(_dwy_1, _count31)
+            _dwz_1 = _copy(_dwz_1, _count31)
+            _dx_1 = _copy(_dx_1, _count31)
+            _dy_1 = _copy(_dy_1, _count31)
+            _dz_1 = _copy(_dz_1, _count31)
+            _grip_lost_1 = _copy(_grip_lost_1, _count31)
+            _late_1 = _copy(_late_1, _count31)
+            _per_reach_1 = _copy(_per_reach_1, _count31)
+            _position_error_1 = _copy(_position_error_1, _count31)
+            _rests_1 = _copy(_rests_1, _count31)
+            _taut_1 = _copy(_taut_1, _count31)
+            _taut_clock_1 = _copy(_taut_clock_1, _count31)
+            _taut_rate_1 = _copy(_taut_rate_1, _count31)
+            _through_1 = _copy(_through_1, _count31)
+            _velocity_error_1 = _copy(_velocity_error_1, _count31)
+            _vx_1 = _copy(_vx_1, _count31)
+            _vy_1 = _copy(_vy_1, _count31)
+            _vz_1 = _copy(_vz_1, _count31)
+            _which_1 = _copy(_which_1, _count31)
+            _wx_1 = _copy(_wx_1, _count31)
+            _wy_1 = _copy(_wy_1, _count31)
+            _wz_1 = _copy(_wz_1, _count31)
+            _x_1 = _copy(_x_1, _count31)
+            _y_1 = _copy(_y_1, _count31)
+            _z_1 = _copy(_z_1, _count31)
+            for _ in range(16):
+                _room_2 = room(_count70)
+                _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
+                _, _, _, _per_reach_2 = ring_tube(_p_ball_radius_2, _p_wire_radius_2)
+                _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _omega_0_2, _around_0_2, _tilted_0_2, _pressed_0_2, _force_0_2, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2 = ring_round_0(_along_0_2, _p_ball_radius_2, _climb_0_2, _cos_0_2, _cosine_0_2, _p_gravity_2, _near_0_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _turn_rate_0_2, _p_wire_radius_2, _room_2)
+                _near_1_2, _omega_1_2, _around_1_2, _tilted_1_2, _pressed_1_2, _force_1_2, _cosine_2_2, _sine_2_2, _climb_2_2, _along_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2 = ring_round_1(_along_0_2, _along_1_2, _around_0_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _cos_0_2, _cos_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _near_0_2, _omega_0_2, _pressed_0_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sine_0_2, _sine_1_2, _tilted_0_2, _turn_rate_0_2, _turn_rate_1_2, _p_wire_radius_2, _room_2)
+                _near_2_2, _omega_2_2, _around_2_2, _tilted_2_2, _pressed_2_2, _force_2_2, _cosine_3_2, _sine_3_2, _climb_3_2, _along_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2 = ring_round_2(_along_0_2, _along_1_2, _along_2_2, _around_0_2, _around_1_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _cos_0_2, _cos_1_2, _cos_2_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _p_gravity_2, _near_0_2, _near_1_2, _omega_0_2, _omega_1_2, _pressed_0_2, _pressed_1_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sine_0_2, _sine_1_2, _sine_2_2, _tilted_0_2, _tilted_1_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _p_wire_radius_2, _room_2)
+                _near_3_2, _omega_3_2, _around_3_2, _tilted_3_2, _pressed_3_2, _force_3_2, _cosine_4_2, _sine_4_2, _climb_4_2, _along_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2 = ring_round_3(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _around_0_2, _around_1_2, _around_2_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _omega_0_2, _omega_1_2, _omega_2_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _p_wire_radius_2, _room_2)
+                _near_4_2, _omega_4_2, _around_4_2, _tilted_4_2, _pressed_4_2, _force_4_2, _cosine_5_2, _sine_5_2, _climb_5_2, _along_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2 = ring_round_4(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _p_wire_radius_2, _room_2)
+                _near_5_2, _omega_5_2, _around_5_2, _tilted_5_2, _pressed_5_2, _force_5_2, _cosine_6_2, _sine_6_2, _climb_6_2, _along_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2 = ring_round_5(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _p_wire_radius_2, _room_2)
+                _near_6_2, _omega_6_2, _around_6_2, _tilted_6_2, _pressed_6_2, _force_6_2, _cosine_7_2, _sine_7_2, _climb_7_2, _along_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2 = ring_round_6(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _p_wire_radius_2, _room_2)
+                _near_7_2, _omega_7_2, _around_7_2, _tilted_7_2, _pressed_7_2, _force_7_2, _cosine_8_2, _sine_8_2, _climb_8_2, _along_8_2, _turn_rate_8_2, _cos_8_2, _sin_8_2 = ring_round_7(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _p_wire_radius_2, _room_2)
+                _near_8_2, _omega_8_2, _around_8_2, _tilted_8_2, _pressed_8_2, _force_8_2, _cosine_9_2, _sine_9_2, _climb_9_2, _along_9_2, _turn_rate_9_2, _cos_9_2, _sin_9_2 = ring_round_8(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _p_wire_radius_2, _room_2)
+                _near_9_2, _omega_9_2, _around_9_2, _tilted_9_2, _pressed_9_2, _force_9_2, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _cos_10_2, _sin_10_2 = ring_round_9(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _near_10_2, _omega_10_2, _around_10_2, _tilted_10_2, _pressed_10_2, _force_10_2, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _cos_11_2, _sin_11_2 = ring_round_10(_along_0_2, _along_1_2, _along_10_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _, _, _, _, _, _force_11_2, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, _cos_12_2, _sin_12_2 = ring_round_11(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_10_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_10_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _stride_2, _strongest_2, _fastest_2, _sway_2, _force_2, _force_rate_2, _force_bend_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_12_2, _cosine_0_2, _cosine_12_2, _force_0_2, _force_1_2, _force_10_2, _force_11_2, _force_2_2, _force_3_2, _force_4_2, _force_5_2, _force_6_2, _force_7_2, _force_8_2, _force_9_2, _p_gravity_2, _omega_0_2, _p_ring_radius_2, _sin_0_2, _sin_12_2, _sine_0_2, _sine_12_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _drag_2, _drag_rate_2, *_ = ring_round_pulled(_climb_0_2, _climb_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _omega_0_2, _omega_1_2, _turn_rate_0_2, _turn_rate_1_2, _room_2)
+                _strain_2, _strain_rate_2 = ring_impact_strained(_drag_2, _drag_rate_2, _force_2, _force_rate_2, _p_ring_friction_2)
+                _loses_2, = losing(_grip_lost_2, _strain_2)
+                _rows71, _count72 = _rows(_loses_2, _count70)
+                if _count72:
+                    _clock_3 = _take(_clock_2, _rows71)
+                    _strain_3 = _take(_strain_2, _rows71)
+                    _strain_rate_3 = _take(_strain_rate_2, _rows71)
+                    _taut_3 = _take(_taut_2, _rows71)
+                    _taut_clock_3 = _take(_taut_clock_2, _rows71)
+                    _taut_rate_3 = _take(_taut_rate_2, _rows71)
+                    _room_3 = room(_count72)
+                    _grip_lost_3, = lost_grip(_clock_3, _strain_3, _strain_rate_3, _taut_3, _taut_clock_3, _taut_rate_3, _room_3)
+                    _grip_lost_2 = _put(_grip_lost_2, _rows71, _grip_lost_3, _count70)
+                _taut_2, _taut_rate_2, _taut_clock_2 = tightened(_clock_2, _strain_2, _strain_rate_2)
+                _stride_2, _which_2, _rests_2, _doubt_2 = leaving_force(_p_ball_radius_2, _doubt_2, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, _position_error_2, _stride_2, _velocity_error_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
+                _gap_2, _nearing_2, _dent_2 = backboard_beside(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
+                _stride_2, _which_2, _doubt_2, _late_2 = beside_body(_p_ball_radius_2, _dent_2, _doubt_2, _fastest_2, _gap_2, 1.0, _late_2, _nearing_2, _position_error_2, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
+                _gap_2, _nearing_2, _dent_2 = bridge_beside(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+                _stride_2, _which_2, _doubt_2, _late_2 = beside_body(_p_ball_radius_2, _dent_2, _doubt_2, _fastest_2, _gap_2, 2.0, _late_2, _nearing_2, _position_error_2, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
+                _gap_2, _nearing_2, _dent_2 = end_beside(_p_end_depth_2, _vz_2, _z_2)
+                _stride_2, _which_2, _doubt_2, _late_2 = beside_gate(_p_ball_radius_2, _dent_2, _doubt_2, _fastest_2, _gap_2, 3.0, _late_2, _nearing_2, _position_error_2, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
+                _stride_2, _which_2 = beside_time(_clock_2, _stride_2, _time_limit_2, _which_2)
+                _apart_2, = apart(_p_ball_radius_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _room_2)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, *_ = neighbour(_apart_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _over_2, = passing_from(_z_2)
+                _berth_2, *_ = alone()
+                _forth_2, _back_2 = leaps(_stride_2)
+                _gap_2, _nearing_2 = backboard_around(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _forth_2, _nearing_2)
+                _gap_2, _nearing_2 = bridge_around(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _forth_2, _nearing_2)
+                _gap_2, _nearing_2 = end_around(_p_end_depth_2, _vz_2, _z_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _forth_2, _nearing_2)
+                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _climb_2 = ring_round_moved(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_12_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_12_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_12_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
+                _gap_2, _nearing_2 = backboard_around(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _back_2, _nearing_2)
+                _gap_2, _nearing_2 = bridge_around(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _back_2, _nearing_2)
+                _gap_2, _nearing_2 = end_around(_p_end_depth_2, _vz_2, _z_2)
+                _berth_2, = cleared(_berth_2, _gap_2, _back_2, _nearing_2)
+                _circled_2, _endless_2, _doubt_2 = ring_swung(_p_ball_radius_2, _berth_2, _circled_2, _climb_2, _climb_0_2, _doubt_2, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _position_error_2, _stride_2, _sway_2, _velocity_error_2, _which_2, _p_wire_radius_2, _room_2)
+                _which_2, = for_ever(_endless_2, _which_2)
+                _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_ring_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _p_wire_radius_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
+                _omega_0_2, _around_0_2, _tilted_0_2, _pressed_0_2, _, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2 = ring_round_0(_along_0_2, _p_ball_radius_2, _climb_0_2, _cos_0_2, _cosine_0_2, _p_gravity_2, _near_0_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _turn_rate_0_2, _p_wire_radius_2, _room_2)
+                _near_1_2, _omega_1_2, _around_1_2, _tilted_1_2, _pressed_1_2, _, _cosine_2_2, _sine_2_2, _climb_2_2, _along_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2 = ring_round_1(_along_0_2, _along_1_2, _around_0_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _cos_0_2, _cos_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _near_0_2, _omega_0_2, _pressed_0_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sine_0_2, _sine_1_2, _tilted_0_2, _turn_rate_0_2, _turn_rate_1_2, _p_wire_radius_2, _room_2)
+                _near_2_2, _omega_2_2, _around_2_2, _tilted_2_2, _pressed_2_2, _, _cosine_3_2, _sine_3_2, _climb_3_2, _along_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2 = ring_round_2(_along_0_2, _along_1_2, _along_2_2, _around_0_2, _around_1_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _cos_0_2, _cos_1_2, _cos_2_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _p_gravity_2, _near_0_2, _near_1_2, _omega_0_2, _omega_1_2, _pressed_0_2, _pressed_1_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sine_0_2, _sine_1_2, _sine_2_2, _tilted_0_2, _tilted_1_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _p_wire_radius_2, _room_2)
+                _near_3_2, _omega_3_2, _around_3_2, _tilted_3_2, _pressed_3_2, _, _cosine_4_2, _sine_4_2, _climb_4_2, _along_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2 = ring_round_3(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _around_0_2, _around_1_2, _around_2_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _omega_0_2, _omega_1_2, _omega_2_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _p_wire_radius_2, _room_2)
+                _near_4_2, _omega_4_2, _around_4_2, _tilted_4_2, _pressed_4_2, _, _cosine_5_2, _sine_5_2, _climb_5_2, _along_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2 = ring_round_4(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _p_wire_radius_2, _room_2)
+                _near_5_2, _omega_5_2, _around_5_2, _tilted_5_2, _pressed_5_2, _, _cosine_6_2, _sine_6_2, _climb_6_2, _along_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2 = ring_round_5(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _p_wire_radius_2, _room_2)
+                _near_6_2, _omega_6_2, _around_6_2, _tilted_6_2, _pressed_6_2, _, _cosine_7_2, _sine_7_2, _climb_7_2, _along_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2 = ring_round_6(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _p_wire_radius_2, _room_2)
+                _near_7_2, _omega_7_2, _around_7_2, _tilted_7_2, _pressed_7_2, _, _cosine_8_2, _sine_8_2, _climb_8_2, _along_8_2, _turn_rate_8_2, _cos_8_2, _sin_8_2 = ring_round_7(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _p_wire_radius_2, _room_2)
+                _near_8_2, _omega_8_2, _around_8_2, _tilted_8_2, _pressed_8_2, _, _cosine_9_2, _sine_9_2, _climb_9_2, _along_9_2, _turn_rate_9_2, _cos_9_2, _sin_9_2 = ring_round_8(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _p_wire_radius_2, _room_2)
+                _near_9_2, _omega_9_2, _around_9_2, _tilted_9_2, _pressed_9_2, _, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _cos_10_2, _sin_10_2 = ring_round_9(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _near_10_2, _omega_10_2, _around_10_2, _tilted_10_2, _pressed_10_2, _, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _cos_11_2, _sin_11_2 = ring_round_10(_along_0_2, _along_1_2, _along_10_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _, _, _, _, _, _, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, _cos_12_2, _sin_12_2 = ring_round_11(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_10_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_10_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, *_ = ring_round_moved(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_12_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_12_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_12_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_apart_2, _p_ball_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _clock_2, _circling_2 = rolled_on(_clock_2, _rests_2, _stride_2, _which_2)
+                _going73 = _where_true(_circling_2)
+                if len(_going73) == _count70:
+                    continue
+                _done = _where_true(_logical_not(_circling_2))
+                _store(_circled_1, _of(_rows69, _done), _circled_2, _done)
+                _store(_circling_1, _of(_rows69, _done), _circling_2, _done)
+                _store(_clock_1, _of(_rows69, _done), _clock_2, _done)
+                _store(_doubt_1, _of(_rows69, _done), _doubt_2, _done)
+                _store(_dvx_1, _of(_rows69, _done), _dvx_2, _done)
+                _store(_dvy_1, _of(_rows69, _done), _dvy_2, _done)
+                _store(_dvz_1, _of(_rows69, _done), _dvz_2, _done)
+                _store(_dwx_1, _of(_rows69, _done), _dwx_2, _done)
+                _store(_dwy_1, _of(_rows69, _done), _dwy_2, _done)
+                _store(_dwz_1, _of(_rows69, _done), _dwz_2, _done)
+                _store(_dx_1, _of(_rows69, _done), _dx_2, _done)
+                _store(_dy_1, _of(_rows69, _done), _dy_2, _done)
+                _store(_dz_1, _of(_rows69, _done), _dz_2, _done)
+                _store(_grip_lost_1, _of(_rows69, _done), _grip_lost_2, _done)
+                _store(_late_1, _of(_rows69, _done), _late_2, _done)
+                _store(_per_reach_1, _of(_rows69, _done), _per_reach_2, _done)
+                _store(_position_error_1, _of(_rows69, _done), _position_error_2, _done)
+                _store(_rests_1, _of(_rows69, _done), _rests_2, _done)
+                _store(_taut_1, _of(_rows69, _done), _taut_2, _done)
+                _store(_taut_clock_1, _of(_rows69, _done), _taut_clock_2, _done)
+                _store(_taut_rate_1, _of(_rows69, _done), _taut_rate_2, _done)
+                _store(_through_1, _of(_rows69, _done), _through_2, _done)
+                _store(_velocity_error_1, _of(_rows69, _done), _velocity_error_2, _done)
+                _store(_vx_1, _of(_rows69, _done), _vx_2, _done)
+                _store(_vy_1, _of(_rows69, _done), _vy_2, _done)
+                _store(_vz_1, _of(_rows69, _done), _vz_2, _done)
+                _store(_which_1, _of(_rows69, _done), _which_2, _done)
+                _store(_wx_1, _of(_rows69, _done), _wx_2, _done)
+                _store(_wy_1, _of(_rows69, _done), _wy_2, _done)
+                _store(_wz_1, _of(_rows69, _done), _wz_2, _done)
+                _store(_x_1, _of(_rows69, _done), _x_2, _done)
+                _store(_y_1, _of(_rows69, _done), _y_2, _done)
+                _store(_z_1, _of(_rows69, _done), _z_2, _done)
+                _rows69, _count70 = _of(_rows69, _going73), len(_going73)
+                if not _count70:
+                    break
+                _circled_2 = _take(_circled_2, _going73)
+                _circling_2 = _take(_circling_2, _going73)
+                _clock_2 = _take(_clock_2, _going73)
+                _clock_error_2 = _take(_clock_error_2, _going73)
+                _doubt_2 = _take(_doubt_2, _going73)
+                _dvx_2 = _take(_dvx_2, _going73)
+                _dvy_2 = _take(_dvy_2, _going73)
+                _dvz_2 = _take(_dvz_2, _going73)
+                _dwx_2 = _take(_dwx_2, _going73)
+                _dwy_2 = _take(_dwy_2, _going73)
+                _dwz_2 = _take(_dwz_2, _going73)
+                _dx_2 = _take(_dx_2, _going73)
+                _dy_2 = _take(_dy_2, _going73)
+                _dz_2 = _take(_dz_2, _going73)
+                _grip_lost_2 = _take(_grip_lost_2, _going73)
+                _late_2 = _take(_late_2, _going73)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going73)
+                _p_board_bottom_2 = _take(_p_board_bottom_2, _going73)
+                _p_board_distance_2 = _take(_p_board_distance_2, _going73)
+                _p_board_half_width_2 = _take(_p_board_half_width_2, _going73)
+                _p_board_thickness_2 = _take(_p_board_thickness_2, _going73)
+                _p_board_top_2 = _take(_p_board_top_2, _going73)
+                _p_bridge_depth_2 = _take(_p_bridge_depth_2, _going73)
+                _p_bridge_half_width_2 = _take(_p_bridge_half_width_2, _going73)
+                _p_end_depth_2 = _take(_p_end_depth_2, _going73)
+                _p_gravity_2 = _take(_p_gravity_2, _going73)
+                _p_ring_friction_2 = _take(_p_ring_friction_2, _going73)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going73)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going73)
+                _per_reach_2 = _take(_per_reach_2, _going73)
+                _position_error_2 = _take(_position_error_2, _going73)
+                _rests_2 = _take(_rests_2, _going73)
+                _taut_2 = _take(_taut_2, _going73)
+                _taut_clock_2 = _take(_taut_clock_2, _going73)
+                _taut_rate_2 = _take(_taut_rate_2, _going73)
+                _through_2 = _take(_through_2, _going73)
+                _time_limit_2 = _take(_time_limit_2, _going73)
+                _velocity_error_2 = _take(_velocity_error_2, _going73)
+                _vx_2 = _take(_vx_2, _going73)
+                _vy_2 = _take(_vy_2, _going73)
+                _vz_2 = _take(_vz_2, _going73)
+                _which_2 = _take(_which_2, _going73)
+                _wx_2 = _take(_wx_2, _going73)
+                _wy_2 = _take(_wy_2, _going73)
+                _wz_2 = _take(_wz_2, _going73)
+                _x_2 = _take(_x_2, _going73)
+                _y_2 = _take(_y_2, _going73)
+                _z_2 = _take(_z_2, _going73)
+            else:
+                _store(_circled_1, _rows69, _circled_2, None)
+                _store(_circling_1, _rows69, _circling_2, None)
+                _store(_clock_1, _rows69, _clock_2, None)
+                _store(_doubt_1, _rows69, _doubt_2, None)
+                _store(_dvx_1, _rows69, _dvx_2, None)
+                _store(_dvy_1, _rows69, _dvy_2, None)
+                _store(_dvz_1, _rows69, _dvz_2, None)
+                _store(_dwx_1, _rows69, _dwx_2, None)
+                _store(_dwy_1, _rows69, _dwy_2, None)
+                _store(_dwz_1, _rows69, _dwz_2, None)
+                _store(_dx_1, _rows69, _dx_2, None)
+                _store(_dy_1, _rows69, _dy_2, None)
+                _store(_dz_1, _rows69, _dz_2, None)
+                _store(_grip_lost_1, _rows69, _grip_lost_2, None)
+                _store(_late_1, _rows69, _late_2, None)
+                _store(_per_reach_1, _rows69, _per_reach_2, None)
+                _store(_position_error_1, _rows69, _position_error_2, None)
+                _store(_rests_1, _rows69, _rests_2, None)
+                _store(_taut_1, _rows69, _taut_2, None)
+                _store(_taut_clock_1, _rows69, _taut_clock_2, None)
+                _store(_taut_rate_1, _rows69, _taut_rate_2, None)
+                _store(_through_1, _rows69, _through_2, None)
+                _store(_velocity_error_1, _rows69, _velocity_error_2, None)
+                _store(_vx_1, _rows69, _vx_2, None)
+                _store(_vy_1, _rows69, _vy_2, None)
+                _store(_vz_1, _rows69, _vz_2, None)
+                _store(_which_1, _rows69, _which_2, None)
+                _store(_wx_1, _rows69, _wx_2, None)
+                _store(_wy_1, _rows69, _wy_2, None)
+                _store(_wz_1, _rows69, _wz_2, None)
+                _store(_x_1, _rows69, _x_2, None)
+                _store(_y_1, _rows69, _y_2, None)
+                _store(_z_1, _rows69, _z_2, None)
+        _rolling_1, = rejoined(_circling_1, _rolling_1)
+        _rows74, _count75 = _rows(_leaves_1, _count31)
+        if _count75:
+            _clock_error_2 = _take(_clock_error_1, _rows74)
+            _doubt_2 = _take(_doubt_1, _rows74)
+            _dvx_2 = _take(_dvx_1, _rows74)
+            _dvy_2 = _take(_dvy_1, _rows74)
+            _dvz_2 = _take(_dvz_1, _rows74)
+            _dwx_2 = _take(_dwx_1, _rows74)
+            _dwy_2 = _take(_dwy_1, _rows74)
+            _dwz_2 = _take(_dwz_1, _rows74)
+            _dx_2 = _take(_dx_1, _rows74)
+            _dy_2 = _take(_dy_1, _rows74)
+            _dz_2 = _take(_dz_1, _rows74)
+            _held_2 = _take(_held_1, _rows74)
+            _lift_2 = _take(_lift_1, _rows74)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows74)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows74)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows74)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows74)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows74)
+            _p_board_top_2 = _take(_p_board_top_1, _rows74)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows74)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows74)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows74)
+            _p_gravity_2 = _take(_p_gravity_1, _rows74)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows74)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows74)
+            _per_reach_2 = _take(_per_reach_1, _rows74)
+            _snap_2 = _take(_snap_1, _rows74)
+            _surge_2 = _take(_surge_1, _rows74)
+            _vx_2 = _take(_vx_1, _rows74)
+            _vy_2 = _take(_vy_1, _rows74)
+            _vz_2 = _take(_vz_1, _rows74)
+            _x_2 = _take(_x_1, _rows74)
+            _y_2 = _take(_y_1, _rows74)
+            _z_2 = _take(_z_1, _rows74)
+            _room_2 = room(_count75)
             _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
             _here_2, = holding(_held_2, 0.0)
-            _rows81, _count82 = _rows(_here_2, _count80)
-            if _count82:
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows81)
-                _p_gravity_3 = _take(_p_gravity_2, _rows81)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows81)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows81)
-                _vx_3 = _take(_vx_2, _rows81)
-                _vy_3 = _take(_vy_2, _rows81)
-                _vz_3 = _take(_vz_2, _rows81)
-                _x_3 = _take(_x_2, _rows81)
-                _y_3 = _take(_y_2, _rows81)
-                _z_3 = _take(_z_2, _rows81)
-                _room_3 = room(_count82)
-                _, _, _, _per_reach_3, *_ = ring_tube(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3)
+            _rows76, _count77 = _rows(_here_2, _count75)
+            if _count77:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows76)
+                _p_gravity_3 = _take(_p_gravity_2, _rows76)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows76)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows76)
+                _vx_3 = _take(_vx_2, _rows76)
+                _vy_3 = _take(_vy_2, _rows76)
+                _vz_3 = _take(_vz_2, _rows76)
+                _x_3 = _take(_x_2, _rows76)
+                _y_3 = _take(_y_2, _rows76)
+                _z_3 = _take(_z_2, _rows76)
+                _room_3 = room(_count77)
+                _, _, _, _per_reach_3 = ring_tube(_p_ball_radius_3, _p_wire_radius_3)
                 _lift_3, _surge_3, _snap_3 = ring_parting(_p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_2 = _put(_lift_2, _rows81, _lift_3, _count80)
-                _per_reach_2 = _put(_per_reach_2, _rows81, _per_reach_3, _count80)
-                _snap_2 = _put(_snap_2, _rows81, _snap_3, _count80)
-                _surge_2 = _put(_surge_2, _rows81, _surge_3, _count80)
+                _lift_2 = _put(_lift_2, _rows76, _lift_3, _count75)
+                _per_reach_2 = _put(_per_reach_2, _rows76, _per_reach_3, _count75)
+                _snap_2 = _put(_snap_2, _rows76, _snap_3, _count75)
+                _surge_2 = _put(_surge_2, _rows76, _surge_3, _count75)
             _here_2, = holding(_held_2, 1.0)
-            _rows83, _count84 = _rows(_here_2, _count80)
-            if _count84:
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows83)
-                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows83)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows83)
-                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows83)
-                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows83)
-                _p_board_top_3 = _take(_p_board_top_2, _rows83)
-                _p_gravity_3 = _take(_p_gravity_2, _rows83)
-                _vx_3 = _take(_vx_2, _rows83)
-                _vy_3 = _take(_vy_2, _rows83)
-                _vz_3 = _take(_vz_2, _rows83)
-                _x_3 = _take(_x_2, _rows83)
-                _y_3 = _take(_y_2, _rows83)
-                _z_3 = _take(_z_2, _rows83)
-                _room_3 = room(_count84)
-                _, _, _, _per_reach_3, *_ = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+            _rows78, _count79 = _rows(_here_2, _count75)
+            if _count79:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows78)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows78)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows78)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows78)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows78)
+                _p_board_top_3 = _take(_p_board_top_2, _rows78)
+                _p_gravity_3 = _take(_p_gravity_2, _rows78)
+                _vx_3 = _take(_vx_2, _rows78)
+                _vy_3 = _take(_vy_2, _rows78)
+                _vz_3 = _take(_vz_2, _rows78)
+                _x_3 = _take(_x_2, _rows78)
+                _y_3 = _take(_y_2, _rows78)
+                _z_3 = _take(_z_2, _rows78)
+                _room_3 = room(_count79)
+                _, _, _, _per_reach_3 = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
                 _lift_3, _surge_3, _snap_3 = backboard_parting(_p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_2 = _put(_lift_2, _rows83, _lift_3, _count80)
-                _per_reach_2 = _put(_per_reach_2, _rows83, _per_reach_3, _count80)
-                _snap_2 = _put(_snap_2, _rows83, _snap_3, _count80)
-                _surge_2 = _put(_surge_2, _rows83, _surge_3, _count80)
+                _lift_2 = _put(_lift_2, _rows78, _lift_3, _count75)
+                _per_reach_2 = _put(_per_reach_2, _rows78, _per_reach_3, _count75)
+                _snap_2 = _put(_snap_2, _rows78, _snap_3, _count75)
+                _surge_2 = _put(_surge_2, _rows78, _surge_3, _count75)
             _here_2, = holding(_held_2, 2.0)
-            _rows85, _count86 = _rows(_here_2, _count80)
-            if _count86:
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows85)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows85)
-                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows85)
-                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows85)
-                _p_gravity_3 = _take(_p_gravity_2, _rows85)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows85)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows85)
-                _vx_3 = _take(_vx_2, _rows85)
-                _vy_3 = _take(_vy_2, _rows85)
-                _vz_3 = _take(_vz_2, _rows85)
-                _x_3 = _take(_x_2, _rows85)
-                _y_3 = _take(_y_2, _rows85)
-                _z_3 = _take(_z_2, _rows85)
-                _room_3 = room(_count86)
-                _, _, _, _per_reach_3, *_ = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+            _rows80, _count81 = _rows(_here_2, _count75)
+            if _count81:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows80)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows80)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows80)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows80)
+                _p_gravity_3 = _take(_p_gravity_2, _rows80)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows80)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows80)
+                _vx_3 = _take(_vx_2, _rows80)
+                _vy_3 = _take(_vy_2, _rows80)
+                _vz_3 = _take(_vz_2, _rows80)
+                _x_3 = _take(_x_2, _rows80)
+                _y_3 = _take(_y_2, _rows80)
+                _z_3 = _take(_z_2, _rows80)
+                _room_3 = room(_count81)
+                _, _, _, _per_reach_3 = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                 _lift_3, _surge_3, _snap_3 = bridge_parting(_p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                _lift_2 = _put(_lift_2, _rows85, _lift_3, _count80)
-                _per_reach_2 = _put(_per_reach_2, _rows85, _per_reach_3, _count80)
-                _snap_2 = _put(_snap_2, _rows85, _snap_3, _count80)
-                _surge_2 = _put(_surge_2, _rows85, _surge_3, _count80)
+                _lift_2 = _put(_lift_2, _rows80, _lift_3, _count75)
+                _per_reach_2 = _put(_per_reach_2, _rows80, _per_reach_3, _count75)
+                _snap_2 = _put(_snap_2, _rows80, _snap_3, _count75)
+                _surge_2 = _put(_surge_2, _rows80, _surge_3, _count75)
             _nearest_2, *_ = alone()
             _beside_2, = beside(_held_2, 0.0)
-            _rows87, _count88 = _rows(_beside_2, _count80)
-            if _count88:
-                _nearest_3 = _take(_nearest_2, _rows87)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows87)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows87)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows87)
-                _vx_3 = _take(_vx_2, _rows87)
-                _vy_3 = _take(_vy_2, _rows87)
-                _vz_3 = _take(_vz_2, _rows87)
-                _x_3 = _take(_x_2, _rows87)
-                _y_3 = _take(_y_2, _rows87)
-                _z_3 = _take(_z_2, _rows87)
-                _room_3 = room(_count88)
+            _rows82, _count83 = _rows(_beside_2, _count75)
+            if _count83:
+                _nearest_3 = _take(_nearest_2, _rows82)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows82)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows82)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows82)
+                _vx_3 = _take(_vx_2, _rows82)
+                _vy_3 = _take(_vy_2, _rows82)
+                _vz_3 = _take(_vz_2, _rows82)
+                _x_3 = _take(_x_2, _rows82)
+                _y_3 = _take(_y_2, _rows82)
+                _z_3 = _take(_z_2, _rows82)
+                _room_3 = room(_count83)
                 _gap_3, *_ = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                 _nearest_3, = neared(_gap_3, _nearest_3)
-                _nearest_2 = _put(_nearest_2, _rows87, _nearest_3, _count80)
+                _nearest_2 = _put(_nearest_2, _rows82, _nearest_3, _count75)
             _beside_2, = beside(_held_2, 1.0)
-            _rows89, _count90 = _rows(_beside_2, _count80)
-            if _count90:
-                _nearest_3 = _take(_nearest_2, _rows89)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows89)
-                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows89)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows89)
-                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows89)
-                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows89)
-                _p_board_top_3 = _take(_p_board_top_2, _rows89)
-                _vx_3 = _take(_vx_2, _rows89)
-                _vy_3 = _take(_vy_2, _rows89)
-                _vz_3 = _take(_vz_2, _rows89)
-                _x_3 = _take(_x_2, _rows89)
-                _y_3 = _take(_y_2, _rows89)
-                _z_3 = _take(_z_2, _rows89)
-                _room_3 = room(_count90)
+            _rows84, _count85 = _rows(_beside_2, _count75)
+            if _count85:
+                _nearest_3 = _take(_nearest_2, _rows84)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows84)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows84)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows84)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows84)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows84)
+                _p_board_top_3 = _take(_p_board_top_2, _rows84)
+                _vx_3 = _take(_vx_2, _rows84)
+                _vy_3 = _take(_vy_2, _rows84)
+                _vz_3 = _take(_vz_2, _rows84)
+                _x_3 = _take(_x_2, _rows84)
+                _y_3 = _take(_y_2, _rows84)
+                _z_3 = _take(_z_2, _rows84)
+                _room_3 = room(_count85)
                 _gap_3, *_ = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
                 _nearest_3, = neared(_gap_3, _nearest_3)
-                _nearest_2 = _put(_nearest_2, _rows89, _nearest_3, _count80)
+                _nearest_2 = _put(_nearest_2, _rows84, _nearest_3, _count75)
             _beside_2, = beside(_held_2, 2.0)
-            _rows91, _count92 = _rows(_beside_2, _count80)
-            if _count92:
-                _nearest_3 = _take(_nearest_2, _rows91)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows91)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows91)
-                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows91)
-                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows91)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows91)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows91)
-                _vx_3 = _take(_vx_2, _rows91)
-                _vy_3 = _take(_vy_2, _rows91)
-                _vz_3 = _take(_vz_2, _rows91)
-                _x_3 = _take(_x_2, _rows91)
-                _y_3 = _take(_y_2, _rows91)
-                _z_3 = _take(_z_2, _rows91)
-                _room_3 = room(_count92)
+            _rows86, _count87 = _rows(_beside_2, _count75)
+            if _count87:
+                _nearest_3 = _take(_nearest_2, _rows86)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows86)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows86)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows86)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows86)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows86)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows86)
+                _vx_3 = _take(_vx_2, _rows86)
+                _vy_3 = _take(_vy_2, _rows86)
+                _vz_3 = _take(_vz_2, _rows86)
+                _x_3 = _take(_x_2, _rows86)
+                _y_3 = _take(_y_2, _rows86)
+                _z_3 = _take(_z_2, _rows86)
+                _room_3 = room(_count87)
                 _gap_3, *_ = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
                 _nearest_3, = neared(_gap_3, _nearest_3)
-                _nearest_2 = _put(_nearest_2, _rows91, _nearest_3, _count80)
+                _nearest_2 = _put(_nearest_2, _rows86, _nearest_3, _count75)
             _beside_2, = beside(_held_2, 3.0)
             _gap_3, *_ = end_beside(_p_end_depth_2, _vz_2, _z_2)
             _nearest_3, = neared(_gap_3, _nearest_2)
             _nearest_2 = _choose(_beside_2, _nearest_3, _nearest_2)
             _when_2, _doubt_2 = parted(_doubt_2, _p_gravity_2, _lift_2, _nearest_2, _per_reach_2, _position_error_2, _snap_2, _surge_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _room_2)
             _which_2, = hopping()
-            _doubt_1 = _put(_doubt_1, _rows79, _doubt_2, _count31)
-            _position_error_1 = _put(_position_error_1, _rows79, _position_error_2, _count31)
-            _velocity_error_1 = _put(_velocity_error_1, _rows79, _velocity_error_2, _count31)
-            _when_1 = _put(_when_1, _rows79, _when_2, _count31)
-            _which_1 = _put(_which_1, _rows79, _which_2, _count31)
+            _doubt_1 = _put(_doubt_1, _rows74, _doubt_2, _count31)
+            _position_error_1 = _put(_position_error_1, _rows74, _position_error_2, _count31)
+            _velocity_error_1 = _put(_velocity_error_1, _rows74, _velocity_error_2, _count31)
+            _when_1 = _put(_when_1, _rows74, _when_2, _count31)
+            _which_1 = _put(_which_1, _rows74, _which_2, _count31)
         _began_0 = _put(_began_0, _rows30, _began_1, shots)
+        _circled_0 = _put(_circled_0, _rows30, _circled_1, shots)
         _clock_0 = _put(_clock_0, _rows30, _clock_1, shots)
         _doubt_0 = _put(_doubt_0, _rows30, _doubt_1, shots)
         _dvx_0 = _put(_dvx_0, _rows30, _dvx_1, shots)
@@ -8147,78 +8903,78 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _z_0 = _put(_z_0, _rows30, _z_1, shots)
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
-    _rows93, _count94 = _rows(_moves_0, shots)
-    if _count94:
-        _clock_1 = _take(_clock_0, _rows93)
-        _extent_1 = _take(_extent_0, _rows93)
-        _p_gravity_1 = _take(_p_gravity_0, _rows93)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows93)
-        _position_error_1 = _take(_position_error_0, _rows93)
-        _speed_1 = _take(_speed_0, _rows93)
-        _through_1 = _take(_through_0, _rows93)
-        _uncertain_1 = _take(_uncertain_0, _rows93)
-        _velocity_error_1 = _take(_velocity_error_0, _rows93)
-        _vx_1 = _take(_vx_0, _rows93)
-        _vy_1 = _take(_vy_0, _rows93)
-        _vz_1 = _take(_vz_0, _rows93)
-        _when_1 = _take(_when_0, _rows93)
-        _x_1 = _take(_x_0, _rows93)
-        _y_1 = _take(_y_0, _rows93)
-        _z_1 = _take(_z_0, _rows93)
-        _room_1 = room(_count94)
+    _rows88, _count89 = _rows(_moves_0, shots)
+    if _count89:
+        _clock_1 = _take(_clock_0, _rows88)
+        _extent_1 = _take(_extent_0, _rows88)
+        _p_gravity_1 = _take(_p_gravity_0, _rows88)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows88)
+        _position_error_1 = _take(_position_error_0, _rows88)
+        _speed_1 = _take(_speed_0, _rows88)
+        _through_1 = _take(_through_0, _rows88)
+        _uncertain_1 = _take(_uncertain_0, _rows88)
+        _velocity_error_1 = _take(_velocity_error_0, _rows88)
+        _vx_1 = _take(_vx_0, _rows88)
+        _vy_1 = _take(_vy_0, _rows88)
+        _vz_1 = _take(_vz_0, _rows88)
+        _when_1 = _take(_when_0, _rows88)
+        _x_1 = _take(_x_0, _rows88)
+        _y_1 = _take(_y_0, _rows88)
+        _z_1 = _take(_z_0, _rows88)
+        _room_1 = room(_count89)
         _unsure_1, = passing_doubt(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _uncertain_1, = undecided(_uncertain_1, _unsure_1)
         _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _clock_1, = ticked(_clock_1, _when_1)
-        _clock_0 = _put(_clock_0, _rows93, _clock_1, shots)
-        _through_0 = _put(_through_0, _rows93, _through_1, shots)
-        _uncertain_0 = _put(_uncertain_0, _rows93, _uncertain_1, shots)
-        _vx_0 = _put(_vx_0, _rows93, _vx_1, shots)
-        _vy_0 = _put(_vy_0, _rows93, _vy_1, shots)
-        _vz_0 = _put(_vz_0, _rows93, _vz_1, shots)
-        _x_0 = _put(_x_0, _rows93, _x_1, shots)
-        _y_0 = _put(_y_0, _rows93, _y_1, shots)
-        _z_0 = _put(_z_0, _rows93, _z_1, shots)
-    _rows95, _count96 = _rows(_limited_0, shots)
-    if _count96:
-        _body_1 = _take(_body_0, _rows95)
-        _clock_1 = _take(_clock_0, _rows95)
-        _ends_1 = _take(_ends_0, _rows95)
-        _reached_1 = _take(_reached_0, _rows95)
-        _time_limit_1 = _take(_time_limit_0, _rows95)
-        _which_1 = _take(_which_0, _rows95)
+        _clock_0 = _put(_clock_0, _rows88, _clock_1, shots)
+        _through_0 = _put(_through_0, _rows88, _through_1, shots)
+        _uncertain_0 = _put(_uncertain_0, _rows88, _uncertain_1, shots)
+        _vx_0 = _put(_vx_0, _rows88, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows88, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows88, _vz_1, shots)
+        _x_0 = _put(_x_0, _rows88, _x_1, shots)
+        _y_0 = _put(_y_0, _rows88, _y_1, shots)
+        _z_0 = _put(_z_0, _rows88, _z_1, shots)
+    _rows90, _count91 = _rows(_limited_0, shots)
+    if _count91:
+        _body_1 = _take(_body_0, _rows90)
+        _clock_1 = _take(_clock_0, _rows90)
+        _ends_1 = _take(_ends_0, _rows90)
+        _reached_1 = _take(_reached_0, _rows90)
+        _time_limit_1 = _take(_time_limit_0, _rows90)
+        _which_1 = _take(_which_0, _rows90)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows95, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows95, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows95, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows95, _reached_1, shots)
+        _body_0 = _put(_body_0, _rows90, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows90, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows90, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows90, _reached_1, shots)
     _hopped_0, = unhopped()
-    _rows97, _count98 = _rows(_kept_0, shots)
-    if _count98:
-        _began_1 = _take(_began_0, _rows97)
-        _body_1 = _take(_body_0, _rows97)
-        _clock_1 = _take(_clock_0, _rows97)
-        _doubt_1 = _take(_doubt_0, _rows97)
-        _ends_1 = _take(_ends_0, _rows97)
-        _held_1 = _take(_held_0, _rows97)
-        _last_1 = _take(_last_0, _rows97)
-        _reached_1 = _take(_reached_0, _rows97)
-        _rests_1 = _take(_rests_0, _rows97)
-        _rolling_1 = _take(_rolling_0, _rows97)
-        _rolls_1 = _take(_rolls_0, _rows97)
-        _which_1 = _take(_which_0, _rows97)
-        _room_1 = room(_count98)
+    _rows92, _count93 = _rows(_kept_0, shots)
+    if _count93:
+        _began_1 = _take(_began_0, _rows92)
+        _body_1 = _take(_body_0, _rows92)
+        _clock_1 = _take(_clock_0, _rows92)
+        _doubt_1 = _take(_doubt_0, _rows92)
+        _ends_1 = _take(_ends_0, _rows92)
+        _held_1 = _take(_held_0, _rows92)
+        _last_1 = _take(_last_0, _rows92)
+        _reached_1 = _take(_reached_0, _rows92)
+        _rests_1 = _take(_rests_0, _rows92)
+        _rolling_1 = _take(_rolling_0, _rows92)
+        _rolls_1 = _take(_rolls_0, _rows92)
+        _which_1 = _take(_which_0, _rows92)
+        _room_1 = room(_count93)
         _body_1, _reached_1, _doubt_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1, _rolls_1 = kept_on(_began_1, _body_1, _clock_1, _doubt_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1, _room_1)
-        _body_0 = _put(_body_0, _rows97, _body_1, shots)
-        _doubt_0 = _put(_doubt_0, _rows97, _doubt_1, shots)
-        _ends_0 = _put(_ends_0, _rows97, _ends_1, shots)
-        _held_0 = _put(_held_0, _rows97, _held_1, shots)
-        _hopped_0 = _put(_hopped_0, _rows97, _hopped_1, shots)
-        _last_0 = _put(_last_0, _rows97, _last_1, shots)
-        _mode_0 = _put(_mode_0, _rows97, _mode_1, shots)
-        _reached_0 = _put(_reached_0, _rows97, _reached_1, shots)
-        _rolls_0 = _put(_rolls_0, _rows97, _rolls_1, shots)
+        _body_0 = _put(_body_0, _rows92, _body_1, shots)
+        _doubt_0 = _put(_doubt_0, _rows92, _doubt_1, shots)
+        _ends_0 = _put(_ends_0, _rows92, _ends_1, shots)
+        _held_0 = _put(_held_0, _rows92, _held_1, shots)
+        _hopped_0 = _put(_hopped_0, _rows92, _hopped_1, shots)
+        _last_0 = _put(_last_0, _rows92, _last_1, shots)
+        _mode_0 = _put(_mode_0, _rows92, _mode_1, shots)
+        _reached_0 = _put(_reached_0, _rows92, _reached_1, shots)
+        _rolls_0 = _put(_rolls_0, _rows92, _rolls_1, shots)
     _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
@@ -8229,6 +8985,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _uncertain_0, = doubted_in_contact(_assured_0, _doubt_0, _edge_0, _last_0, _late_0, _uncertain_0, _when_0, _which_0)
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
     columns["body"] = _body_0
+    columns["circled"] = _circled_0
     columns["clock"] = _clock_0
     columns["contacts"] = _contacts_0
     columns["dvx"] = _dvx_0

@@ -30,6 +30,18 @@ class Note:
     gives: dict[str, bool] = field(default_factory=dict)
 
 
+@dataclass(frozen=True)
+class Apart:
+    """A rare body that is a function of its own: its name, what it is given, and its lines.
+
+    In the long function of all the others it would take registers from what most shots do.
+    """
+
+    name: str
+    given: dict[str, str]
+    lines: list[str]
+
+
 @dataclass
 class CLists(CGroups):
     """Passes over lists, printed stage by stage.
@@ -38,8 +50,12 @@ class CLists(CGroups):
     ----------
     job
         What has one value for all.
+    variant
+        Of the loop, as its functions have it in their names.
     columns
         By array, in order, whether it holds truths: what the struct of the lists has room for.
+    apart
+        The bodies that are functions, each after those that it calls.
     beside
         A line for the first pass to come: what is done beside it.
     frame
@@ -49,7 +65,9 @@ class CLists(CGroups):
     """
 
     job: Sequence[str] = ()
+    variant: str = ""
     columns: dict[str, bool] = field(default_factory=dict)
+    apart: list[Apart] = field(default_factory=list)
     beside: str = ""
     frame: Frame = field(default_factory=lambda: Frame("", {}))
     bases: dict[str, str] = field(default_factory=dict)
@@ -83,7 +101,10 @@ class CLists(CGroups):
                 continue
             own = self._pass(nodes[start:index], frame, later, node, _within(note, start, index))
             if isinstance(node, Guard):
+                first = len(self.lines)
                 self._rows(node.body, own, set(scope(node, later).gives))
+                if node.rare:
+                    self._set_apart(node.truth, own, first)
                 self._return(frame, own, scope(node, later).gives)
             else:
                 self._turns(node, frame, own, later)
@@ -92,6 +113,16 @@ class CLists(CGroups):
         if start < len(nodes):
             last = _within(note, start, len(nodes))
             self._pass(nodes[start:], frame, after, None, last)
+
+    def _set_apart(self, name: str, frame: Frame, first: int) -> None:
+        """Make a function of the lines from one on, and call it where it has any shots."""
+        lines = self.lines[first:]
+        words = set(re.findall(r"\w+", "\n".join(lines)))
+        kinds = {frame.count: "size_t", "varying": "size_t"} | dict.fromkeys(self.job, "V")
+        given = {value: kind for value, kind in kinds.items() if value in words}
+        self.apart.append(Apart(name, given, lines))
+        call = f"LANES({self.prefix}_{self.variant}_{name})({', '.join(('lists', *given))});"
+        self.lines[first:] = [f"if ({frame.count})", f"    {call}"]
 
     def _table_rows(self, node: Each, frame: Frame, later: set[str]) -> None:
         """Print passes for each row of a table."""

@@ -11,7 +11,7 @@ from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.ground.tree import Do, Node, live_before, needed, reads, writes
 
 from .groups import Frame
-from .lists import CLists, Note
+from .lists import Apart, CLists, Note
 from .loop import CLoop
 from .numpy_loop import NumPyLoop, local
 from .printers import NUMPY, C
@@ -33,6 +33,8 @@ class LoopView:
         The lines of C: `permit`, `once` for a job, `admit`, and `follow`, what comes after those.
     c_columns
         The columns that those need beside the fields.
+    c_apart
+        What they do in functions of their own.
     numpy
         The lines of each stage.
     columns
@@ -44,6 +46,7 @@ class LoopView:
     fields: tuple[Field, ...]
     c: dict[str, list[str]]
     c_columns: list[str]
+    c_apart: list[Apart]
     numpy: dict[str, list[str]]
     columns: dict[str, tuple[list[str], dict[str, str]]]
 
@@ -55,11 +58,12 @@ def loop_view(
     names = [field.name for field in loop.fields]
     available = {*names, *loop.parameters, *loop.job}
     stages = _after(loop, names)
+    name = "bounded" if bounds else "plain"
     view = LoopView(
-        "bounded" if bounds else "plain",
+        name,
         bounds,
         loop.fields,
-        *_in_c(prefix, costs, loop, stages),
+        *_in_c(prefix, name, costs, loop, stages),
         {},
         {},
     )
@@ -76,9 +80,9 @@ def loop_view(
 
 
 def _in_c(
-    prefix: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage]
-) -> tuple[dict[str, list[str]], list[str]]:
-    """Return the lines of C, and the columns that they need beside the fields."""
+    prefix: str, variant: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage]
+) -> tuple[dict[str, list[str]], list[str], list[Apart]]:
+    """Return the lines of C, the columns that they need beside the fields, and functions."""
     fields = dict.fromkeys((field.name for field in loop.fields), False)
     permit = CLoop(prefix, costs, C)
     permitting = needed(stages["permit"][0], {"permitted"})
@@ -124,6 +128,7 @@ def _in_c(
         once=admit.once,
         parameters=loop.parameters,
         job=loop.job,
+        variant=variant,
     )
     follow.beside = f"LANES({prefix}_ahead)(job, begun + i);"
     follow.passes((*reach, *meet), Frame("", dict(fields)), set(fields), before)
@@ -134,7 +139,7 @@ def _in_c(
         "admit": admit.lines,
         "follow": follow.lines,
     }
-    return lines, ["body", *dict.fromkeys(columns)]
+    return lines, ["body", *dict.fromkeys(columns)], follow.apart
 
 
 def _measured(prefix: str, nodes: Iterable[Node], row: str) -> list[str]:

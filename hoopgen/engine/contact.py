@@ -24,7 +24,7 @@ Floats = NDArray[np.float64]
 _SHORTEST = 2.0**-30
 """Of a step, s: at a seam, which a ball may follow, a bound of what is left may be 0."""
 
-_LONGER = 3.0
+_LONGER = 2.0
 """Steps than those of the engines: theirs are off by a rounding, and a step of so much more by some
 1e-12 m, which nobody sees. Where there are seams the bounds on what is left hold for theirs."""
 
@@ -98,11 +98,24 @@ class Roll:
         lasting: float,
         parameters: Mapping[str, float],
     ) -> None:
-        self._kernels, self._body, self._first = kernels, body, state
+        self._kernels, self._first = kernels, state
         self._parameters = {name: float(value) for name, value in parameters.items()}
         self._seams = [name for name in kernels.ARGUMENTS if name.startswith(f"{body}_seam")]
-        self._order = sum(re.fullmatch(r"roll_\d+", name) is not None for name in kernels.ARGUMENTS)
-        self._needed = [name for name in kernels.ARGUMENTS["roll_moved"] if name != "t"]
+        # A ring has coordinates of its own, and a state made of them lies on it.
+        on_ring = f"{body}_round_start" in kernels.ARGUMENTS
+        series = f"{body}_round" if on_ring else "roll"
+        order = sum(re.fullmatch(rf"{series}_\d+", name) is not None for name in kernels.ARGUMENTS)
+        seams = (name for seam in self._seams for name in (seam, "beside_seam"))
+        self._about = [
+            *([] if on_ring else [f"{body}_normal", f"{body}_tube"]),
+            f"{series}_start",
+            *(f"{series}_{k}" for k in range(order)),
+            f"{series}_pace",
+            *seams,
+        ]
+        back = [] if on_ring else [f"{body}_normal", f"{body}_off", "roll_placed"]
+        self._moving = [f"{series}_moved", *back]
+        self._needed = [name for name in kernels.ARGUMENTS[self._moving[0]] if name != "t"]
         with np.errstate(all="ignore"):  # what a kernel does not choose may be divided by 0
             starts, steps = self._follow(lasting)
         self._starts = np.array(starts)
@@ -136,15 +149,12 @@ class Roll:
 
     def _expand(self, now: dict[str, Any]) -> None:
         """Add the series about a state, and how long it holds."""
-        series = (f"roll_{k}" for k in range(self._order))
-        seams = (name for seam in self._seams for name in (seam, "beside_seam"))
-        about = (f"{self._body}_normal", f"{self._body}_tube", "roll_start")
-        for name in (*about, *series, "roll_pace", *seams):
+        for name in self._about:
             self._take(name, now, _of_one_ball)
 
     def _move(self, now: dict[str, Any], kernel: Callable[..., Any] = getattr) -> None:
         """Go along the series, and back onto the body."""
-        for name in ("roll_moved", f"{self._body}_normal", f"{self._body}_off", "roll_placed"):
+        for name in self._moving:
             self._take(name, now, kernel)
 
     def _take(self, name: str, now: dict[str, Any], kernel: Callable[..., Any]) -> None:
