@@ -14,7 +14,7 @@ from test_view import SAMPLE, SIZES, STATES, Tab, browser, data_of, drawn, show,
 
 import hoopgen
 from hoopgen import COURT, NBA, PAPER_COURT
-from hoopgen.colours import BODIES, COLOURS, ended
+from hoopgen.colours import BODIES, COLOURS, ended, faces
 from hoopgen.hoop.courts import COURTS, lines_of
 from hoopgen.units import FOOT
 from hoopgen.viewer import page
@@ -165,6 +165,7 @@ def test_a_contact_and_the_roll_at_the_same_time_are_both_named(show: Show) -> N
 
 def test_by_night_colours_are_legible_and_stay_apart() -> None:
     every = {*COLOURS.values(), *BODIES, *ended(COURT.outcomes.__members__, 2).values()}
+    every |= {*faces(COURT.surfaces).values()}
     every -= {COLOURS["paper"]}
     night = {colour: on_night(colour) for colour in every}
     assert len({*night.values()}) == len(every)
@@ -175,6 +176,34 @@ def test_by_night_colours_are_legible_and_stay_apart() -> None:
         assert contrast(dark, NIGHT) >= wanted
     assert contrast("#000000", "#FFFFFF") == pytest.approx(21, rel=1e-15)
     assert contrast("#777777", "#FFFFFF") == pytest.approx(4.48, abs=0.005)  # as WCAG has it
+
+
+STYLE = "getComputedStyle(document.documentElement).getPropertyValue('--{}')"
+
+
+@pytest.mark.parametrize("scene", [hoopgen.HOOP, COURT], ids=["hoop", "court"])
+def test_outcomes_and_bodies_have_the_colours_of_pictures(show: Show, scene: Any) -> None:  # noqa: F811
+    shots = hoopgen.simulate(STATES["7"], scene=scene, record=True)
+    tab = show(page(shots, shots.parameters), size=PHONE)
+    day = {f"ink-{k}": one for k, one in enumerate(ended(scene.outcomes.__members__, 2).values())}
+    if scene is COURT:  # a pale board with a dark badge
+        drawn = faces(scene.surfaces)
+        assert drawn["backboard"] != COLOURS["backboard"]
+        day |= {f"face-{k}": drawn[name] for k, name in enumerate(scene.surfaces)}
+        day |= {f"body-{scene.surfaces.index('backboard')}": COLOURS["backboard"]}
+    for look in (str, on_night):
+        assert {name: tab.run(STYLE.format(name)) for name in day} == {
+            name: look(colour) for name, colour in day.items()
+        }
+        tab.click("#theme")
+
+
+def test_the_board_of_the_whole_hoop_is_neither_black_by_day_nor_white_by_night(show: Show) -> None:  # noqa: F811
+    shots = hoopgen.simulate(STATES["7"], scene=COURT, record=True)
+    tab = show(page(shots, shots.parameters))
+    assert np.all(tab.pixels() < 0x50, axis=2).mean() < 0.005  # nothing large is nearly black
+    tab.click("#theme")
+    assert np.all(tab.pixels() > 0xB0, axis=2).mean() < 0.005  # nor nearly white
 
 
 WORDS = """
