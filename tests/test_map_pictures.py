@@ -22,9 +22,9 @@ from matplotlib.contour import QuadContourSet  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 from matplotlib.patches import PathPatch  # noqa: E402
 
+from hoopgen.hoop.courts import court_of  # noqa: E402
 from hoopgen.plots import COLUMN, PAGE, plot_map  # noqa: E402
 from hoopgen.plots.contours import finer, smoothed  # noqa: E402
-from hoopgen.plots.court import court_of  # noqa: E402
 from hoopgen.units import FOOT, showing  # noqa: E402
 
 EPS = np.finfo(float).eps

@@ -216,6 +216,7 @@ COMMANDS = {
     "estimate --solve": ["estimate", *SHOTS, "--solve", "50%", "--shots", "2000"],
     "fan": ["fan", *SHOTS, "--shots", "50", "--paths", "9"],
     "landings": ["landings", *SHOTS, "--shots", "300"],
+    "landings, rebounds": ["landings", *SHOTS, "--shots", "300", "--catching-height", "9ft"],
     "optimum": [
         *["optimum", *WHERE, "--over", "elevation=50deg:54deg", "--over", "aim=0:5cm"],
         *["--scatter", "speed=0.05", "--shots", "300"],
@@ -274,6 +275,27 @@ def test_landings_say_how_far_misses_come_down() -> None:
     assert int(match[1].replace(",", "")) == np.isfinite(away).sum()
     for share, text in ((0.5, match[2]), (0.9, match[3])):
         assert float(text) == pytest.approx(np.nanquantile(away, share), abs=6e-4, rel=0)
+
+
+def test_rebounds_are_said_as_an_estimate_says_them(tmp_path: Path) -> None:
+    out = tmp_path / "rebounds.svg"
+    caught = [*SHOTS, "--shots", "2000", "--catching-height", "9ft", "--units", "us"]
+    said = run("landings", *caught, "--picture", str(out)).stdout
+    names = ("rebound_distance", "rebound_time", "rebound_angle")
+    measured = [part for name in names for part in ("--measure", name)]
+    found = run("estimate", *caught, *measured).stdout
+    words = found[found.index("\nmeasure") : found.index("\nscene")]
+    assert words.rstrip().endswith("rebounds are caught at 9 ft above the floor")
+    assert words in said
+    assert "land  " not in said
+    drawn = out.read_text(encoding="utf-8")
+    assert "come down there (% per ft" in drawn
+
+
+def test_rebounds_at_no_height_are_refused_before_the_work() -> None:
+    result = run("landings", *SHOTS, "--shots", "1e9", "--catching-height", "0m")
+    assert result.exit_code == 2
+    assert "catching_height: expected m above the floor, more than 0" in result.stderr
 
 
 def test_landings_without_a_miss_say_so_and_cannot_be_drawn(tmp_path: Path) -> None:

@@ -38,6 +38,7 @@ from matplotlib.figure import Figure  # noqa: E402
 from matplotlib.patches import Circle, Rectangle  # noqa: E402
 from matplotlib.text import Text  # noqa: E402
 
+from hoopgen.hoop.courts import COURTS  # noqa: E402
 from hoopgen.hoop.kinds import Kind, kinds  # noqa: E402
 from hoopgen.hoop.places import on_board, say_on_board  # noqa: E402
 from hoopgen.plots import (  # noqa: E402
@@ -51,7 +52,6 @@ from hoopgen.plots import (  # noqa: E402
     plot_map,
     save,
 )
-from hoopgen.plots.court import COURTS  # noqa: E402
 from hoopgen.plots.key import CLASSES, classify  # noqa: E402
 from hoopgen.plots.style import MADE, MISSED, NEITHER  # noqa: E402
 from hoopgen.study.aim_table import aim_table  # noqa: E402
@@ -703,6 +703,16 @@ def test_the_lines_are_those_of_the_rule_books(name: str) -> None:
     near(float(lines["three"][1, 1]), float(lines["three"][0, 1]))
     assert {lines[n][:, 0].min() for n in ("lane", "three", "sides")} == {lines["sides"][1, 0]}
     assert ("inside" in lines) == nba
+
+
+@pytest.mark.parametrize(("parameters", "wide"), [(hoopgen.NBA, 50 * FOOT), (hoopgen.FIBA, 15.0)])
+def test_the_lines_are_by_default_those_of_the_preset(
+    parameters: dict[str, float], wide: float
+) -> None:
+    drawn = plot_landings([1.0], [0.5], parameters), plot_aim_points(aims(), parameters)
+    for figure in drawn:
+        sides = court_lines(axes_of(figure, "floor plan"))["sides"]
+        assert np.ptp(sides[:, 1]) == pytest.approx(wide, rel=8 * EPS, abs=0)
 
 
 def said(figure: Figure) -> str:

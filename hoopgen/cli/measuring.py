@@ -11,7 +11,7 @@ from hoopgen.cli.options import together
 from hoopgen.cli.types import quantity
 from hoopgen.hoop.releases import CATCHING_HEIGHT
 
-__all__ = ["measure_options"]
+__all__ = ["catching_height_option", "measure_options"]
 
 
 def measure_options(what: str) -> Callable[[Any], Any]:
@@ -24,11 +24,14 @@ def measure_options(what: str) -> Callable[[Any], Any]:
             multiple=True,
             help=f"{what}: depth, entry_angle, apex, rebound_distance ...; may be repeated.",
         ),
-        click.option(
-            "--catching-height",
-            type=quantity("length"),
-            default=CATCHING_HEIGHT,
-            help="Of rebounds: of the ball's centre above the floor when it is caught; "
+        catching_height_option(
+            "Of rebounds: of the ball's centre above the floor when it is caught; "
             f"{CATCHING_HEIGHT:g}m by default, a choice.",
+            default=CATCHING_HEIGHT,
         ),
     )
+
+
+def catching_height_option(what: str, *, default: float | None) -> Callable[[Any], Any]:
+    """Return ``--catching-height``; `what` is its help."""
+    return click.option("--catching-height", type=quantity("length"), default=default, help=what)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from hoopgen.cli.measuring import catching_height_option
 from hoopgen.cli.options import (
     UNITS_IN_WORDS,
     backend_option,
@@ -30,6 +31,12 @@ __all__ = ["fan", "landings"]
 
 _FREE_THROW = "--speed 7.17 --elevation 52deg --backspin 3Hz --height 7ft --distance 13.75ft"
 _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg"
+
+_REBOUNDS = ("rebound_distance", "rebound_time", "rebound_angle")
+"""What is said of them."""
+
+_CONFIDENCE = 0.95
+"""Of intervals, as `hoopgen estimate` has it."""
 
 _WORK = together(seed_option, max_contacts_option, backend_option, threads_option)
 
@@ -78,41 +85,56 @@ def fan(releasing: Releasing, shots: int, paths: int, picture: Path | None, **wo
         f"hoopgen landings {_FREE_THROW} \\",
         f"    {_PLAYER} --preset nba --picture misses.svg",
         "hoopgen landings --aim 5cm --elevation 52deg --height 7ft --x 4m --y 3m \\",
-        f"    {_PLAYER}",
+        f"    {_PLAYER} --catching-height 2.5m --picture rebounds.svg",
     )
 )
 @release_options
 @from_option
 @click.option("--shots", type=whole(), default=200_000, show_default=True, help="Thrown.")
+@catching_height_option(
+    "Rebounds in place of landings: where and when the ball's centre comes down to this height "
+    "above the floor, and in which directions.",
+    default=None,
+)
 @picture_option("places on the floor")
 @_WORK
 @units_option
-def landings(releasing: Releasing, shots: int, picture: Path | None, **work: Any) -> None:
+def landings(
+    releasing: Releasing,
+    shots: int,
+    catching_height: float | None,
+    picture: Path | None,
+    **work: Any,
+) -> None:
     """Throw a player's shots and say where the missed ones come down to the floor.
 
-    Where the ball's centre would be at floor level, after its last contact with the hoop.
+    Where the ball's centre would be at floor level, after its last contact with the hoop; with
+    --catching-height where it is caught, as `hoopgen estimate` says it of a measure.
     """
     import numpy as np
 
     import hoopgen
     from hoopgen.scenes import check_hoop
+    from hoopgen.study.rebounds import CATCHING_HEIGHT, check_height
     from hoopgen.told import footer, in_a_note
 
     check_hoop("landings", releasing.engine)
+    height = CATCHING_HEIGHT if catching_height is None else check_height(catching_height)
     thrown, flown, told = _thrown(releasing, shots, record=False, **work)
-    scene, names = thrown.parameters, ("floor_x", "floor_y")
-    floor = hoopgen.measure(thrown.states, flown, scene, names)
+    scene, where = thrown.parameters, "floor" if catching_height is None else "rebound"
+    names = (f"{where}_x", f"{where}_y")
+    there = hoopgen.measure(thrown.states, flown, scene, names, catching_height=height)
     missed = flown.outcome == hoopgen.Outcome.MISSED
-    x, y = (floor[name][missed] for name in names)
+    x, y = (there[name][missed] for name in names)
     if picture is not None:
         from hoopgen import plots
-        from hoopgen.plots.court import court_of
 
         place = (float(np.mean(thrown.states[:, 0])), float(np.mean(thrown.states[:, 1])))
-        court, note = court_of(scene), in_a_note(told)
-        drawn = plots.plot_landings(x, y, scene, place=place, court=court, note=note)
+        note = in_a_note(told)
+        drawn = plots.plot_landings(x, y, scene, place=place, height=catching_height, note=note)
         plots.save(drawn, picture)
-    click.echo(f"{_ended(flown)}\n{_where(np.hypot(x, y))}\n\n{footer(9, told)}")
+    said = _where(np.hypot(x, y)) if catching_height is None else _caught(thrown, flown, height)
+    click.echo(f"{_ended(flown)}\n{said}\n\n{footer(9, told)}")
 
 
 def _thrown(
@@ -170,3 +192,11 @@ def _where(away: Any) -> str:
         f"land     half of {counted(len(there), 'missed shot')} within {half} of the point below "
         f"the ring's centre, 90% within {most}"
     )
+
+
+def _caught(thrown: Releases, flown: hoopgen.Shots, height: float) -> str:
+    """Say how far rebounds go, when they come down, and where to."""
+    from hoopgen.study.spread import counts_of, spread_lines, spreads
+
+    counts = counts_of(thrown, flown, _REBOUNDS, height)
+    return "\n".join(spread_lines(spreads(counts, _REBOUNDS, _CONFIDENCE, height)))

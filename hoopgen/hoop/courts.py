@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.brief import brief
 from hoopgen.hoop.presets import nearest_preset
 from hoopgen.units import FOOT
 
-__all__ = ["COURTS", "Court", "court_of", "lines_of"]
+__all__ = ["COURTS", "Court", "court_of", "find_court", "lines_of"]
 
 
 @dataclass(frozen=True)
@@ -34,8 +35,12 @@ class Court:
         Radius of the three-point arc, about the ring's centre.
     corner
         From the middle of the court to the three-point line in the corners.
-    half_width
-        From the middle of the court to a sideline.
+    restricted
+        Radius of the arc below the basket within which there is no charge.
+    half_width, half_length
+        From the middle of the court to a sideline, and from a baseline to the division line.
+    whole_circle
+        Whether the free-throw circle goes on, dashed, inside the lane.
     """
 
     baseline: float
@@ -44,12 +49,16 @@ class Court:
     circle: float
     arc: float
     corner: float
+    restricted: float
     half_width: float
+    half_length: float
+    whole_circle: bool
 
 
 COURTS: Mapping[str, Court] = MappingProxyType(
     {
-        # NBA Rule Book, rule 1.
+        # NBA Rule Book, rule 1, section I and its diagram: 94 ft by 50 ft, the three-point line
+        # 3 ft from the sidelines and 23 ft 9 in from the middle of the basket.
         "NBA": Court(
             baseline=4 * FOOT,
             free_throw=15 * FOOT,
@@ -57,9 +66,13 @@ COURTS: Mapping[str, Court] = MappingProxyType(
             circle=6 * FOOT,
             arc=23.75 * FOOT,
             corner=22 * FOOT,
+            restricted=4 * FOOT,
             half_width=25 * FOOT,
+            half_length=47 * FOOT,
+            whole_circle=True,
         ),
-        # FIBA Official Basketball Rules, article 2, and Equipment.
+        # FIBA Official Basketball Rules, articles 2.1 to 2.4, and Equipment: 28 m by 15 m, the
+        # free-throw line 5.8 m from the baseline, the three-point line 0.9 m from the sidelines.
         "FIBA": Court(
             baseline=1.2,
             free_throw=4.6,
@@ -67,11 +80,29 @@ COURTS: Mapping[str, Court] = MappingProxyType(
             circle=1.8,
             arc=6.75,
             corner=6.6,
+            restricted=1.25,
             half_width=7.5,
+            half_length=14.0,
+            whole_circle=False,
         ),
     }
 )
 """Courts of the rule books."""
+
+
+def find_court(name: str | None, parameters: Mapping[str, Any]) -> Court:
+    """Return a court by name; without one, that on which the hoop of the parameters stands.
+
+    Raises
+    ------
+    ValueError
+        If there is none.
+    """
+    if name is None:
+        return COURTS[court_of(parameters)]
+    if name not in COURTS:
+        raise ValueError(f"court: expected {' or '.join(COURTS)}, got {brief(name)}")
+    return COURTS[name]
 
 
 def court_of(parameters: Mapping[str, Any]) -> str:
@@ -81,21 +112,32 @@ def court_of(parameters: Mapping[str, Any]) -> str:
 
 
 def lines_of(court: Court, board_distance: float) -> dict[str, NDArray[np.float64]]:
-    """Return the lines about a basket by name, x and y from the ring's centre, m, (n, 2) each."""
-    front, half = -board_distance, court.lane / 2.0
+    """Return the lines of a half court by name, x and y from the ring's centre, m, (n, 2) each.
+
+    The three-point line and the restricted arc are about the ring's centre, all else is measured
+    from the board's front. The arc ends in straight lines up to the plane of the board.
+    """
+    front, half, side = -board_distance, court.lane / 2.0, court.half_width
     baseline, line = front - court.baseline, front + court.free_throw
+    middle = baseline + court.half_length
     turn = np.arccos(min(1.0, court.corner / court.arc))
     arc = court.arc * _circle(turn - np.pi / 2.0, np.pi / 2.0 - turn)
+    below = court.restricted * _circle(-np.pi / 2.0, np.pi / 2.0)
+    circle = court.circle * _circle(-np.pi / 2.0, np.pi / 2.0) + (line, 0.0)
     lines = {
-        "baseline": [(baseline, -court.half_width), (baseline, court.half_width)],
+        "sides": [(middle, -side), (baseline, -side), (baseline, side), (middle, side)],
+        "middle": [(middle, -side), (middle, side)],
         "lane": [(baseline, -half), (line, -half), (line, half), (baseline, half)],
-        "circle": court.circle * _circle(0.0, 2.0 * np.pi) + (line, 0.0),
+        "circle": circle,
         "three": [(baseline, -court.corner), *arc, (baseline, court.corner)],
+        "restricted": [(front, -court.restricted), *below, (front, court.restricted)],
     }
+    if court.whole_circle:
+        lines["inside"] = (2.0 * line, 0.0) + (-1.0, 1.0) * circle
     return {name: np.asarray(points, dtype=np.float64) for name, points in lines.items()}
 
 
 def _circle(start: float, stop: float) -> NDArray[np.float64]:
     """Return points on the unit circle, (n, 2)."""
-    turn = np.linspace(start, stop, 61)
+    turn = np.linspace(start, stop, 181)
     return np.stack([np.cos(turn), np.sin(turn)], axis=1)

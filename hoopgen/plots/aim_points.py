@@ -16,8 +16,9 @@ from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
+from hoopgen.hoop.courts import Court, find_court
 from hoopgen.hoop.places import Square, on_board, say_on_board, say_on_ring
-from hoopgen.plots.court import FLOOR, Court, add_floor, find_court, on_floor
+from hoopgen.plots.court import FLOOR, add_floor, on_floor
 from hoopgen.plots.layout import Box, place_labels
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
@@ -65,7 +66,7 @@ _AIRY = 0.25  # m, around the places
 
 
 class _Options(TypedDict, total=False):
-    court: str
+    court: str | None
     title: str
     note: str | None
     width: float
@@ -91,7 +92,7 @@ def plot_aim_points(
     dataset: xr.Dataset,
     parameters: Mapping[str, Any],
     *,
-    court: str = "NBA",
+    court: str | None = None,
     title: str = "",
     note: str | None = None,
     width: float = PAGE,
@@ -111,7 +112,8 @@ def plot_aim_points(
     parameters
         Of the scene, one number each.
     court
-        Whose lines are drawn, of `hoopgen.plots.court.COURTS`.
+        Whose lines are drawn, of `hoopgen.hoop.courts.COURTS`; by default FIBA's for a hoop nearest
+        to that preset, else the NBA's.
     title
         Above the picture.
     note
@@ -139,7 +141,7 @@ def plot_aim_points(
     missing = [name for name in _NEEDED if name not in dataset]
     if missing:
         raise ValueError(f"dataset: expected that of bank_or_direct; {', '.join(missing)} missing")
-    lines = find_court(court)
+    lines = find_court(court, parameters)
     columns = {name: np.asarray(dataset[name], dtype=np.float64) for name in _NEEDED}
     there = np.isfinite(columns["touch_y"])
     if not there.any():

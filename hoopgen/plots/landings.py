@@ -15,9 +15,10 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
+from hoopgen.hoop.courts import Court, find_court
 from hoopgen.inputs import doubles
 from hoopgen.phrases import percent
-from hoopgen.plots.court import FLOOR, Court, add_floor, draw_floor, find_court, on_floor
+from hoopgen.plots.court import FLOOR, add_floor, draw_floor, on_floor
 from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_title, check_axes, fit_view
@@ -57,7 +58,7 @@ def _share(height: float | None) -> str:
 class _Options(TypedDict, total=False):
     place: tuple[float, float] | None
     height: float | None
-    court: str
+    court: str | None
     title: str
     note: str
     width: float
@@ -92,7 +93,7 @@ def plot_landings(
     *,
     place: tuple[float, float] | None = None,
     height: float | None = None,
-    court: str = "NBA",
+    court: str | None = None,
     title: str = "",
     note: str = "",
     width: float = PAGE,
@@ -115,7 +116,8 @@ def plot_landings(
         in place of floor_x and floor_y. With a `place` it is said how many go in which direction,
         seen from there.
     court
-        Whose lines are drawn, of `hoopgen.plots.court.COURTS`.
+        Whose lines are drawn, of `hoopgen.hoop.courts.COURTS`; by default FIBA's for a hoop nearest
+        to that preset, else the NBA's.
     title
         Above the picture.
     note
@@ -138,7 +140,7 @@ def plot_landings(
     ValueError
         If x and y are not (n,) both, none is a number, or there is no such court.
     """
-    lines = find_court(court)
+    lines = find_court(court, parameters)
     points, misses = _points(x, y)
     scene = {name: float(np.mean(value)) for name, value in parameters.items()}
     circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}

@@ -16,10 +16,11 @@ from matplotlib.path import Path
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 from numpy.typing import NDArray
 
+from hoopgen.hoop.courts import Court, find_court
 from hoopgen.phrases import percent
 from hoopgen.plots.cells import Cells, read_cells
 from hoopgen.plots.contours import draw_contours
-from hoopgen.plots.court import FLOOR, Court, court_of, draw_floor, find_court, on_floor
+from hoopgen.plots.court import FLOOR, draw_floor, on_floor
 from hoopgen.plots.key import CLASSES, Class, draw_key, key_height
 from hoopgen.plots.page import add_axes, add_view, new_page
 from hoopgen.plots.panels import Panel
@@ -105,7 +106,7 @@ def plot_map(
         Below the title; by default what is the same in all cells, the scatter, the number of shots
         and the seed; on `ax`, where several maps may share one, the scene alone.
     court
-        Whose lines are drawn, of `hoopgen.plots.court.COURTS`; by default FIBA's for a hoop nearest
+        Whose lines are drawn, of `hoopgen.hoop.courts.COURTS`; by default FIBA's for a hoop nearest
         to that preset, else the NBA's.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
@@ -127,7 +128,7 @@ def plot_map(
         is not numbers in order, or there is no such court.
     """
     shown = read_cells(dataset, of)
-    lines = find_court(court or court_of(shown.hoop or {}))
+    lines = find_court(court, shown.hoop or {})
     said = shown.scene if note is None else note
     lined = shown.of == "probability" and len(shown.axes) == 1
     hatched = _NOWHERE if shown.nowhere.any() and not lined else ""

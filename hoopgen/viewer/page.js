@@ -123,7 +123,7 @@
         const label = make("label", {}, box);
         if (group === "outcome") {
           const swatch = make("span", { className: "swatch line" });
-          swatch.style.color = `var(--${scenery ? `ink-${page.outcomes.indexOf(value)}` : value})`;
+          swatch.style.color = `var(--ink-${page.outcomes.indexOf(value)})`;
           label.append(swatch);
         }
         label.append(`${said(value)} ${number}`);

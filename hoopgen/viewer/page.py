@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.colours import ended
 from hoopgen.events import Event, numbered
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.hoop.releases import RING_HEIGHT
@@ -104,11 +105,19 @@ def page(
             for row, path in paths.items()
         ],
     }
-    colours: dict[str, str] = {}
+    colours = _inks(shots)
     if not hoop:
-        drawn, colours = scenery(shots, values, paths.values())
+        drawn, bodies = scenery(shots, values, paths.values())
         data |= {"kinds": [], "parameters": {}, "scenery": drawn}
+        colours |= bodies
     return _fill(data, palette(colours))
+
+
+def _inks(shots: Shots) -> dict[str, str]:
+    """Return the colours of outcomes: ink-0, ink-1, ..., as their names may be an author's."""
+    scene = shots.scene
+    found = ended(scene.outcomes.__members__, len(scene.kernels.ENDS))
+    return {f"ink-{k}": colour for k, colour in enumerate(found.values())}
 
 
 def _about(about: str, shots: Shots, parameters: Mapping[str, Any]) -> str:

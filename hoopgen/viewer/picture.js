@@ -35,10 +35,10 @@ const Picture = (() => {
     const size = scenery ? Math.hypot(...scenery.room[0].map((v, k) => scenery.room[1][k] - v)) : 3;
     Object.assign(controls, { minDistance: 0.1 * size, maxDistance: 100 * size });
 
-    const extra = scenery ? scenery.bodies.map((_, k) => `body-${k}`) : [];
-    if (scenery) extra.push(...outcomes.map((_, k) => `ink-${k}`));
+    const extra = outcomes.map((_, k) => `ink-${k}`);
+    if (scenery) extra.push(...scenery.bodies.map((_, k) => `face-${k}`));
     let colour = Scene.colours(extra);
-    const inkOf = (outcome) => colour[scenery ? `ink-${outcomes.indexOf(outcome)}` : outcome];
+    const inkOf = (outcome) => colour[`ink-${outcomes.indexOf(outcome)}`];
     const middle = [0, 1, 2].map((k) => (scenery ? (scenery.room[0][k] + scenery.room[1][k]) / 2 : 0));
     const beat = Scene.beatOf(shots);
     const paths = shots.map((shot) => Flight.pathOf(shot, scenery ? Math.min(0.02, shot.duration / 150) : 0.02));

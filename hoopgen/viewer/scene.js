@@ -11,7 +11,7 @@ const Scene = (() => {
   /** Return the colours of the page's style, as they are now, by name; those of a list too. */
   function colours(others) {
     const style = getComputedStyle(document.documentElement);
-    const names = "path ball seam ring backboard bridge end floor glass made missed capped short faint paper";
+    const names = "path ball seam ring backboard bridge end floor glass faint paper";
     return Object.fromEntries(
       [...names.split(" "), ...others].map((name) => [name, style.getPropertyValue(`--${name}`).trim()]),
     );
@@ -30,7 +30,7 @@ const Scene = (() => {
   function bodies(scenery, colour) {
     const group = new THREE.Group();
     for (const [k, body] of scenery.bodies.entries()) {
-      const ink = colour[`body-${k}`];
+      const ink = colour[`face-${k}`];
       const corners = body.points.map((point) => new THREE.Vector3(...point));
       const geometry = new THREE.BufferGeometry().setFromPoints(corners);
       geometry.setIndex(body.triangles);

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.colours import colours, ended
+from hoopgen.colours import colours, faces
 from hoopgen.results import Shots, Trajectory
 from hoopgen.scene.drawn import drawn
 from hoopgen.scene.meshes import chains
@@ -31,18 +31,16 @@ def scenery(
     """Return the scene of shots for the page, and its colours by their names in the style.
 
     Of parameters that differ, the mean is drawn. No name of a scene's author is in a style: bodies
-    are body-0, body-1, ... there, and outcomes ink-0, ink-1, ...
+    are body-0, body-1, ... there, and themselves drawn in face-0, face-1, ...
     """
     seen = Seen.of(shots.scene, parameters)
     turn, axes = upright(seen.scene.read.down)
     low, high = _reach(paths)
     room = seen.room(low, high)
-    own = colours(seen.names)
+    own, drawn_in = colours(seen.names), faces(seen.names)
     corners = np.sort(np.stack(room) @ turn.T, axis=0)
-    outcomes = shots.scene.outcomes.__members__
-    inks = ended(outcomes, len(shots.scene.kernels.ENDS))
     named = {f"body-{k}": own[name] for k, name in enumerate(seen.names)}
-    named |= {f"ink-{k}": inks[name] for k, name in enumerate(outcomes)}
+    named |= {f"face-{k}": drawn_in[name] for k, name in enumerate(seen.names)}
     found = {
         "axes": axes,
         "room": corners.tolist(),
