@@ -10,8 +10,8 @@ from hoopgen.derive.follow.loop import Loop
 from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.ground.tree import Node, live_before, needed, reads, writes
 
-from .lists import Apart, CLists, Frame, Note
-from .loop import CLoop
+from .lists import CLists, Frame, Note
+from .loop import Apart, CLoop
 from .numpy_loop import NumPyLoop, local
 from .printers import NUMPY, C
 
