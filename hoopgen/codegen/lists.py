@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, live_before, walk, writes
 
 from .groups import CGroups, Frame
-from .loop import carried, scope
+from .loop import Apart, carried, scope
 
 _ROWS = re.compile(r"\brows\b")
 """Where the mask of a pass is used."""
@@ -28,18 +28,6 @@ class Note:
     lines: tuple[str, ...]
     reads: frozenset[str]
     gives: dict[str, bool] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Apart:
-    """A rare body that is a function of its own: its name, what it is given, and its lines.
-
-    In the long function of all the others it would take registers from what most shots do.
-    """
-
-    name: str
-    given: dict[str, str]
-    lines: list[str]
 
 
 @dataclass

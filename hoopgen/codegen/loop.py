@@ -71,6 +71,18 @@ def scope(node: Guard | Repeat, after: Iterable[str]) -> Scope:
     return Scope(*(tuple(sorted(names)) for names in (takes, gives, keeps)))
 
 
+@dataclass(frozen=True)
+class Apart:
+    """A rare body that is a function of its own: its name, what it is given, and its lines.
+
+    In the long function of all the others it would take registers from what most shots do.
+    """
+
+    name: str
+    given: dict[str, str]
+    lines: list[str]
+
+
 @dataclass
 class Printer:
     """What printing to any target has in common."""

@@ -11,8 +11,8 @@ from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.ground.tree import Do, Node, live_before, needed, reads, writes
 
 from .groups import Frame
-from .lists import Apart, CLists, Note
-from .loop import CLoop
+from .lists import CLists, Note
+from .loop import Apart, CLoop
 from .numpy_loop import NumPyLoop, local
 from .printers import NUMPY, C
 
