@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import mpmath
+import pytest
 import sympy as sp
 from hoopgen.derive.contact.rolling import INERTIA_FACTOR, impact
 from hoopgen.derive.contact.slipping import gripping
@@ -119,3 +123,35 @@ def test_nothing_follows_a_neighbouring_motion_where_no_errors_are_asked_for() -
     assert "far_x" in followed
     plain = {name for stage in loop.plain().stages.values() for name in writes(stage)}
     assert not [name for name in plain if name.startswith("far_")]
+
+
+def test_what_ends_with_friction_is_what_the_gap_of_a_flight_lacks() -> None:
+    """Where N = 0, the third derivative of a flight's gap is -N' - 2 F·n'."""
+    reach, radius, g = 0.13, 0.2286, 9.81
+    with mpmath.workdps(40):
+        a, climb, s = mpmath.mpf(1.9), mpmath.mpf(9), mpmath.mpf(1.1)
+        rho = radius + reach * mpmath.cos(a)
+        # The speed along the ring at which nothing presses on.
+        along = mpmath.sqrt((g * mpmath.sin(a) - reach * climb**2) * rho / mpmath.cos(a))
+
+        def gap(t: Any) -> Any:
+            outwards = rho - reach * climb * mpmath.sin(a) * t
+            height = reach * mpmath.sin(a) + reach * climb * mpmath.cos(a) * t - g * t**2 / 2
+            return mpmath.hypot(mpmath.hypot(outwards, along * t) - radius, height) - reach
+
+        bent, snapped = mpmath.diff(gap, 0, 2), mpmath.diff(gap, 0, 3)
+    of = circling.Circling(*map(sp.Float, (radius, reach, 0.12, g)))
+    first = (mpmath.cos(a), mpmath.sin(a), climb, along, s, 1, 0)
+    values = {f"{name}_0": sp.Float(v) for name, v in zip(circling.COORDINATES, first, strict=True)}
+    values["near_0"] = sp.Float(1 / rho)
+
+    def found(expression: sp.Expr) -> sp.Expr:
+        return release(expression).subs({sp.Symbol(n, real=True): v for n, v in values.items()})
+
+    for k in range(2):
+        values |= {name: found(expression) for name, expression in of.following(k).items()}
+    assert abs(bent) < 1e-12
+    assert abs(values["force_0"]) < 1e-12
+    brace = found(of.pace()["brace"])
+    assert abs(brace) > 1
+    assert snapped == pytest.approx(-float(values["force_1"] + brace), rel=1e-9)

@@ -182,6 +182,7 @@ class Circling:
             "force": term("force", 0),
             "force_rate": term("force", 1),
             "force_bend": horner(bends, step),
+            "brace": hold(2 * SHARE * strength * hold(term("cosine", 0) * term("climb", 0))),
         } | self._quickened()
 
     def pulled(self) -> dict[str, sp.Expr]:

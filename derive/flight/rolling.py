@@ -166,6 +166,7 @@ def pace(acceleration: Sequence[sp.Expr], strength: sp.Expr) -> dict[str, sp.Exp
     powers = [step**k for k in range(ORDER)]
     strongest = hold(sum((k + 1) * sizes[k + 1] * powers[k] for k in range(ORDER)))
     forces = force(acceleration)
+    braced = [(a, n) for a, n in zip(acceleration, SERIES[3:6], strict=True) if a != 0]
     bend = hold(sum(k * (k - 1) * size(forces[k]) * powers[k - 2] for k in range(2, ORDER)))
     return {
         "stride": step,
@@ -174,4 +175,5 @@ def pace(acceleration: Sequence[sp.Expr], strength: sp.Expr) -> dict[str, sp.Exp
         "force": forces[0],
         "force_rate": forces[1],
         "force_bend": bend,
+        "brace": hold(-2 * SHARE * hold(sum(a * term(n, 1) for a, n in braced))),
     }

@@ -58,7 +58,7 @@ BEGINS, ROLLS, LEAVES = 1, 2, 3
 """What a ball in contact does next; 0: it is in flight."""
 
 stride, strongest, fastest = sp.symbols("stride strongest fastest", nonnegative=True)
-force, force_rate, force_bend = sp.symbols("force force_rate force_bend", real=True)
+force, force_rate, force_bend, brace = sp.symbols("force force_rate force_bend brace", real=True)
 gap, nearing, dent, lift, surge, snap = sp.symbols("gap nearing dent lift surge snap", real=True)
 turning = sp.Matrix(sp.symbols("turning_x turning_y turning_z", real=True))
 """The rate at which the normal turns, n'."""
@@ -354,7 +354,14 @@ def _stepping(strength: sp.Expr, ball_radius: sp.Expr, codes: Codes) -> tuple[Ke
     small = hold(sp.Rational(1, 2**44) * pull)
     off = hold(small + 8 * size(per) * hold(pull * position_error + fastest * velocity_error))
     bends = hold(force_bend + sp.Rational(1, 2**40) * pull)
-    leaves = some(Less(force, -small), every(AtMost(force, small), Less(force_rate, 0)))
+    spent = some(Less(force, -small), every(AtMost(force, small), Less(force_rate, 0)))
+    # A flight from there opens the gap as -(N' + 2 F·n') t³/6 - N t²/2. Where that is pressed on
+    # again, the ball is held on until -N opens it.
+    surging = hold(-force_rate - brace)
+    quickness = hold(size(per) * hold(fastest**2 * size(per) + strength))
+    held_by = hold(IfLess(surging, 0, surging**2 / hold(strength * quickness), 0))
+    holds = every(spent, Less(small, hold(force + held_by)))
+    leaves = every(spent, Not(holds))
     still = sp.Rational(1, 2**44)
     pulled = sum(size(rolling.term(v, 1)) for v in rolling.SERIES[:3])
     stopped = every(
@@ -380,6 +387,9 @@ def _stepping(strength: sp.Expr, ball_radius: sp.Expr, codes: Codes) -> tuple[Ke
         return Choose(condition, 0, smallest(stride, root))
 
     above = hold(largest(gap, 0))
+    # One that it touches and does not near, as where a ball rolls from one surface onto another,
+    # may be as near as that for a moment.
+    clear = hold(Choose(AtMost(gap, landing), tolerance(ball_radius), gap))
     to_gate = Choose(Less(0, gap), first_root(above, nearing, reach), sp.oo)
     delay = hold(2 * room / hold(size(nearing)))
     return (
@@ -387,13 +397,22 @@ def _stepping(strength: sp.Expr, ball_radius: sp.Expr, codes: Codes) -> tuple[Ke
             "leaving_force",
             {
                 "stride": stopping(
-                    some(leaves, stopped), first_root(hold(largest(force, 0)), force_rate, bends)
+                    some(leaves, stopped),
+                    first_root(
+                        hold(Choose(holds, hold(force + held_by), largest(force, 0))),
+                        force_rate,
+                        bends,
+                    ),
                 ),
                 "which": found(leaves, sp.Integer(codes.leaves)),
                 "rests": every(stopped, Not(leaves)),
                 "doubt": Choose(
-                    every(
-                        AtMost(size(force), off), Not(Less(hold(8 * bends * off), force_rate**2))
+                    some(
+                        holds,
+                        every(
+                            AtMost(size(force), off),
+                            Not(Less(hold(8 * bends * off), force_rate**2)),
+                        ),
                     ),
                     0,
                     doubt,
@@ -405,7 +424,7 @@ def _stepping(strength: sp.Expr, ball_radius: sp.Expr, codes: Codes) -> tuple[Ke
         made(
             "beside_body",
             {
-                "stride": stopping(meets, first_root(above, nearing, reach)),
+                "stride": stopping(meets, first_root(clear, nearing, reach)),
                 "which": found(meets, index),
                 "doubt": Choose(some(at, every(meets, Not(first))), 0, doubt),
                 "late": Choose(every(meets, first), delay, late),

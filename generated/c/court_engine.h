@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 242f75b350b20aff,
+   Generated from templates/c/engine.h.j2, scene court, derivation c8965b91dbd9f511,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -1106,8 +1106,9 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             V force = _o139.force;
             V force_rate = _o139.force_rate;
             V force_bend = _o139.force_bend;
+            V brace = _o139.brace;
             const LANES(court_leaving_force_out) _o140 =
-                LANES(court_leaving_force)(p_ball_radius, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
+                LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
             stride = _o140.stride;
             which = _o140.which;
             M rests = _o140.rests;
@@ -1733,11 +1734,12 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             V force = _o211.force;
             V force_rate = _o211.force_rate;
             V force_bend = _o211.force_bend;
+            V brace = _o211.brace;
             V vx_1 = _o211.vx_1;
             V vy_1 = _o211.vy_1;
             V vz_1 = _o211.vz_1;
             const LANES(court_leaving_force_out) _o212 =
-                LANES(court_leaving_force)(p_ball_radius, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
+                LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
             stride = _o212.stride;
             which = _o212.which;
             M rests = _o212.rests;
@@ -5292,6 +5294,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             V force = _o173.force;
             V force_rate = _o173.force_rate;
             V force_bend = _o173.force_bend;
+            V brace = _o173.brace;
             const LANES(court_pulled_out) _o174 =
                 LANES(court_pulled)(p_gravity, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
             V drag = _o174.drag;
@@ -5333,7 +5336,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             taut_rate = _o184.taut_rate;
             taut_clock = _o184.taut_clock;
             const LANES(court_leaving_force_out) _o185 =
-                LANES(court_leaving_force)(p_ball_radius, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
+                LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
             stride = _o185.stride;
             which = _o185.which;
             M rests = _o185.rests;
@@ -6339,6 +6342,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             V force = _o295.force;
             V force_rate = _o295.force_rate;
             V force_bend = _o295.force_bend;
+            V brace = _o295.brace;
             V vx_1 = _o295.vx_1;
             V vy_1 = _o295.vy_1;
             V vz_1 = _o295.vz_1;
@@ -6365,7 +6369,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             taut_rate = _o301.taut_rate;
             taut_clock = _o301.taut_clock;
             const LANES(court_leaving_force_out) _o302 =
-                LANES(court_leaving_force)(p_ball_radius, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
+                LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
             stride = _o302.stride;
             which = _o302.which;
             M rests = _o302.rests;

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 242f75b350b20aff,
+   Generated from templates/c/kernels.h.j2, scene court, derivation c8965b91dbd9f511,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1565,7 +1565,7 @@ LANES(court_roll_placed)(V p_ball_radius, V gap, V nx, V ny, V nz, V turn_rate, 
 }
 
 /* A step of the series, bounds of the motion in it, and the normal force.
-   the last terms of the series. 155 operations: 53 additions, 47 multiplications, 1 division, 4 square roots, 46 absolute values, 2 comparisons, 2 selections. */
+   the last terms of the series. 159 operations: 53 additions, 49 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride;
     V strongest;
@@ -1573,6 +1573,7 @@ typedef struct {
     V force;
     V force_rate;
     V force_bend;
+    V brace;
 } LANES(court_roll_pace_out);
 
 LANES_INLINE LANES(court_roll_pace_out)
@@ -1603,7 +1604,7 @@ LANES(court_roll_pace)(V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V li
     const V _s22 = lanes_add(_s21, lanes_mul(lanes_mul(K(20.0), lanes_abs(lanes_add(lift_5, lanes_mul(_s20, nz_5)))), _s12));
     const V _s23 = lanes_add(_s22, lanes_mul(lanes_mul(K(30.0), lanes_abs(lanes_add(lift_6, lanes_mul(_s20, nz_6)))), _s14));
     const V _s24 = lanes_add(_s23, lanes_mul(lanes_mul(K(42.0), lanes_abs(lanes_add(lift_7, lanes_mul(_s20, nz_7)))), _s16));
-    return (LANES(court_roll_pace_out)){ _s8, _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(_s20, nz_0)), lanes_add(lift_1, lanes_mul(_s20, nz_1)), lanes_add(_s24, lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(_s20, nz_2))))) };
+    return (LANES(court_roll_pace_out)){ _s8, _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(_s20, nz_0)), lanes_add(lift_1, lanes_mul(_s20, nz_1)), lanes_add(_s24, lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(_s20, nz_2))))), lanes_neg(lanes_mul(K(0.8), lanes_neg(lanes_mul(p_gravity, nz_1)))) };
 }
 
 /* The spin about the normal, times the ball's radius.
@@ -1749,7 +1750,7 @@ LANES(court_begun_errors)(V p_ball_radius, V dvx, V dvy, V dvz, V dwx, V dwy, V 
 }
 
 /* Where the normal force is spent, or nothing moves; else how long it certainly lasts.
-   N = 0. 70 operations: 10 additions, 1 subtraction, 17 multiplications, 1 division, 2 square roots, 1 negation, 8 absolute values, 12 comparisons, 5 conjunctions, 2 disjunctions, 2 complements, 9 selections. */
+   N = 0. 85 operations: 12 additions, 1 subtraction, 20 multiplications, 2 divisions, 2 square roots, 2 negations, 8 absolute values, 14 comparisons, 7 conjunctions, 3 disjunctions, 3 complements, 11 selections. */
 typedef struct {
     V stride;
     V which;
@@ -1758,27 +1759,31 @@ typedef struct {
 } LANES(court_leaving_force_out);
 
 LANES_INLINE LANES(court_leaving_force_out)
-LANES(court_leaving_force)(V p_ball_radius, V doubt, V fastest, V force, V force_bend, V force_rate, V p_gravity, V per_reach, V position_error, V stride, V velocity_error, V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which)
+LANES(court_leaving_force)(V p_ball_radius, V brace, V doubt, V fastest, V force, V force_bend, V force_rate, V p_gravity, V per_reach, V position_error, V stride, V velocity_error, V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which)
 {
     const V _s0 = lanes_abs(per_reach);
     const V _s1 = lanes_add(p_gravity, lanes_mul(lanes_mul(fastest, fastest), _s0));
     const V _s2 = lanes_mul(K(5.684341886080802e-14), _s1);
     const M _s3 = lanes_less(force_rate, K(0.0));
     const M _s4 = lanes_either(lanes_less(force, lanes_neg(_s2)), lanes_both(lanes_at_most(force, _s2), _s3));
-    const M _s5 = lanes_both(lanes_at_most(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity)))), lanes_at_most(lanes_add(lanes_add(lanes_abs(vx_1), lanes_abs(vy_1)), lanes_abs(vz_1)), lanes_mul(K(5.684341886080802e-14), p_gravity)));
-    const V _s6 = lanes_mul(force_rate, force_rate);
-    const V _s7 = lanes_add(force_bend, lanes_mul(K(9.094947017729282e-13), _s1));
-    const V _s8 = lanes_max(force, K(0.0));
-    const V _s9 = lanes_add(_s6, lanes_mul(lanes_mul(K(2.0), _s7), _s8));
-    const V _s10 = lanes_sqrt(_s9);
-    const V _s11 = lanes_select(lanes_at_most(K(0.0), _s9), lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s8), lanes_add(force_rate, _s10)), lanes_select(_s3, lanes_sub(_s10, force_rate), lanes_max(K(0.0), _s7))), K(INFINITY));
-    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(8.0), _s0), lanes_add(lanes_mul(fastest, velocity_error), lanes_mul(position_error, _s1))), _s2);
-    const V _s13 = lanes_select(lanes_both(lanes_at_most(lanes_abs(force), _s12), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s7), _s12), _s6))), K(0.0), doubt);
-    return (LANES(court_leaving_force_out)){ lanes_select(lanes_either(_s4, _s5), K(0.0), lanes_min(_s11, stride)), lanes_select(lanes_both(_s4, lanes_equal(which, K(-1.0))), K(6.0), which), lanes_both(_s5, lanes_not(_s4)), _s13 };
+    const V _s5 = lanes_neg(lanes_add(brace, force_rate));
+    const V _s6 = lanes_add(force, lanes_select(lanes_less(_s5, K(0.0)), lanes_div(lanes_mul(_s5, _s5), lanes_mul(p_gravity, lanes_mul(_s0, _s1))), K(0.0)));
+    const M _s7 = lanes_both(_s4, lanes_less(_s2, _s6));
+    const M _s8 = lanes_both(_s4, lanes_not(_s7));
+    const M _s9 = lanes_both(lanes_at_most(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity)))), lanes_at_most(lanes_add(lanes_add(lanes_abs(vx_1), lanes_abs(vy_1)), lanes_abs(vz_1)), lanes_mul(K(5.684341886080802e-14), p_gravity)));
+    const V _s10 = lanes_mul(force_rate, force_rate);
+    const V _s11 = lanes_add(force_bend, lanes_mul(K(9.094947017729282e-13), _s1));
+    const V _s12 = lanes_select(_s7, _s6, lanes_max(force, K(0.0)));
+    const V _s13 = lanes_add(_s10, lanes_mul(lanes_mul(K(2.0), _s11), _s12));
+    const V _s14 = lanes_sqrt(_s13);
+    const V _s15 = lanes_select(lanes_at_most(K(0.0), _s13), lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s12), lanes_add(force_rate, _s14)), lanes_select(_s3, lanes_sub(_s14, force_rate), lanes_max(K(0.0), _s11))), K(INFINITY));
+    const V _s16 = lanes_add(lanes_mul(lanes_mul(K(8.0), _s0), lanes_add(lanes_mul(fastest, velocity_error), lanes_mul(position_error, _s1))), _s2);
+    const M _s17 = lanes_either(_s7, lanes_both(lanes_at_most(lanes_abs(force), _s16), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s11), _s16), _s10))));
+    return (LANES(court_leaving_force_out)){ lanes_select(lanes_either(_s8, _s9), K(0.0), lanes_min(_s15, stride)), lanes_select(lanes_both(_s8, lanes_equal(which, K(-1.0))), K(6.0), which), lanes_both(_s9, lanes_not(_s8)), lanes_select(_s17, K(0.0), doubt) };
 }
 
 /* Where a rolling ball meets another surface; else how long it certainly does not.
-   a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 10 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections. */
+   a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 12 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections. */
 typedef struct {
     V stride;
     V which;
@@ -1790,19 +1795,20 @@ LANES_INLINE LANES(court_beside_body_out)
 LANES(court_beside_body)(V p_ball_radius, V dent, V doubt, V fastest, V gap, V index, V late, V nearing, V position_error, V stride, V strongest, V which, V x, V y, V z)
 {
     const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(p_ball_radius, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
-    const M _s1 = lanes_less(nearing, K(0.0));
-    const M _s2 = lanes_both(lanes_at_most(gap, _s0), _s1);
-    const V _s3 = lanes_mul(nearing, nearing);
-    const V _s4 = lanes_add(strongest, lanes_mul(dent, lanes_mul(fastest, fastest)));
-    const V _s5 = lanes_max(gap, K(0.0));
-    const V _s6 = lanes_add(_s3, lanes_mul(lanes_mul(K(2.0), _s4), _s5));
-    const V _s7 = lanes_sqrt(_s6);
-    const V _s8 = lanes_select(lanes_at_most(K(0.0), _s6), lanes_div(lanes_select(_s1, lanes_mul(K(2.0), _s5), lanes_add(nearing, _s7)), lanes_select(_s1, lanes_sub(_s7, nearing), lanes_max(K(0.0), _s4))), K(INFINITY));
-    const M _s9 = lanes_equal(which, K(-1.0));
-    const M _s10 = lanes_both(_s2, _s9);
-    const V _s11 = lanes_add(lanes_mul(K(2.0), position_error), _s0);
-    const M _s12 = lanes_either(lanes_both(lanes_both(lanes_at_most(gap, _s11), lanes_at_most(lanes_neg(_s11), gap)), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s11), _s4), _s3))), lanes_both(_s2, lanes_not(_s9)));
-    return (LANES(court_beside_body_out)){ lanes_select(_s2, K(0.0), lanes_min(_s8, stride)), lanes_select(_s10, index, which), lanes_select(_s12, K(0.0), doubt), lanes_select(_s10, lanes_div(lanes_mul(K(2.0), _s11), lanes_abs(nearing)), late) };
+    const M _s1 = lanes_at_most(gap, _s0);
+    const M _s2 = lanes_less(nearing, K(0.0));
+    const M _s3 = lanes_both(_s1, _s2);
+    const V _s4 = lanes_mul(nearing, nearing);
+    const V _s5 = lanes_add(strongest, lanes_mul(dent, lanes_mul(fastest, fastest)));
+    const V _s6 = lanes_select(_s1, lanes_mul(K(3.637978807091713e-12), p_ball_radius), gap);
+    const V _s7 = lanes_add(_s4, lanes_mul(lanes_mul(K(2.0), _s5), _s6));
+    const V _s8 = lanes_sqrt(_s7);
+    const V _s9 = lanes_select(lanes_at_most(K(0.0), _s7), lanes_div(lanes_select(_s2, lanes_mul(K(2.0), _s6), lanes_add(nearing, _s8)), lanes_select(_s2, lanes_sub(_s8, nearing), lanes_max(K(0.0), _s5))), K(INFINITY));
+    const M _s10 = lanes_equal(which, K(-1.0));
+    const M _s11 = lanes_both(_s3, _s10);
+    const V _s12 = lanes_add(lanes_mul(K(2.0), position_error), _s0);
+    const M _s13 = lanes_either(lanes_both(lanes_both(lanes_at_most(gap, _s12), lanes_at_most(lanes_neg(_s12), gap)), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s12), _s5), _s4))), lanes_both(_s3, lanes_not(_s10)));
+    return (LANES(court_beside_body_out)){ lanes_select(_s3, K(0.0), lanes_min(_s9, stride)), lanes_select(_s11, index, which), lanes_select(_s13, K(0.0), doubt), lanes_select(_s11, lanes_div(lanes_mul(K(2.0), _s12), lanes_abs(nearing)), late) };
 }
 
 /* The same of a plane that ends a shot, which counts from above.
@@ -3041,7 +3047,7 @@ LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V al
 }
 
 /* A step of the series, and bounds of the motion in it.
-   Routh's equations. 272 operations: 80 additions, 4 subtractions, 117 multiplications, 6 divisions, 7 square roots, 1 negation, 53 absolute values, 2 comparisons, 2 selections. */
+   Routh's equations. 275 operations: 80 additions, 4 subtractions, 120 multiplications, 6 divisions, 7 square roots, 1 negation, 53 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride;
     V strongest;
@@ -3050,6 +3056,7 @@ typedef struct {
     V force;
     V force_rate;
     V force_bend;
+    V brace;
     V vx_1;
     V vy_1;
     V vz_1;
@@ -3113,7 +3120,7 @@ LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V alo
     const V _s52 = lanes_mul(lanes_mul(climb_0, climb_0), _s1);
     const V _s53 = lanes_neg(lanes_add(lanes_add(lanes_mul(along_0, omega_0), lanes_mul(cosine_0, _s52)), lanes_mul(lanes_mul(climb_1, sine_0), _s1)));
     const V _s54 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _s1)));
-    return (LANES(court_ring_round_pace_out)){ _s19, lanes_add(lanes_add(lanes_mul(K(0.6), p_gravity), lanes_mul(K(0.4), lanes_mul(_s23, lanes_add(_s28, _s42)))), lanes_add(lanes_mul(_s28, _s27), lanes_mul(_s1, _s43))), lanes_add(lanes_mul(_s1, _s42), _s27), lanes_mul(_s1, lanes_add(_s43, _s47)), force_0, force_1, lanes_add(_s51, lanes_mul(K(2.0), lanes_abs(force_2))), lanes_sub(lanes_mul(cos_0, _s53), lanes_mul(sin_0, _s54)), lanes_add(lanes_mul(cos_0, _s54), lanes_mul(sin_0, _s53)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _s1), lanes_mul(sine_0, _s52)) };
+    return (LANES(court_ring_round_pace_out)){ _s19, lanes_add(lanes_add(lanes_mul(K(0.6), p_gravity), lanes_mul(K(0.4), lanes_mul(_s23, lanes_add(_s28, _s42)))), lanes_add(lanes_mul(_s28, _s27), lanes_mul(_s1, _s43))), lanes_add(lanes_mul(_s1, _s42), _s27), lanes_mul(_s1, lanes_add(_s43, _s47)), force_0, force_1, lanes_add(_s51, lanes_mul(K(2.0), lanes_abs(force_2))), lanes_mul(lanes_mul(K(0.8), p_gravity), lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s53), lanes_mul(sin_0, _s54)), lanes_add(lanes_mul(cos_0, _s54), lanes_mul(sin_0, _s53)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _s1), lanes_mul(sine_0, _s52)) };
 }
 
 /* The square of the friction that rolling on the ring takes, and its rate.

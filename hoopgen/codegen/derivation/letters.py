@@ -197,6 +197,7 @@ IN_CONTACT = {
     "force": Letter("N", "normal force per unit mass"),
     "force_rate": Letter("N'", "its rate"),
     "force_bend": Letter("N_2", "bound on its second derivative within a step"),
+    "brace": Letter("B", r"twice $\mathbf{F}\cdot\dot{\mathbf{n}}$: what ends with friction"),
     "stride": Letter("h", "step of a ball in contact"),
     "strongest": Letter("A", "bound on its acceleration within the step"),
     "fastest": Letter("U", "bound on its speed within the step"),
