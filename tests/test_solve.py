@@ -141,6 +141,17 @@ def test_where_the_share_rises_and_falls_the_nearest_to_1_is_taken_and_others_ar
         assert abs(there - share) < 2 / 4000
 
 
+def test_where_the_share_jumps_past_the_wanted_one_that_is_said() -> None:
+    """Of four measured releases it is a number of quarters, whatever the factor."""
+    speed, elevation = [7.1, 7.2, 7.15, 7.3], np.radians([52.0, 51.0, 53.0, 52.0])
+    model = Resample({"speed": speed, "elevation": elevation, "height": 2.1336, "distance": 4.191})
+    found = solve(model, 0.7, shots=2_000)
+    assert found.low == found.factor == found.high
+    said = f"{found.factor:.3g} times the scatter, where the share jumps past 70% made"
+    assert found.line == said
+    assert str(found).startswith(f"factor   {said}\nthrown ")
+
+
 def test_an_interval_may_reach_no_scatter_and_more_than_is_tried() -> None:
     nearly = of_player(0.9995, shots=500)
     assert nearly.low == 0.0

@@ -40,8 +40,8 @@ _WORK = together(seed_option, max_contacts_option, backend_option, threads_optio
         f"hoopgen fan {_FREE_THROW} \\",
         f"    {_PLAYER} --picture fan.svg",
         "hoopgen fan --from releases.csv --height 7ft --distance 13.75ft --picture fan.png",
-        "hoopgen fan --scene golf.toml --position=-30cm,0,3cm --velocity 1.2,0,0 \\",
-        "    --scatter vx=0.1 --scatter vy=0.05 --picture putts.png",
+        "hoopgen fan --scene golf.toml --position=-30cm,0,20cm --velocity 1.4,0,0 \\",
+        "    --scatter vx=0.1 --scatter vy=0.05 --max-contacts 30 --picture pitches.png",
     )
 )
 @release_options
@@ -110,7 +110,8 @@ def landings(releasing: Releasing, shots: int, picture: Path | None, **work: Any
 
         place = (float(np.mean(thrown.states[:, 0])), float(np.mean(thrown.states[:, 1])))
         court, note = court_of(scene), in_a_note(told)
-        drawn = plots.plot_landings(x, y, scene, place=place, court=court, note=note)
+        options = {"place": place, "court": court, "scene": flown.scene, "note": note}
+        drawn = plots.plot_landings(x, y, scene, **options)
         plots.save(drawn, picture)
     click.echo(f"{_ended(flown)}\n{_where(np.hypot(x, y))}\n\n{footer(9, told)}")
 
@@ -148,10 +149,13 @@ def _ended(flown: hoopgen.Shots) -> str:
     """Say how shots end."""
     import numpy as np
 
-    from hoopgen.phrases import percent
+    from hoopgen.phrases import doubtful, percent
 
     shares = {one.name.lower(): np.mean(flown.outcome == one) for one in flown.scene.outcomes}
     said = [f"{percent(float(share))} {name}" for name, share in shares.items() if share]
+    if flown.uncertain.any():
+        capped = flown.uncertain & (flown.outcome == flown.scene.outcomes["CAPPED"])
+        said.append(doubtful(int(flown.uncertain.sum()), int(capped.sum())))
     return f"shots    {len(flown):,}: {', '.join(said)}"
 
 
