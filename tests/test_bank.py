@@ -222,7 +222,7 @@ def test_what_is_wrong_on_the_command_line_is_said(more: list[str], said: str) -
 def test_without_scatter_it_says_what_is_missing() -> None:
     result = run("bank", "--height", "7ft", *SIDE)
     assert result.exit_code == 2
-    assert "expected a deviation above 0" in result.stderr
+    assert "--scatter: expected a deviation above 0" in result.stderr
 
 
 def test_the_examples_of_the_help_are_commands() -> None:

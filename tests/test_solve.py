@@ -168,7 +168,7 @@ def test_an_interval_may_reach_no_scatter_and_more_than_is_tried() -> None:
         (LONG, 0.95, r"95% made is reached by no factor from 0 to 16: at most \d.*; 0.0% without"),
         (PLAYER, 1e-4, r"0.01% made is reached by no factor .* at least .* with 16 times the sc"),
         (Scatter({**RELEASE, "aim": 3.0}, {"speed": 1e-4}), 0.5, "at most 0.0% without scatter$"),
-        (Scatter(RELEASE), 0.7, "model: nothing scatters"),
+        (Scatter(RELEASE), 0.7, "model: nothing scatters, .* give sd, --scatter$"),
         (Scatter(RELEASE, {"speed": 0.0}), 0.7, "model: nothing scatters"),
         (PLAYER, 0.0, "share: expected a number within 0 and 1, got 0.0"),
         (PLAYER, 70, "share: expected a number within 0 and 1, got 70"),

@@ -110,8 +110,9 @@ def landings(releasing: Releasing, shots: int, picture: Path | None, **work: Any
 
         place = (float(np.mean(thrown.states[:, 0])), float(np.mean(thrown.states[:, 1])))
         court, note = court_of(scene), in_a_note(told)
-        options = {"place": place, "court": court, "scene": flown.scene, "note": note}
-        drawn = plots.plot_landings(x, y, scene, **options)
+        drawn = plots.plot_landings(
+            x, y, scene, place=place, court=court, scene=flown.scene, note=note
+        )
         plots.save(drawn, picture)
     click.echo(f"{_ended(flown)}\n{_where(np.hypot(x, y))}\n\n{footer(9, told)}")
 

@@ -246,7 +246,9 @@ def check_scatters(model: Any) -> None:
     if not isinstance(model, Scatter | Resample):
         raise TypeError(f"model: expected a Scatter or a Resample, got {brief(model)}")
     if model.still:
-        raise ValueError("model: nothing scatters, so there is nothing to multiply; give sd")
+        raise ValueError(
+            "model: nothing scatters, so there is nothing to multiply; give sd, --scatter"
+        )
 
 
 def _possible(model: Scatter | Resample) -> list[float]:
