@@ -454,6 +454,23 @@ def test_a_picture_with_nothing_to_show_costs_no_answer(tmp_path: Path, name: st
     assert there == {"fan.svg"}
 
 
+def test_a_study_s_misses_are_on_the_court_of_its_scene(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: dict[str, Any] = {}
+
+    def drawn(*places: Any, **options: Any) -> Any:
+        asked.update(options)
+        return plot_landings(*places, **options)
+
+    monkeypatch.setattr("hoopgen.plots.plot_landings", drawn)
+    file = _study(tmp_path, 'figures = ["landings"]\n')
+    told = file.read_text(encoding="utf-8")
+    file.write_text(f'scene = {{ file = "court", preset = "fiba" }}\n{told}', encoding="utf-8")
+    run_study(file, threads=1)
+    assert (asked["court"], asked["scene"].name) == ("FIBA", "court")
+
+
 def test_a_study_without_measures_is_the_one_that_it_was(tmp_path: Path) -> None:
     """A folder of results from before there were any can be gone on with."""
 
