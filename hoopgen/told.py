@@ -231,7 +231,11 @@ def _told_own(attributes: Mapping[str, Any]) -> dict[str, str]:
     """Return what is said of a dataset of a scene of one's own, which says it itself."""
     return {
         name: str(attributes[key])
-        for name, key in (("scene", "scene"), ("release", "said_release"), ("scatter", "said_sd"))
+        for name, key in (
+            ("scene", "scene"),
+            ("release", "said_release"),
+            ("scatter", "said_scatter"),
+        )
         if attributes.get(key)
     } | ({"seed": str(attributes["seed"])} if "seed" in attributes else {})
 

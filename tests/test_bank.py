@@ -132,6 +132,14 @@ def test_a_place_without_a_bank_shot_says_so() -> None:
     assert table.splitlines()[3].split()[-2:] == ["-", "-"]
 
 
+def test_a_bank_shot_that_without_errors_misses_the_board_says_so() -> None:
+    """From far away what goes in by chance may be aimed at nothing."""
+    text = output(*BANK, "--distance", "100m", "--angle", "60deg", "--shots", "300")
+    (bank,) = (line for line in text.splitlines() if line.startswith("bank "))
+    assert bank.endswith(", without errors it does not touch the board first")
+    assert "nan" not in text
+
+
 def test_the_picture_is_that_of_the_places(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     file = tmp_path / "bank.svg"
@@ -214,7 +222,7 @@ def test_what_is_wrong_on_the_command_line_is_said(more: list[str], said: str) -
 def test_without_scatter_it_says_what_is_missing() -> None:
     result = run("bank", "--height", "7ft", *SIDE)
     assert result.exit_code == 2
-    assert "expected a deviation above 0" in result.stderr
+    assert "--scatter: expected a deviation above 0" in result.stderr
 
 
 def test_the_examples_of_the_help_are_commands() -> None:

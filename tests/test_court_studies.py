@@ -30,6 +30,7 @@ from hoopgen.plots.key import CLASSES, classify  # noqa: E402
 from hoopgen.study.measures import MEASURES, measure, measures_of  # noqa: E402
 from hoopgen.studyfile import run_study  # noqa: E402
 from hoopgen.studyfile.reading import StudyError  # noqa: E402
+from hoopgen.told import told_by  # noqa: E402
 
 # One worker: its C is compared with NumPy once.
 pytestmark = pytest.mark.xdist_group("court")
@@ -180,6 +181,15 @@ def test_a_comparison_says_what_an_infinite_friction_does() -> None:
     scatter = ("--scatter", "speed=0.1", "--shots", SHOTS, "--versus", "ring_friction=inf")
     said = run("estimate", *SHOT, "--preset", "nba", *scatter)
     assert "second: court, NBA, ring_friction inf" in said
+
+
+def test_a_map_of_it_says_who_scatters() -> None:
+    over = {"elevation": [0.9, 0.95]}
+    release = {"aim": 0.05, "height": 2.1336, "distance": 4.191}
+    player = Scatter(release, {"speed": 0.07})
+    mapped = hoopgen.map(player, over, scene=COURT, shots=20)
+    assert told_by(mapped)["scatter"] == "speed 0.07 m/s"
+    assert "scatter" not in told_by(hoopgen.map(Scatter(release), over, scene=COURT))
 
 
 def test_a_map_over_an_infinite_friction_is_the_shots_themselves(tmp_path: Path) -> None:

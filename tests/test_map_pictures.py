@@ -168,6 +168,10 @@ def test_a_third_variable_gives_a_court_for_each_value() -> None:
     assert "backspin 3 Hz" in courts[1].get_title(loc="left")
 
 
+def test_over_one_coordinate_of_the_place_the_other_is_named() -> None:
+    assert "lace on the floor, y −6 m" in said(plot_map(places().isel(y=0)))
+
+
 def test_places_without_a_hoop_are_a_plain_map() -> None:
     data = places()
     data.attrs.clear()

@@ -30,7 +30,7 @@ from hoopgen.plots import COLOURS, plot_trajectory, save, style  # noqa: E402
 from hoopgen.plots.layout import Box, place_labels  # noqa: E402
 from hoopgen.plots.marks import Mark, collect_marks, draw_key  # noqa: E402
 from hoopgen.plots.style import wrap  # noqa: E402
-from hoopgen.plots.trajectory import collect  # noqa: E402
+from hoopgen.plots.trajectory import collect, flat_limits  # noqa: E402
 from hoopgen.plots.views import SIDE, TOP, oblique  # noqa: E402
 
 RESULTS = {result.case.slug: result for result in run()}
@@ -303,6 +303,20 @@ def test_an_ordinary_flight_has_160_points_a_second() -> None:
         times = np.unique(np.append(result.trajectory.events["time"], 0.0))
         wanted = sum(max(2, int(160 * lasts)) for lasts in np.diff(times).tolist())
         assert len(collect(result.trajectory, result.parameters, None).path) == wanted + 1
+
+
+@pytest.mark.parametrize(("angle", "distance"), [(np.pi / 2, 6.7), (0.0, 0.01)])
+def test_flat_views_of_a_shot_along_the_board_or_straight_up_have_room(
+    angle: float, distance: float
+) -> None:
+    state = hoopgen.release(9.2, 1.5, height=2.1, distance=distance, angle=angle)
+    drawing = collect(hoopgen.simulate(state, record=True).trajectory(0), hoopgen.PAPER, None)
+    longest = np.ptp(drawing.path, axis=0).max()
+    sides = [flat_limits(drawing, view) for view in (SIDE, TOP)]
+    assert sides[0][:2] == sides[1][:2]
+    left, right = sides[0][:2]
+    assert right - left == pytest.approx(longest / 2, rel=1e-12)
+    assert left < drawing.path[:, 0].min() < drawing.path[:, 0].max() < right
 
 
 def test_a_3d_view_can_be_asked_for() -> None:

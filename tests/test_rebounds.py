@@ -441,6 +441,36 @@ def test_a_study_asks_for_measures_and_draws_rebounds(tmp_path: Path) -> None:
         run_study(_study(tmp_path, ASKED.replace("9 ft", "8 ft") + 'figures = ["rebounds"]\n'))
 
 
+@pytest.mark.parametrize("name", ["landings", "rebounds"])
+def test_a_picture_with_nothing_to_show_costs_no_answer(tmp_path: Path, name: str) -> None:
+    """Who never misses has no place where misses go, and is answered all the same."""
+    sure = f'figures = ["fan", "{name}"]\nrelease.speed = 7.2\nscatter = "none"\nshots = 50\n'
+    file = tmp_path / "study.toml"
+    file.write_text(STUDY.replace("shots = 2000\n", sure), encoding="utf-8")
+    answer = run_study(file, threads=1)["where"]
+    assert answer.line.startswith("100.0% made")
+    assert answer.line.endswith("so there is no picture of where")
+    there = {file.name for file in (tmp_path / "study-results" / "where").glob("*.svg")}
+    assert there == {"fan.svg"}
+
+
+def test_a_study_s_misses_are_on_the_court_of_its_scene(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: dict[str, Any] = {}
+
+    def drawn(*places: Any, **options: Any) -> Any:
+        asked.update(options)
+        return plot_landings(*places, **options)
+
+    monkeypatch.setattr("hoopgen.plots.plot_landings", drawn)
+    file = _study(tmp_path, 'figures = ["landings"]\n')
+    told = file.read_text(encoding="utf-8")
+    file.write_text(f'scene = {{ file = "court", preset = "fiba" }}\n{told}', encoding="utf-8")
+    run_study(file, threads=1)
+    assert (asked["court"], asked["scene"].name) == ("FIBA", "court")
+
+
 def test_a_study_without_measures_is_the_one_that_it_was(tmp_path: Path) -> None:
     """A folder of results from before there were any can be gone on with."""
 

@@ -176,6 +176,18 @@ def test_a_map_over_a_parameter_and_a_component_is_the_estimate_of_each_cell(
     assert dataset.attrs["scene_sha256"] == scene.identity["sha256"]
 
 
+def test_a_picture_of_a_map_names_the_components_of_a_state(scene: Engine) -> None:
+    """Where x is no place on a court, and deviations have their units."""
+    plots = pytest.importorskip("hoopgen.plots")
+    there = {name: value for name, value in STATE.items() if name != "x"}
+    dataset = hoopgen.map(Scatter(there, {"vx": 0.1}), {"x": [0.0, 0.1]}, scene=scene, shots=20)
+    figure = plots.plot_map(dataset)
+    said = " ".join(text.get_text() for text in figure.texts).replace("\n", " ")
+    assert "Standard deviations: vx 0.1 m/s." in said
+    assert "place on the floor" not in said.lower()
+    assert figure.axes[0].get_xlabel() == "x (m)"
+
+
 def test_a_map_of_single_shots_has_their_outcomes(scene: Engine) -> None:
     vx = np.linspace(0.5, 2.0, 7)
     dataset = hoopgen.map(Scatter(PLACE), {"vx": vx}, scene=scene)

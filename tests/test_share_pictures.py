@@ -21,7 +21,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import FillBetweenPolyCollection
 from matplotlib.figure import Figure
 
-from hoopgen.plots import COLUMN, PAGE, plot_aim, plot_estimate
+from hoopgen.plots import COLUMN, PAGE, plot_aim, plot_estimate, plot_landings
 from hoopgen.study.aim_table import aim_table
 from hoopgen.study.intervals import wilson
 from hoopgen.units import showing
@@ -315,8 +315,17 @@ def test_landings_are_a_hoops_and_paths_any_scenes(tmp_path: Path) -> None:
     out = tmp_path / "putts.svg"
     result = run("fan", *PUTT, "--scatter", "vy=0.05", "--shots", "20", "--picture", str(out))
     assert result.exit_code == 0, result.output
-    assert result.stdout.startswith("shots    20: 100.0% holed\n")
+    # It bounces ever lower, until no double can say on which side of the green it is.
+    assert result.stdout.startswith("shots    20: 100.0% holed, 20 uncertain\n")
     assert out.exists()
+
+
+def test_a_picture_of_misses_says_the_scene_that_they_were_thrown_in(tmp_path: Path) -> None:
+    out = tmp_path / "misses.svg"
+    told = ["landings", *SHOTS, "--shots", "300", "--scene", "court", "--preset", "fiba"]
+    assert "\nscene    court, FIBA\n" in run(*told, "--picture", str(out)).stdout
+    floor = plot_landings([1.0], [0.5], hoopgen.FIBA_COURT, scene=hoopgen.COURT)
+    assert "Scene: court, FIBA." in " ".join(text.get_text() for text in floor.texts)
 
 
 def test_measured_releases_are_a_fan_too(tmp_path: Path) -> None:

@@ -141,6 +141,17 @@ def test_where_the_share_rises_and_falls_the_nearest_to_1_is_taken_and_others_ar
         assert abs(there - share) < 2 / 4000
 
 
+def test_where_the_share_jumps_past_the_wanted_one_that_is_said() -> None:
+    """Of four measured releases it is a number of quarters, whatever the factor."""
+    speed, elevation = [7.1, 7.2, 7.15, 7.3], np.radians([52.0, 51.0, 53.0, 52.0])
+    model = Resample({"speed": speed, "elevation": elevation, "height": 2.1336, "distance": 4.191})
+    found = solve(model, 0.7, shots=2_000)
+    assert found.low == found.factor == found.high
+    said = f"{found.factor:.3g} times the scatter, where the share jumps past 70% made"
+    assert found.line == said
+    assert str(found).startswith(f"factor   {said}\nthrown ")
+
+
 def test_an_interval_may_reach_no_scatter_and_more_than_is_tried() -> None:
     nearly = of_player(0.9995, shots=500)
     assert nearly.low == 0.0
@@ -157,7 +168,7 @@ def test_an_interval_may_reach_no_scatter_and_more_than_is_tried() -> None:
         (LONG, 0.95, r"95% made is reached by no factor from 0 to 16: at most \d.*; 0.0% without"),
         (PLAYER, 1e-4, r"0.01% made is reached by no factor .* at least .* with 16 times the sc"),
         (Scatter({**RELEASE, "aim": 3.0}, {"speed": 1e-4}), 0.5, "at most 0.0% without scatter$"),
-        (Scatter(RELEASE), 0.7, "model: nothing scatters"),
+        (Scatter(RELEASE), 0.7, "model: nothing scatters, .* give sd, --scatter$"),
         (Scatter(RELEASE, {"speed": 0.0}), 0.7, "model: nothing scatters"),
         (PLAYER, 0.0, "share: expected a number within 0 and 1, got 0.0"),
         (PLAYER, 70, "share: expected a number within 0 and 1, got 70"),

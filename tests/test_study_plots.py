@@ -386,6 +386,15 @@ def test_cells_that_have_no_probability_stay_empty() -> None:
     assert "70.0%" in figure.axes[0].get_title(loc="left")
 
 
+def test_a_line_has_no_interval_where_there_is_no_flight() -> None:
+    dataset = probability_map().isel(elevation=12).copy(deep=True)
+    for name, nothing in (("probability", np.nan), ("low", 0.0), ("high", 1.0)):
+        dataset[name][:5] = nothing
+    band = one(plot_map(dataset).axes[0], FillBetweenPolyCollection)
+    first = min(corner[0] for path in band.get_paths() for corner in path.vertices)
+    assert first == dataset["speed"].values[5]
+
+
 def test_a_line_has_its_interval() -> None:
     dataset = probability_map().isel(elevation=12)
     axes = plot_map(dataset).axes[0]

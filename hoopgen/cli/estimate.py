@@ -37,8 +37,8 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
         "hoopgen estimate --aim 5cm --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
         "    --preset nba --precision 0.001 --versus backspin=0",
-        "hoopgen estimate --scene golf.toml --position=-30cm,0,3cm --velocity 1.2,0,0 \\",
-        "    --scatter vx=0.1 --scatter vy=0.05",
+        "hoopgen estimate --scene golf.toml --position=-30cm,0,20cm --velocity 1.4,0,0 \\",
+        "    --scatter vx=0.1 --scatter vy=0.05 --max-contacts 30",
         "hoopgen estimate --from releases.csv --height 7ft --distance 13.75ft --solve 70%",
     )
 )

@@ -47,8 +47,8 @@ _WORK = together(seed_option, max_contacts_option, backend_option, threads_optio
         f"hoopgen fan {_FREE_THROW} \\",
         f"    {_PLAYER} --picture fan.svg",
         "hoopgen fan --from releases.csv --height 7ft --distance 13.75ft --picture fan.png",
-        "hoopgen fan --scene golf.toml --position=-30cm,0,3cm --velocity 1.2,0,0 \\",
-        "    --scatter vx=0.1 --scatter vy=0.05 --picture putts.png",
+        "hoopgen fan --scene golf.toml --position=-30cm,0,20cm --velocity 1.4,0,0 \\",
+        "    --scatter vx=0.1 --scatter vy=0.05 --max-contacts 30 --picture pitches.png",
     )
 )
 @release_options
@@ -130,8 +130,15 @@ def landings(
         from hoopgen import plots
 
         place = (float(np.mean(thrown.states[:, 0])), float(np.mean(thrown.states[:, 1])))
-        note = in_a_note(told)
-        drawn = plots.plot_landings(x, y, scene, place=place, height=catching_height, note=note)
+        drawn = plots.plot_landings(
+            x,
+            y,
+            scene,
+            place=place,
+            height=catching_height,
+            scene=flown.scene,
+            note=in_a_note(told),
+        )
         plots.save(drawn, picture)
     said = _where(np.hypot(x, y)) if catching_height is None else _caught(thrown, flown, height)
     click.echo(f"{_ended(flown)}\n{said}\n\n{footer(9, told)}")
@@ -170,10 +177,13 @@ def _ended(flown: hoopgen.Shots) -> str:
     """Say how shots end."""
     import numpy as np
 
-    from hoopgen.phrases import percent
+    from hoopgen.phrases import doubtful, percent
 
     shares = {one.name.lower(): np.mean(flown.outcome == one) for one in flown.scene.outcomes}
     said = [f"{percent(float(share))} {name}" for name, share in shares.items() if share]
+    if flown.uncertain.any():
+        capped = flown.uncertain & (flown.outcome == flown.scene.outcomes["CAPPED"])
+        said.append(doubtful(int(flown.uncertain.sum()), int(capped.sum())))
     return f"shots    {len(flown):,}: {', '.join(said)}"
 
 

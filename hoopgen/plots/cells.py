@@ -16,6 +16,7 @@ from hoopgen.phrases import counted, interval, percent
 from hoopgen.plots.court import on_floor
 from hoopgen.plots.key import CLASSES, classify
 from hoopgen.told import told_by
+from hoopgen.variables import STATE_UNITS, is_state
 from hoopgen.words import Quantity, quantity
 
 if TYPE_CHECKING:
@@ -261,7 +262,7 @@ def _axis(dataset: xr.Dataset, name: Hashable) -> Axis:
         raise ValueError(
             f"dataset: coordinate {name}: expected numbers in order, got {brief(values)}"
         )
-    shown = quantity(str(name), column.attrs)
+    shown = _quantity(dataset, str(name), column.attrs)
     return Axis(str(name), shown.shown(values), shown)
 
 
@@ -270,12 +271,14 @@ def _note(dataset: xr.Dataset) -> str:
     told = dataset.attrs
     scene = _scene(dataset)
     same = [
-        _say(str(name), float(column), column.attrs)
+        _say(_quantity(dataset, str(name), column.attrs), float(column))
         for name, column in dataset.coords.items()
         if column.ndim == 0 and np.issubdtype(column.dtype, np.number)
         if not (scene and name in NAMES)  # those are the scene's
     ]
-    scatter = [_say(name, sd) for name, sd in json.loads(told.get("sd", "{}")).items()]
+    scatter = [
+        _say(_quantity(dataset, name), sd) for name, sd in json.loads(told.get("sd", "{}")).items()
+    ]
     scatter += [
         f"correlation of {one} and {other} {Quantity('', '').say(value)}"
         for one, other, value in json.loads(told.get("correlation", "[]"))
@@ -297,7 +300,21 @@ def _scene(dataset: xr.Dataset) -> str:
     return f"Scene: {scene}." if scene else ""
 
 
-def _say(name: str, value: float, attributes: Mapping[Any, Any] | None = None) -> str:
+def _quantity(
+    dataset: xr.Dataset, name: str, attributes: Mapping[Any, Any] | None = None
+) -> Quantity:
+    """Return how a variable of a map is shown: components of a state, x and y too, as they are."""
+    if name in STATE_UNITS and is_state(map(str, dataset.coords)):
+        return Quantity(name, STATE_UNITS[name])
+    return quantity(name, attributes)
+
+
+def _say(shown: Quantity, value: float) -> str:
     """Name a variable without what is said of its sign, and tell its value."""
-    shown = quantity(name, attributes)
-    return f"{shown.name.split(',')[0]} {shown.say(float(shown.shown(value)))}"
+    return f"{_plainly(shown.name)} {shown.say(float(shown.shown(value)))}"
+
+
+def _plainly(name: str) -> str:
+    """Return a name without what follows a comma, but for that which is the name: x and y."""
+    first, _, rest = name.partition(", ")
+    return name if rest in ("x", "y") else first

@@ -15,6 +15,7 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
+from hoopgen.engines import HOOP, Engine
 from hoopgen.hoop.courts import Court, find_court
 from hoopgen.inputs import doubles
 from hoopgen.phrases import percent
@@ -26,7 +27,7 @@ from hoopgen.plots.sectors import at_height, draw_sectors
 from hoopgen.plots.shades import limit_shades
 from hoopgen.plots.style import COLOURS, DARK, PAGE, SHADES, style
 from hoopgen.plots.views import Limits, Points
-from hoopgen.told import say_scene
+from hoopgen.told import say_of
 from hoopgen.units import shown
 
 __all__ = ["plot_landings"]
@@ -59,6 +60,7 @@ class _Options(TypedDict, total=False):
     place: tuple[float, float] | None
     height: float | None
     court: str | None
+    scene: Engine
     title: str
     note: str
     width: float
@@ -94,6 +96,7 @@ def plot_landings(
     place: tuple[float, float] | None = None,
     height: float | None = None,
     court: str | None = None,
+    scene: Engine = HOOP,
     title: str = "",
     note: str = "",
     width: float = PAGE,
@@ -118,6 +121,8 @@ def plot_landings(
     court
         Whose lines are drawn, of `hoopgen.hoop.courts.COURTS`; by default FIBA's for a hoop nearest
         to that preset, else the NBA's.
+    scene
+        That the shots were simulated in, with a hoop: it is said.
     title
         Above the picture.
     note
@@ -142,11 +147,11 @@ def plot_landings(
     """
     lines = find_court(court, parameters)
     points, misses = _points(x, y)
-    scene = {name: float(np.mean(value)) for name, value in parameters.items()}
+    hoop = {name: float(np.mean(value)) for name, value in parameters.items()}
     circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}
     caught = at_height(height, sectors=place is not None)
-    told = f"Scene: {say_scene(parameters)}. {note}"
-    places = _Places(points, misses, circles, place, scene, lines, told, height, caught)
+    told = f"Scene: {say_of(scene, parameters)}. {note}"
+    places = _Places(points, misses, circles, place, hoop, lines, told, height, caught)
     with style():
         if ax is not None:
             return _draw_on(check_axes(ax), places, title)

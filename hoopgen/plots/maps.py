@@ -187,7 +187,8 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
     """Draw a probability over one variable, with its interval."""
     axis, top = shown.axes[0], shown.values
     if shown.interval is not None:
-        low, top = shown.interval
+        known = np.isfinite(shown.values)  # without a flight anything may be, which says nothing
+        low, top = (np.where(known, bound, np.nan) for bound in shown.interval)
         share = f"{percent(shown.confidence, 0)} " if shown.confidence else ""
         axes.fill_between(axis.values, low, top, color=_BAND, lw=0, label=f"{share}interval")
     axes.plot(axis.values, shown.values, color=COLOURS["path"], lw=1.2, label="estimate")

@@ -68,6 +68,7 @@ _PATH = 20_000
 _LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.62, 0.15, 0.72, 0.5, 0.8
 _LINES, _LINE = 2, 0.14  # of what is said below the title, and one of them
 _TALLEST, _TALLEST_OVER = 5.6, 4.6  # of side and top views together; over a 3D view
+_SLIMMEST = 0.5  # of the flat views: so many times as wide as the longest side of the path
 _NARROWEST = 5.3  # of a page, for the title and the key
 _WIDEST_BESIDE = 3.2  # of the side and top views, to have the 3D view beside them
 _BOX_BELOW = 3.5
@@ -270,12 +271,18 @@ def _arrange(drawing: Drawing, three_d: bool) -> _Page:
 
 
 def flat_limits(drawing: Drawing, view: View) -> Limits:
-    """Bound what a side or top view shows: the scene and the ball all along its path."""
+    """Bound what a side or top view shows: the scene and the ball all along its path.
+
+    A path straight up, or along the board, has air on both sides, and titles their room.
+    """
     radius = drawing.scenery.ball_radius
     path = view.flatten(drawing.path)
     scene = view.flatten(drawing.scenery.corners())
     points = np.vstack([path - radius, path + radius, scene])
     low, high = points.min(axis=0) - _PAD, points.max(axis=0) + _PAD
+    missing = _SLIMMEST * float(np.ptp(drawing.path, axis=0).max()) - (high[0] - low[0])
+    air = np.array([max(0.0, float(missing)) / 2.0, 0.0])
+    low, high = low - air, high + air
     return float(low[0]), float(high[0]), float(low[1]), float(high[1])
 
 

@@ -269,7 +269,9 @@ def _where(best: Optimum) -> str:
 
 
 def touching(y: float, z: float) -> str:
-    """Say where a bank shot touches the board."""
+    """Say where a bank shot touches the board; NaN if, thrown without errors, not first."""
+    if math.isnan(y):
+        return "without errors it does not touch the board first"
     return (
         f"touches the board {say('aim', z)} above the ring, "
         f"{say('aim', abs(y))} to the {'right' if y >= 0 else 'left'} of its middle"

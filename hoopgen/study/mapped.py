@@ -265,9 +265,10 @@ def _said(work: Work, scene: Mapping[str, float], by_row: Sequence[str]) -> dict
     if work.scene.is_hoop:
         return {"scene": say_scene(scene, by_row)}
     told = told_setting({**work.model.identity(), "parameters": work.parameters}, work.scene)
+    names = ("release", "scatter") if work.model.scatters else ("release",)
     return {
         # What is mapped over is in the coordinates.
         "scene": say_of(work.scene, scene, by_row),
         "scene_sha256": work.scene.identity["sha256"],
-        **{f"said_{name}": told[name] for name in ("release", "scatter") if told.get(name)},
+        **{f"said_{name}": told[name] for name in names if told.get(name)},
     }

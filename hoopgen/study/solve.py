@@ -59,6 +59,7 @@ class Solution(Said):
     low, high
         Its interval: with any other factor near it, Wilson's interval of the share does not have
         the wanted one in it. Infinite, if the greatest of `FACTORS` is not excluded.
+        Both are the factor where the share jumps past the wanted one, as of few measured releases.
     confidence
         Of the intervals.
     elsewhere
@@ -98,6 +99,9 @@ class Solution(Said):
     @property
     def line(self) -> str:
         """The factor with its interval, and for what."""
+        if self.low == self.high:
+            wanted = f"{_exactly(self.share)} {self.by}"
+            return f"{self.factor:.3g} times the scatter, where the share jumps past {wanted}"
         half = 0.5 * (self.high - self.low)
         digits = decimals(0.01 * half) if isfinite(half) else 3
         high = f"to {self.high:.{digits}f}" if isfinite(self.high) else "or more"
@@ -108,8 +112,9 @@ class Solution(Said):
 
     def __str__(self) -> str:
         measured = isinstance(self.model, Resample)
+        interval = f" ({percent(self.confidence, None)} interval)" if self.low < self.high else ""
         lines = [
-            f"factor   {self.line} ({percent(self.confidence, None)} interval)",
+            f"factor   {self.line}{interval}",
             f"thrown   {counted(self.shots, 'shot')} with each factor, seed {self.seed}; "
             "below, as many fresh ones with this",
         ]
@@ -241,7 +246,9 @@ def check_scatters(model: Any) -> None:
     if not isinstance(model, Scatter | Resample):
         raise TypeError(f"model: expected a Scatter or a Resample, got {brief(model)}")
     if model.still:
-        raise ValueError("model: nothing scatters, so there is nothing to multiply; give sd")
+        raise ValueError(
+            "model: nothing scatters, so there is nothing to multiply; give sd, --scatter"
+        )
 
 
 def _possible(model: Scatter | Resample) -> list[float]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from hoopgen import plots
 from hoopgen.phrases import counted, decimals, interval, percent, points
 from hoopgen.results import Outcome, Shots
@@ -125,8 +127,10 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     )
     work.keep(found.shots)
     shooting = _Shooting(asked, question, found.shots)
-    for name in question.figures:
-        asked.draw(work, name, shooting.figure(name))
+    figures = {name: shooting.figure(name) for name in question.figures}
+    for name, figure in figures.items():
+        if figure is not None:
+            asked.draw(work, name, figure)
     digits = decimals(found.half_width)
     if isinstance(found, Shares):
         ends = asked.engine.kernels.ENDS or tuple(n for n, share in found.shares.items() if share)
@@ -139,9 +143,17 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
         ends = interval(found.low, found.high, digits)
         line = f"{percent(found.probability, digits)} made ({ends})"
         line = "; ".join(filter(None, (line, in_brief(found.measured))))
+    line += "".join(f"; {_EMPTY[name]}" for name, figure in figures.items() if figure is None)
     return Answer(
         line + _short_of(question, found.half_width), fenced(found), in_units(found.as_dict())
     )
+
+
+_EMPTY = {
+    "landings": "no miss reaches the floor, so there is no picture of where",
+    "rebounds": "no miss comes down to the catching height, so there is no picture of where",
+}
+"""What is said in place of a figure that has nothing to show."""
 
 
 def _short_of(question: Estimate | Compare, half_width: float) -> str:
@@ -160,7 +172,7 @@ class _Shooting:
     shots: int
 
     def figure(self, name: str) -> Any:
-        """Return a picture by its name."""
+        """Return a picture by its name; none where no shot is to be seen in it."""
         draw = {"fan": self._fan, "landings": self._landings, "rebounds": self._rebounds}
         return draw[name]()
 
@@ -185,7 +197,10 @@ class _Shooting:
         height, names = self.question.catching_height, (f"{where}_x", f"{where}_y")
         there = measure(states, shots, scene, names, catching_height=height)
         x, y = (there[name][shots.outcome == Outcome.MISSED] for name in names)
+        if not np.isfinite(x + y).any():
+            return None
         title = f"{self.question.title}: {said}" if self.question.title else ""
+        options["scene"] = shots.scene
         options |= {"place": tuple(states[:, :2].mean(axis=0).tolist()), "title": title}
         return plots.plot_landings(x, y, scene, note=in_a_note(self._told), **options)
 
