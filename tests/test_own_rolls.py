@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 import hoopgen
 from hoopgen import Event
 from hoopgen.engines import Engine
-from hoopgen.scene import Parameter, Plane, Scene, SceneError, Sphere
+from hoopgen.scene import End, Parameter, Plane, Scene, SceneError, Sphere
 
 BOWL = Path(__file__).parents[1] / "examples" / "scenes" / "bowl.toml"
 ACROSS = 1.0 - 0.05
@@ -120,3 +120,27 @@ def test_what_cannot_roll_is_refused() -> None:
     engine = hoopgen.compile(hoopgen.load_scene(BOWL))
     with pytest.raises(ValueError, match="time_limit: expected a finite time"):
         engine.simulate(np.zeros(9), time_limit=math.inf)
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("restitution", [0.0, 0.3, 0.5])
+def test_no_bounce_is_too_small_for_a_plane(restitution: float, backend: str) -> None:
+    """The square of a speed is less than the least number long before the speed is."""
+    floor = Scene(
+        "floor_and_end",
+        parameters=[Parameter("restitution", 0.5, unit="1")],
+        bodies=[Plane("floor", axis="z", at=0.0)],
+        ends={"below": End(at=-1.0)},
+        ball_radius=0.05,
+        gravity=GRAVITY,
+        restitution="restitution",
+    )
+    engine = hoopgen.compile(floor)
+    if backend == "c" and engine.backend != "c":
+        pytest.skip("there is no C compiler")
+    start = np.array([0, 0, 0.5, 0.1, 0, 0, 0, 0, 0])
+    sizes = {"restitution": restitution}
+    shots = engine.simulate(start, sizes, backend=backend)
+    assert shots.outcome[0] == engine.outcomes["CAPPED"]
+    assert shots.contacts[0] == 1000
+    assert shots.state[0, 2] == 0.05

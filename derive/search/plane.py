@@ -37,7 +37,8 @@ def plane_arrival(plane: Plane, flight: Parabola) -> dict[str, sp.Expr]:
         return {"time": c / -b, "rate": b, "bend": sp.Integer(0)} | along
     a = coefficients[2]
     discriminant = hold(b**2 - 4 * a * c, "D")
-    root = sp.sqrt(discriminant)
+    # On leaving it is |b|, which the root of b² is too, unless b² is less than the least number.
+    root = hold(IfLess(0, leaving, size(b), sp.sqrt(discriminant)))
     numerator = IfLess(b, 0, 2 * c, b + root)
     denominator = IfLess(b, 0, root - b, -2 * a)
     per_bend = hold(1 / (2 * a))

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation c8965b91dbd9f511,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 111c28d8154e2b57,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -4990,7 +4990,7 @@ LANES(court_end_normal)(void)
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
-   Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections. */
+   Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections. */
 typedef struct {
     V time;
     V rate;
@@ -5002,12 +5002,13 @@ typedef struct {
 LANES_INLINE LANES(court_end_arrival_out)
 LANES(court_end_arrival)(V leaving, V z, V vz, V p_gravity, V p_end_depth)
 {
-    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_neg(p_end_depth)));
-    const V _s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s0));
-    const V _s2 = lanes_sqrt(_s1);
-    const M _s3 = lanes_less(vz, K(0.0));
-    const V _s4 = lanes_neg(lanes_div(K(1.0), p_gravity));
-    return (LANES(court_end_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s4), _s1)) };
+    const M _s0 = lanes_less(K(0.0), leaving);
+    const V _s1 = lanes_select(_s0, K(0.0), lanes_sub(z, lanes_neg(p_end_depth)));
+    const V _s2 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s1));
+    const V _s3 = lanes_select(_s0, lanes_abs(vz), lanes_sqrt(_s2));
+    const M _s4 = lanes_less(vz, K(0.0));
+    const V _s5 = lanes_neg(lanes_div(K(1.0), p_gravity));
+    return (LANES(court_end_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), p_gravity)), lanes_neg(_s3), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s5)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s5), _s2)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.

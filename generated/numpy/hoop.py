@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation be2a322387c8577d,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation f336ff7eb1160b29,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -1752,16 +1752,17 @@ def bridge_bounds(x: Any, y: Any, p_ring_radius: Any, p_board_distance: Any, p_b
 def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
-    Eq. 3 in Table 2, solved. 25 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 2 comparisons, 3 selections.
+    Eq. 3 in Table 2, solved. 27 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 1 absolute value, 2 comparisons, 4 selections.
     Returns time, rate, bend, apex, height.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
-    _s0 = _select(0.0 < leaving, 0.0, _subtract(z, p_ball_radius + p_wire_radius, _r0), _r1)
-    _s1 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s0, _r3), _r3)
-    _s2 = _sqrt(_s1, _r2)
-    _s3 = vz < 0.0
-    _s4 = -(1.0 / p_gravity)
-    return _select(_s3, _multiply(2.0, _s0, _r1), _add(vz, _s2, _r0), _r4) / _select(_s3, _subtract(_s2, vz, _r5), p_gravity, _r6), -_s2, -p_gravity, -_multiply(vz, _s4, _r2), -_multiply(0.5 * _s4, _s1, _r3)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = 0.0 < leaving
+    _s1 = _select(_s0, 0.0, _subtract(z, p_ball_radius + p_wire_radius, _r0), _r1)
+    _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
+    _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
+    _s4 = vz < 0.0
+    _s5 = -(1.0 / p_gravity)
+    return _select(_s4, _multiply(2.0, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
 
 def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1844,16 +1845,17 @@ def end_curvature() -> tuple[Any, ...]:
 def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
-    Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections.
+    Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections.
     Returns time, rate, bend, apex, height.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
-    _s0 = _select(0.0 < leaving, 0.0, _subtract(z, -p_end_depth, _r0), _r1)
-    _s1 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s0, _r3), _r3)
-    _s2 = _sqrt(_s1, _r2)
-    _s3 = vz < 0.0
-    _s4 = -(1.0 / p_gravity)
-    return _select(_s3, _multiply(2.0, _s0, _r1), _add(vz, _s2, _r0), _r4) / _select(_s3, _subtract(_s2, vz, _r5), p_gravity, _r6), -_s2, -p_gravity, -_multiply(vz, _s4, _r2), -_multiply(0.5 * _s4, _s1, _r3)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = 0.0 < leaving
+    _s1 = _select(_s0, 0.0, _subtract(z, -p_end_depth, _r0), _r1)
+    _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
+    _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
+    _s4 = vz < 0.0
+    _s5 = -(1.0 / p_gravity)
+    return _select(_s4, _multiply(2.0, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
