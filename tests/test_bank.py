@@ -206,7 +206,10 @@ def test_what_is_wrong_shows_before_a_folder_is_made(tmp_path: Path) -> None:
         (["--distance", "2m", "--places", "distance=3m"], "--distance and --places distance=..."),
         (["--places", "height=2m"], "places: expected distance and angle, or x and y; got height"),
         (["--places", "distance=2deg"], "'deg' is not a unit of length"),
-        ([*SIDE, "--elevation", "50deg"], "release: elevation already in over; leave out of one"),
+        (
+            [*SIDE, "--elevation", "50deg", "--over", "elevation"],
+            "release: elevation already in over; leave out of one",
+        ),
         ([*SIDE, "--scene", "court"], "hoopgen bank: its question is a hoop's"),
         ([*SIDE, "--over", "pace"], "'pace' is none of"),
         ([*SIDE, "--picture", "bank.txt"], "bank.txt"),
@@ -217,6 +220,13 @@ def test_what_is_wrong_on_the_command_line_is_said(more: list[str], said: str) -
     assert (result.exit_code, result.stdout) == (2, "")
     assert said in result.stderr
     assert result.stderr.count("\n") == 1
+
+
+def test_what_is_given_is_not_searched_over() -> None:
+    text = output(*BANK, *SIDE, "--elevation", "50deg", "--shots", "300")
+    for way in ("direct", "bank"):
+        (line,) = (line for line in text.splitlines() if line.startswith(way))
+        assert " at 50.0°" in line
 
 
 def test_without_scatter_it_says_what_is_missing() -> None:

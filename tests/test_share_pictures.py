@@ -305,6 +305,7 @@ def test_landings_without_a_miss_say_so_and_cannot_be_drawn(tmp_path: Path) -> N
     assert "\nland     none of the missed ones reaches the floor\n" in result.stdout
     result = run(*sure, "--picture", str(tmp_path / "none.svg"))
     assert result.exit_code == 2
+    assert "none of the missed ones reaches the floor" in result.stdout
     assert "expected at least one place" in result.stderr
 
 

@@ -64,7 +64,7 @@ _SCATTER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1d
     multiple=True,
     callback=once,
     help="A variable to search over; without low and high, over the usual range. May be repeated.  "
-    "[default: elevation, aim, azimuth]",
+    "[default: elevation, aim and azimuth, those that are not given]",
 )
 @hoop_release_options
 @from_option
@@ -100,7 +100,8 @@ def bank(
     from hoopgen.cli.progress import shown
     from hoopgen.study.bank import bank_or_direct, places_of
 
-    over = over or dict.fromkeys(("elevation", "aim", "azimuth"))
+    searched = (name for name in ("elevation", "aim", "azimuth") if name not in releasing.values)
+    over = over or dict.fromkeys(searched)
     spots = places_of(_places(places, releasing.values))
     values = {name: one for name, one in releasing.values.items() if name not in _OF_PLACES}
     model, parameters = replace(releasing, values=values).model(over=over)

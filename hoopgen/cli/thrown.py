@@ -126,7 +126,9 @@ def landings(
     there = hoopgen.measure(thrown.states, flown, scene, names, catching_height=height)
     missed = flown.outcome == hoopgen.Outcome.MISSED
     x, y = (there[name][missed] for name in names)
-    if picture is not None:
+    said = _where(np.hypot(x, y)) if catching_height is None else _caught(thrown, flown, height)
+    click.echo(f"{_ended(flown)}\n{said}\n\n{footer(9, told)}")
+    if picture is not None:  # of no misses there is none, which is then an error
         from hoopgen import plots
 
         place = (float(np.mean(thrown.states[:, 0])), float(np.mean(thrown.states[:, 1])))
@@ -140,8 +142,6 @@ def landings(
             note=in_a_note(told),
         )
         plots.save(drawn, picture)
-    said = _where(np.hypot(x, y)) if catching_height is None else _caught(thrown, flown, height)
-    click.echo(f"{_ended(flown)}\n{said}\n\n{footer(9, told)}")
 
 
 def _thrown(
