@@ -286,7 +286,7 @@ def _far() -> Scene:
 def test_a_start_within_rounding_of_a_surface_is_in_doubt_or_right(scene: Scene) -> None:
     """Starts a few roundings from each surface, either side, against the judge."""
     chance, own = random.Random(4), formulas(scene)
-    verdict = validity.valid(scene)
+    verdict = validity.valid(scene, frozenset())
     defaults = {p.name: p.default for p in scene.parameters}
     decided = doubted = 0
     for surface in scene.surfaces * (24 // len(scene.surfaces)):
@@ -325,7 +325,7 @@ def test_a_start_within_rounding_of_a_surface_is_in_doubt_or_right(scene: Scene)
 def test_beyond_a_wall_that_is_all_around_is_body_and_behind_a_thin_one_is_not() -> None:
     """A sphere seen from inside: r > R - b; a shell: only within the ball's radius of it."""
     defaults = {p.name: p.default for p in CHAMBER.parameters}
-    verdict = validity.valid(CHAMBER)
+    verdict = validity.valid(CHAMBER, frozenset())
     places = {
         (0, 0, 0.949): 1,
         (0, 0, 0.951): 0,

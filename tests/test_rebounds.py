@@ -21,6 +21,7 @@ import pyarrow.parquet as pq  # noqa: E402
 
 import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
+from hoopgen.hoop.courts import COURTS, find_court  # noqa: E402
 from hoopgen.hoop.releases import CATCHING_HEIGHT, RING_HEIGHT  # noqa: E402
 from hoopgen.plots import plot_landings  # noqa: E402
 from hoopgen.study import spread  # noqa: E402
@@ -460,7 +461,7 @@ def test_a_study_s_misses_are_on_the_court_of_its_scene(
     asked: dict[str, Any] = {}
 
     def drawn(*places: Any, **options: Any) -> Any:
-        asked.update(options)
+        asked.update(options, parameters=places[2])
         return plot_landings(*places, **options)
 
     monkeypatch.setattr("hoopgen.plots.plot_landings", drawn)
@@ -468,7 +469,8 @@ def test_a_study_s_misses_are_on_the_court_of_its_scene(
     told = file.read_text(encoding="utf-8")
     file.write_text(f'scene = {{ file = "court", preset = "fiba" }}\n{told}', encoding="utf-8")
     run_study(file, threads=1)
-    assert (asked["court"], asked["scene"].name) == ("FIBA", "court")
+    assert asked["scene"].name == "court"
+    assert find_court(asked.get("court"), asked["parameters"]) == COURTS["FIBA"]
 
 
 def test_a_study_without_measures_is_the_one_that_it_was(tmp_path: Path) -> None:

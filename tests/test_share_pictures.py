@@ -316,8 +316,8 @@ def test_landings_are_a_hoops_and_paths_any_scenes(tmp_path: Path) -> None:
     out = tmp_path / "putts.svg"
     result = run("fan", *PUTT, "--scatter", "vy=0.05", "--shots", "20", "--picture", str(out))
     assert result.exit_code == 0, result.output
-    # It bounces ever lower, until no double can say on which side of the green it is.
-    assert result.stdout.startswith("shots    20: 100.0% holed, 20 uncertain\n")
+    # It bounces ever lower, and no end of it is known.
+    assert result.stdout.startswith("shots    20: 100.0% capped, 20 uncertain")
     assert out.exists()
 
 
