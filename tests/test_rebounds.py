@@ -455,6 +455,14 @@ def test_a_picture_with_nothing_to_show_costs_no_answer(tmp_path: Path, name: st
     assert there == {"fan.svg"}
 
 
+def test_a_catching_height_of_nothing_caught_is_refused() -> None:
+    thrown = "estimate --speed 7.17 --elevation 52deg --height 7ft --distance 13.75ft"
+    more = "--scatter speed=0.1 --shots 100 --measure depth --catching-height 2m"
+    result = CliRunner().invoke(main, [*thrown.split(), *more.split()])
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "--catching-height is of rebounds" in result.stderr
+
+
 def test_a_study_s_misses_are_on_the_court_of_its_scene(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from hoopgen.cli.measuring import measure_options
+from hoopgen.cli.measuring import check_caught, measure_options
 from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
 from hoopgen.cli.types import OUT
 from hoopgen.phrases import counted
@@ -64,6 +64,7 @@ def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -
     import hoopgen
     from hoopgen.cli.progress import shown
 
+    check_caught(options["measures"])
     with shown() as progress:
         outcomes = hoopgen.batch(file, out, release=release, progress=progress, **options)
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hoopgen.cli.measuring import measure_options
+from hoopgen.cli.measuring import check_caught, measure_options
 from hoopgen.cli.options import (
     UNITS_IN_WORDS,
     examples,
@@ -108,6 +108,7 @@ def estimate(
     if measures and (versus or share is not None):
         other = "--versus" if versus else "--solve"
         raise click.UsageError(f"--measure is of one setting, without {other}.")
+    check_caught(measures)
     (model, parameters), scene = releasing.model(), releasing.engine
     with shown() as progress:
         options = {"scene": scene, "progress": progress, **work}

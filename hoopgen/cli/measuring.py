@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import click
@@ -11,7 +11,7 @@ from hoopgen.cli.options import together
 from hoopgen.cli.types import quantity
 from hoopgen.hoop.releases import CATCHING_HEIGHT
 
-__all__ = ["catching_height_option", "measure_options"]
+__all__ = ["catching_height_option", "check_caught", "measure_options"]
 
 
 def measure_options(what: str) -> Callable[[Any], Any]:
@@ -30,6 +30,14 @@ def measure_options(what: str) -> Callable[[Any], Any]:
             default=CATCHING_HEIGHT,
         ),
     )
+
+
+def check_caught(measures: Iterable[str]) -> None:
+    """Refuse a catching height where nothing is caught."""
+    given = click.get_current_context().get_parameter_source("catching_height")
+    asked = any(name.startswith("rebound") for name in measures)
+    if given is click.core.ParameterSource.COMMANDLINE and not asked:
+        raise click.UsageError("--catching-height is of rebounds, --measure rebound_distance ...")
 
 
 def catching_height_option(what: str, *, default: float | None) -> Callable[[Any], Any]:
