@@ -1,4 +1,4 @@
-"""What bodies cost: scenes of 3 to 160, most of them near or far; their sources, and their C.
+"""What bodies cost: scenes of 3 to 80, most of them near or far; their sources, and their C.
 
 Spheres stand in a square, all of other sizes, and balls are dropped among them. Where most are far
 they stand in a second square, a hundred metres off. A mixed scene has forty bodies of four kinds.
@@ -28,7 +28,7 @@ from hoopgen.scene.pieces import Body
 FAR = 100.0
 """Metres from the bodies that balls are dropped among to those that are far."""
 
-NEAR, FAR_AWAY = 3, (37, 77, 157)
+NEAR, FAR_AWAY = 3, (37, 77)
 """Bodies that balls are dropped among, and how many more are far."""
 
 MATTERS = ("processor", "cores used", "system", "hoopgen")
