@@ -2,6 +2,7 @@
 
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,12 +12,13 @@ from scipy.integrate import solve_ivp
 import hoopgen
 from hoopgen import Event
 from hoopgen.engines import Engine
-from hoopgen.scene import End, Parameter, Plane, Scene, SceneError, Sphere
+from hoopgen.scene import End, Parameter, Plane, Scene, SceneError, Sphere, Torus
 
 BOWL = Path(__file__).parents[1] / "examples" / "scenes" / "bowl.toml"
 ACROSS = 1.0 - 0.05
 """From the middle of the bowl to that of a ball that touches it, m."""
 GRAVITY = 9.81
+BACKENDS: tuple[Any, ...] = ("c", "numpy")
 
 
 @pytest.fixture(scope="module")
@@ -144,3 +146,27 @@ def test_no_bounce_is_too_small_for_a_plane(restitution: float, backend: str) ->
     assert shots.outcome[0] == engine.outcomes["CAPPED"]
     assert shots.contacts[0] == 1000
     assert shots.state[0, 2] == 0.05
+
+
+@pytest.mark.parametrize(("down", "up"), [("-z", 1), ("z", -1)])
+def test_on_a_ring_it_rolls_where_gravity_is_down_its_axis(down: str, up: int) -> None:
+    """Elsewhere it bounces on, and is given up; never does it roll as if gravity were another."""
+    hoop = Scene(
+        "hoop_alone",
+        bodies=[Torus("hoop", radius=0.23, wire=0.01)],
+        ends={"below": End(at=-0.5 * up, axis="z" if up > 0 else "-z")},
+        ball_radius=0.12,
+        gravity=GRAVITY,
+        down=down,
+        restitution=0.3,
+        rolls=True,
+    )
+    engine = hoopgen.compile(hoop)
+    states = np.zeros((60, 9))
+    random = np.random.default_rng(5)
+    states[:, 0], states[:, 1] = random.uniform(0.1, 0.3, 60), random.normal(0, 0.02, 60)
+    states[:, 2], states[:, 3:5] = 0.5 * up, random.normal(0, 0.3, (60, 2))
+    made = [engine.simulate(states, time_limit=5, backend=b, record=True) for b in BACKENDS]
+    assert made[0].state.tobytes() == made[-1].state.tobytes()
+    rolled = np.count_nonzero(made[0].events["kind"] == Event.ROLL)
+    assert (rolled > 0) == (up > 0)

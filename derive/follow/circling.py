@@ -57,10 +57,8 @@ circles = Truth("circling")
 def on_ring(surface: Surface, flight: Parabola, ball_radius: sp.Expr) -> dict[str, Kernel]:
     """Return what a ball takes that stays on the surface, if that is a ring."""
     tube = surface.tube
-    if tube is None or tube.ring == 0:
+    if tube is None or tube.ring == 0 or not flight.upright:
         return {}
-    if tuple(flight.acceleration[:2]) != (0, 0):
-        raise ValueError(f"surface {surface.name}: expected free fall along the ring's axis")
     reach = hold(1 / tube.per_reach)
     of = circling.Circling(tube.ring, reach, ball_radius, hold(flight.strength))
     name = surface.name

@@ -719,8 +719,8 @@ def of_surface(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
         "derivatives of Table 2's distance",
     )
     tube = surface.tube
-    if tube is None:
-        return found
+    if tube is None or (tube.ring != 0 and not flight.upright):
+        return found  # of a ring the motion is known where gravity is down its axis
     derivatives = [_held(surface.distance)]
     for _ in range(4):
         derivatives.append(directional(derivatives[-1], flown))

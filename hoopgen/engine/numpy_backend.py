@@ -103,6 +103,9 @@ class Flights:
         self._reach(columns, shots, self._room)
         before = self._states(columns) if out.events is not None else None
         self._meet(columns, shots, self._room)
+        for name in self._starts:
+            if not np.ndim(columns[name]):  # a kernel that says the same of all shots
+                columns[name] = np.full(shots, columns[name], np.float64)
         for name in self._tallies:
             if (tally := getattr(out, name)) is not None:
                 body = columns["body"]
