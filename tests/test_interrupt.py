@@ -16,8 +16,8 @@ import hoopgen
 
 states = [[-0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]] * 64  # above the bridge
 forever = {"max_contacts": 2**31 - 1, "backend": "%s", "threads": %d}
-print("begun", flush=True)
 try:
+    print("begun", flush=True)
     hoopgen.simulate(states, hoopgen.PAPER | {"restitution": 1.0}, **forever)
 except KeyboardInterrupt:
     print("stopped", flush=True)
