@@ -361,7 +361,9 @@ def _surface_kernels(
             if alike >= groups.FEWEST:
                 formulas |= _of_groups(surface)
     kernels = {
-        part: kernel(f"{surface.name}_{part}", outputs, order, summary, equation)
+        part: kernel(
+            f"{surface.name}_{part}", outputs, order, summary, equation, part in found.single
+        )
         for part, (outputs, summary, equation) in formulas.items()
     }
     if differing is not None:

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 import sympy as sp
 
 from .choice import Condition, Truth
+
+Kind = Literal["double", "single", "truth"]
+"""What a variable of the event loop is: a number of either precision, or what holds or does not."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +30,8 @@ class Kernel:
         One line: what it computes.
     equation
         The equation of the article, or the source, that it implements.
+    single
+        Whether every operation is rounded to single precision, what it is given first.
     """
 
     name: str
@@ -33,6 +39,7 @@ class Kernel:
     outputs: tuple[tuple[str, sp.Expr], ...]
     summary: str
     equation: str
+    single: bool = False
 
     def __post_init__(self) -> None:
         unbound = sorted(map(str, symbols_in(self.expressions) - set(self.arguments)))
@@ -43,6 +50,12 @@ class Kernel:
     def truths(self) -> tuple[bool, ...]:
         """Whether each output holds or does not, instead of having a value."""
         return tuple(isinstance(e, Condition | Truth) for e in self.expressions)
+
+    @property
+    def kinds(self) -> tuple[Kind, ...]:
+        """What each output is."""
+        value: Kind = "single" if self.single else "double"
+        return tuple("truth" if truth else value for truth in self.truths)
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
@@ -73,12 +86,13 @@ def kernel(
     order: Iterable[sp.Symbol],
     summary: str,
     equation: str,
+    single: bool = False,
 ) -> Kernel:
     """Return the kernel whose arguments are those symbols of `order` that its outputs use."""
     sympified = {key: sp.sympify(value) for key, value in outputs.items()}
     free = symbols_in(sympified.values())
     arguments = tuple(symbol for symbol in order if symbol in free)
-    return Kernel(name, arguments, tuple(sympified.items()), summary, equation)
+    return Kernel(name, arguments, tuple(sympified.items()), summary, equation, single)
 
 
 def decision(name: str, outputs: Mapping[str, sp.Basic], summary: str) -> Kernel:

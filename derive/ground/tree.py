@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from .kernel import Kernel
+from .kernel import Kernel, Kind
 from .symbols import variable
 
 Value = str | float
@@ -186,16 +186,18 @@ def reads(nodes: Iterable[Node]) -> set[str]:
     return found
 
 
-def writes(nodes: Iterable[Node]) -> dict[str, bool]:
-    """Return the variables that the nodes assign, in order, and whether each is a truth."""
-    found: dict[str, bool] = {}
+def writes(nodes: Iterable[Node]) -> dict[str, Kind]:
+    """Return the variables that the nodes assign, in order, and what each is."""
+    found: dict[str, Kind] = {}
     for node in walk(nodes):
         if isinstance(node, Do):
-            kinds = dict(zip(node.kernel.output_names, node.kernel.truths, strict=True))
+            kinds = dict(zip(node.kernel.output_names, node.kernel.kinds, strict=True))
             for output, variable in node.assigned.items():
                 found.setdefault(variable, kinds[output])
                 if found[variable] != kinds[output]:
-                    raise ValueError(f"{variable} is both a truth and a number")
+                    raise ValueError(
+                        f"{variable} is both {found[variable]} and {kinds[output]}"
+                    )
     return found
 
 

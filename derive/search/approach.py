@@ -13,6 +13,9 @@ It may end earlier. Where the slope r = -F' - m' fulfils r² > 8 C (2^5 (F - m) 
 one root follows and is simple, also of the true F (Kantorovich, with h = C F / r²). Three steps of
 Newton's method reach it: F > 2 m means h < 2^-7, and the steps end within 2^-48 of the first of
 them; F <= 2 m means that the first is within the root's own error.
+
+Where an approach says what single precision makes of its flights (`Coarse`), the search goes as far
+as it gets in single precision first, with margins that hold for that (`coarse.py`).
 """
 
 from __future__ import annotations
@@ -108,6 +111,11 @@ class Approach(ABC):
         outputs |= {"ceiling": self.ceiling.subs(horizon, latest), "latest": latest}
         return outputs | {"lost": self.lost}
 
+    @property
+    def allowed(self) -> sp.Expr:
+        """The margin m of F in that form."""
+        return margin
+
     def _searched(self) -> sp.Expr:
         """F in the form that is known better."""
         return IfLess(0, leaving, hold(self.leaving_gap, r"F_\ell"), hold(self.gap, "F"))
@@ -119,7 +127,7 @@ class Approach(ABC):
         return {"time": t - gap / rate_here, "rate": rate_here}
 
     def advance(self, side: sp.Expr = sp.Integer(1)) -> dict[str, sp.Expr]:
-        """Return gap, rate, bend, a step without a root, where it ends, Newton's root, clearance.
+        """Return gap, rate, bend, a step without a root, where it ends, and the clearance.
 
         The curvature is bounded on a window twice as long as the local line (falling) or, on
         leaving the surface, the local parabola says, so that M is nearly exact; where even that
@@ -127,13 +135,13 @@ class Approach(ABC):
         root nearby.
 
         Where a root may be out of bounds the search goes on behind it: with `side` -1 it looks for
-        the way out, a root of -F, whose curvature the ceiling bounds.
+        the way out, a root of -F, whose curvature the ceiling bounds, and needs Newton's root.
         """
         turned = side != 1
         gap, rate, bend = self._searched(), self.rate, self.bend
         if turned:
             gap, rate, bend = hold(side * gap), hold(side * rate), hold(side * bend)
-        low_gap = hold(largest(hold(gap - margin), 0))
+        low_gap = hold(largest(hold(gap - self.allowed), 0))
         slope = hold(hold(rate, "" if turned else "F'") - rate_margin)
         numerator = IfLess(slope, 0, 2 * low_gap, 4 * slope)
         denominator = IfLess(slope, 0, -slope, _positive(hold(-bend)))
@@ -146,16 +154,20 @@ class Approach(ABC):
         step = first_root(low_gap, slope, hold(curvature, "M"))
         stride = smallest(width, step)
         least_fall = hold(-rate - rate_margin)
-        enough = least_fall**2 - 8 * ceiling * hold(2**5 * low_gap + margin)
+        enough = least_fall**2 - 8 * ceiling * hold(self.headroom(low_gap))
         return {
             "gap": gap,
             "rate": rate,
             "bend": bend,
             "step": stride,
             "next": t + hold(stride),
-            "root": t - gap / rate,
+            **({"root": t - gap / rate} if turned else {}),
             "clearance": IfLess(0, least_fall, enough, least_fall),
         }
+
+    def headroom(self, low_gap: sp.Expr) -> sp.Expr:
+        """Return 2^5 (F - m) + m, of which a root that follows needs so much slope."""
+        return 2**5 * low_gap + self.allowed
 
 
 def _positive(quantity: sp.Expr) -> sp.Expr:

@@ -11,6 +11,7 @@ from ..surfaces import Box, Gate, Plane, Ring, Surface
 from .approach import Approach
 from .bernstein import PolynomialApproach
 from .box import BoxApproach
+from .coarse import CoarseRing
 from .curved import CurvedSearch
 from .gate import GateSearch
 from .plane import PlaneSearch
@@ -25,7 +26,8 @@ def _ring(surface: Ring, flight: Parabola) -> Search | None:
     # All of it, from the windows to the bound on F'', is of a ring that lies across free fall.
     if not flight.upright:
         return None
-    return CurvedSearch(surface, flight, RingApproach(flight, surface))
+    coarse = None if surface.bounds else CoarseRing(flight, surface)
+    return CurvedSearch(surface, flight, RingApproach(flight, surface), coarse)
 
 
 def _box(surface: Box, flight: Parabola) -> Search:

@@ -8,12 +8,14 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..errors.tangent import carried_normal
-from ..ground.choice import AtMost, Choose, Either, Less, Nowhere, every
 from ..ground.kernel import Kernel, decision
+from ..ground.symbols import variable
 from ..ground.tree import Do, Guard, Node, Repeat, Value
 from .approach import Approach
-from .decisions import KERNELS, end, side, t
+from .coarse import TURNS, CoarseRing
+from .decisions import KERNELS, side
 from .search import Formula, Parts, Search, bounded, edges, given, proposed
+from .windows import enter
 
 STEP_LIMIT = 201
 """Steps after which a search gives up and the shot is uncertain; a search takes about five."""
@@ -21,28 +23,27 @@ STEP_LIMIT = 201
 _BOUNDS = "bounds of the event condition"
 
 
-def enter(count: int) -> dict[str, sp.Basic]:
-    """Return the first window, of those that a search has, that begins no earlier than `after`."""
-    after = sp.Symbol("after", real=True)
-    lows, highs = (sp.symbols(f"{name}:{count}", real=True) for name in ("low", "high"))
-    start, stop, found = t, end, Nowhere()
-    for low, high in reversed(list(zip(lows, highs, strict=True))):
-        opens = every(Less(low, high), AtMost(after, low))
-        start, stop = Choose(opens, low, start), Choose(opens, high, stop)
-        found = Either(found, opens)
-    return {"t": start, "end": stop, "searching": found}
-
-
 @dataclass(frozen=True)
 class CurvedSearch(Search):
-    """The search with what an approach knows of the surface along a flight."""
+    """The search with what an approach knows of the surface along a flight.
+
+    Attributes
+    ----------
+    approach
+        That knowledge.
+    coarse
+        The same in single precision, if that serves.
+    """
 
     approach: Approach
+    coarse: CoarseRing | None = None
 
     @property
     def constants(self) -> tuple[sp.Symbol, ...]:
-        """What does not change during the flight, and on which side of bounds the search is."""
-        return (*self.approach.symbols, side) if self.surface.bounds else self.approach.symbols
+        """What does not change during the flight, and what the search keeps of its way."""
+        if self.surface.bounds:
+            return (*self.approach.symbols, side)
+        return (*self.approach.symbols, *(self.coarse.passed if self.coarse else ()))
 
     @property
     def formulas(self) -> dict[str, Formula]:
@@ -76,11 +77,16 @@ class CurvedSearch(Search):
             ),
             "advance": (
                 approach.advance(side) if self.surface.bounds else approach.advance(),
-                "Gap, rate, bend, a step without a root and its end, Newton's root and its "
-                "clearance.",
+                "Gap, rate, bend, a step without a root, its end, and the clearance of a root.",
                 "Newton from the left under a curvature bound",
             ),
+            **({} if self.coarse is None else _coarse(self.coarse)),
         }
+
+    @property
+    def single(self) -> frozenset[str]:
+        """What of the search in single precision is computed in it."""
+        return frozenset({"narrow", "leap"})
 
     @property
     def decisions(self) -> dict[str, Kernel]:
@@ -89,7 +95,7 @@ class CurvedSearch(Search):
             "enter": decision(
                 f"{self.surface.name}_enter",
                 enter(len(self.approach.windows)),
-                "The first window that begins no earlier than a time, if there is one.",
+                "The first window that ends later than a time, if there is one, from then on.",
             )
         }
 
@@ -99,32 +105,79 @@ class CurvedSearch(Search):
         yield given(own["clear"], horizon="until")
         yield Do(common.get("opens_in_flight", KERNELS["opens"]))
         step = _bounded_step if self.surface.bounds else _step
-        body = (
+        begun = (
             given(own["prepare"], horizon="until"),
             Do(KERNELS["beginning"]),
-            *_allowing(common, own),
-            Do(KERNELS["beyond"]),
             Do(own["enter"], {"after": 0.0, "t": 0.0, "end": 0.0}),
-            Do(KERNELS["outside"]),
+        )
+        found = (
             Repeat("searching", STEP_LIMIT, tuple(step(common, own, index))),
             Do(KERNELS["questioned"], {"unsure": "searching", "time": "t"}),
-            *_landing(common, own, index),
-            *proposed(index),
         )
-        yield Guard("open", body)
+        if self.coarse is None:
+            allowing = (*_allowing(common, own), Do(KERNELS["beyond"]), Do(KERNELS["outside"]))
+            search: tuple[Node, ...] = (*begun, *allowing, *found)
+        else:
+            again = (*_allowing(common, own), Do(own["enter"], {"after": "t"}), *found)
+            search = (*begun, *_leaping(common, own, index), Guard("searching", again))
+        newton = 2 if self.surface.bounds else 3
+        yield Guard("open", (*search, *_landing(common, own, index, newton), *proposed(index)))
+
+
+def _coarse(coarse: CoarseRing) -> dict[str, Formula]:
+    """Return the kernels of the search in single precision."""
+    source = "Newton from the left under a curvature bound, in single precision"
+    return {
+        "grain": (
+            coarse.grain(),
+            "Errors that single precision comes to, whether it serves, and windows from t on.",
+            "running error analysis",
+        ),
+        "narrow": (coarse.narrow(), "What a search needs to know, in single precision.", source),
+        "leap": (
+            coarse.leap(),
+            "Where a search is after a step, in which window, whether surely before a root, "
+            "and whether it goes on.",
+            source,
+        ),
+    }
+
+
+def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
+    """Search in single precision, from where the first window opens."""
+    yield Do(common["allowance"], {"horizon": "latest"})
+    yield Do(KERNELS["beyond"])
+    yield Do(KERNELS["left"], {"index": index})
+    levels = {"position_error": "position_level", "velocity_error": "velocity_level"}
+    yield given(own["grain"], horizon="latest", **levels)
+    yield _margins(own, "place", "motion")
+    there = {**{name: f"near_{name}" for name in "xyz"}, "vz": "near_vz"}
+    yield Do(common["flight"], {}, there, frozenset(there))
+    narrow = own["narrow"]
+    inputs = there | {"end": "span", "rate_margin": "rate_slack"}
+    short = {name: f"short_{name}" for name in narrow.output_names}
+    names = set(map(variable, narrow.arguments))
+    yield Do(narrow, {k: v for k, v in inputs.items() if k in names}, short)
+    yield Do(KERNELS["coarse"])
+    leap = own["leap"]
+    kept = {name: short[name] for name in map(variable, leap.arguments) if name in short}
+    yield Repeat("leaping", TURNS, (Do(leap, kept, {"t": "short_t", "end": "short_end"}),))
+    yield Do(KERNELS["leapt"], {"lasting": "short_t"})
+
+
+def _margins(own: Parts, place: str, motion: str) -> Do:
+    """Return the margins of the search, given the names of what errors it allows for."""
+    margins = given(
+        own["margins"], horizon="latest", position_error=place, velocity_error=motion
+    )
+    renamed = {"margin": "flat", "leaving_margin": "tilt", "rate_margin": "rate_slack"}
+    return Do(margins.kernel, margins.inputs, renamed)
 
 
 def _allowing(common: Parts, own: Parts) -> Iterator[Node]:
     """Allow for errors that are a share of the flight."""
     yield Do(common["allowance"], {"horizon": "latest"})
-    margins = given(
-        own["margins"],
-        horizon="latest",
-        position_error="position_level",
-        velocity_error="velocity_level",
-    )
-    renamed = {"margin": "flat", "leaving_margin": "tilt", "rate_margin": "rate_slack"}
-    yield Do(margins.kernel, margins.inputs, renamed)
+    yield _margins(own, "position_level", "velocity_level")
 
 
 def _step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
@@ -157,11 +210,11 @@ def _bounded_step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     yield Guard("exhausted", (Do(own["enter"], {"after": "end"}),))
 
 
-def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
-    """Refine what was found, with the shot's own errors."""
+def _landing(common: Parts, own: Parts, index: Value, newton: int) -> Iterator[Node]:
+    """Refine what was found by so many steps, with the shot's own errors."""
     yield Do(KERNELS["found"])
     yield Do(KERNELS["nearby"], {"index": index, "t": "arrival"})
-    for _ in range(2):
+    for _ in range(newton):
         yield Do(own["refine"], {"t": "arrival"}, {"time": "refined"})
         yield Do(KERNELS["polished"])
     yield Do(own["margins"], {"horizon": "latest"}, {"margin": "flat", "leaving_margin": "tilt"})

@@ -41,8 +41,14 @@ side, candidate = sp.symbols("side candidate", real=True)
 through = sp.Symbol("through", real=True)
 """1 for a ball that has fallen through the scene's passage, where it has one."""
 flat, tilt, arrival, t, end, refined = sp.symbols("flat tilt arrival t end refined", real=True)
-unsure, arrives, certain, hit, sure, vague, met, sunk = map(
-    Truth, ("unsure", "arrives", "certain", "hit", "sure", "vague", "met", "sunk")
+lasting = sp.Symbol("lasting", real=True)
+"""How long after its beginning a search in single precision is; infinite behind all windows."""
+unsure, arrives, certain, hit, sure, vague, met, sunk, searching, fits = map(
+    Truth,
+    (
+        *("unsure", "arrives", "certain", "hit", "sure", "vague", "met", "sunk"),
+        *("searching", "fits"),
+    ),
 )
 
 
@@ -136,6 +142,20 @@ KERNELS = {
             "1 near the surface that the ball left, where F/t is known better than F; the margin.",
         ),
         decision(
+            "coarse",
+            {"leaping": every(searching, fits)},
+            "Whether a search begins in single precision.",
+        ),
+        decision(
+            "leapt",
+            {
+                "arrival": Choose(certain, t + lasting, arrival),
+                "t": t + lasting,
+                "searching": every(searching, Not(certain), Less(lasting, sp.oo)),
+            },
+            "What a search in single precision found, and whether it goes on, and from when.",
+        ),
+        decision(
             "struck",
             {
                 "hit": every(_strikes, Not(_unclear)),
@@ -157,7 +177,7 @@ KERNELS = {
         decision(
             "advanced",
             {
-                "arrival": Choose(hit, Choose(sure, root, t), arrival),
+                "arrival": Choose(hit, t, arrival),
                 "certain": Either(certain, every(hit, sure)),
                 "exhausted": _exhausted,
                 "searching": every(Not(hit), Not(_exhausted)),

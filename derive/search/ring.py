@@ -15,6 +15,7 @@ a constant less two terms that a bound on z and on rho limits.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import sympy as sp
 
@@ -29,6 +30,9 @@ from .polar import PolarApproach, rho_start, steady, swing
 @dataclass(frozen=True)
 class RingApproach(PolarApproach):
     """The search for the ring: windows, curvature and margins in closed form."""
+
+    ease: ClassVar[sp.Expr] = sp.Rational(1, 2**40)
+    """More than what roundings make of the bound on F'', of its size, and of z and rho in it."""
 
     @property
     def named(self) -> dict[str, sp.Expr]:
@@ -163,13 +167,14 @@ class RingApproach(PolarApproach):
         rho is convex in time, and so never below its tangent.
         """
         there, moving, rho = self._here()
-        highest = smallest(hold(there[2] + largest(moving[2], 0) * width), self.reach)
         innermost, outermost = self.radii()
+        rising = hold(there[2] + largest(moving[2], 0) * width)
+        highest = smallest(hold(rising + self.ease * outermost), self.reach)
         tangent = hold(rho + smallest(self._outward_speed(), 0) * width)
-        least = largest(hold(tangent - sp.Rational(1, 2**40) * outermost), innermost)
+        least = largest(hold(tangent - self.ease * outermost), innermost)
         fall = 6 * self.gravity * highest
         turn = swing * hold(1 / hold(least)) ** 3
-        slack = sp.Rational(1, 2**40) * hold(size(fall) + turn + size(steady))
+        slack = self.ease * hold(size(fall) + turn + size(steady))
         return fall + turn - steady + slack
 
     @property

@@ -48,6 +48,11 @@ class Search(ABC):
         return ()
 
     @property
+    def single(self) -> frozenset[str]:
+        """The parts of `formulas` that are computed in single precision."""
+        return frozenset()
+
+    @property
     def closed(self) -> bool:
         """True if its only arrival is a closed form: such surfaces are looked at first."""
         return False

@@ -11,15 +11,60 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from ..ground.choice import IfAtMost, IfLess, hold, largest, smallest
+from ..ground.choice import (
+    Choose,
+    Either,
+    IfAtMost,
+    IfLess,
+    Less,
+    Nowhere,
+    hold,
+    largest,
+    smallest,
+)
 from ..ground.rounding import extent, position_error, speed, velocity_error
-from .events import Window, horizon
+from ..ground.symbols import t
+from .events import Window, end, horizon
 
 WIDER = sp.Rational(1, 2**14)
 """By how much, of the smallest half size."""
 
+after = sp.Symbol("after", real=True)
+"""A time up to which a search has come."""
+
 Axis = tuple[sp.Expr, sp.Expr, sp.Expr]
 """Of a coordinate: where it is from the box's centre, its velocity and its acceleration."""
+
+
+def opening(count: int) -> list[tuple[sp.Symbol, sp.Symbol]]:
+    """Return the symbols of so many windows: when each opens and when it ends."""
+    lows, highs = (sp.symbols(f"{name}:{count}", real=True) for name in ("low", "high"))
+    return list(zip(lows, highs, strict=True))
+
+
+def enter(
+    count: int, first: int = 0, since: sp.Expr = after, without: sp.Expr = t
+) -> dict[str, sp.Basic]:
+    """Return the first window that ends later than a time, from then on.
+
+    Parameters
+    ----------
+    count
+        How many windows a search has.
+    first
+        Those before it have ended by then.
+    since
+        The time.
+    without
+        The time where there is no such window.
+    """
+    start, stop, found = without, end, Nowhere()
+    for low, high in reversed(opening(count)[first:]):
+        begins = hold(largest(since, low))
+        opens = Less(begins, high)
+        start, stop = Choose(opens, begins, start), Choose(opens, high, stop)
+        found = Either(found, opens)
+    return {"t": start, "end": stop, "searching": found}
 
 
 def windows(axes: Sequence[Axis], halves: Sequence[sp.Expr | None]) -> list[Window]:

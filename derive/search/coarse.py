@@ -1,0 +1,140 @@
+"""The ring's search in single precision: half the work, and most flights need no more.
+
+The flight is drawn anew from its place at t0, where the first window opens. Between there and the
+end of the last window, D later, the ball is over the annulus at both ends, so that horizontally it
+goes no further than twice the annulus's outer radius A = R_H + R, and vertically |vz| D is at most
+3/2 g D² + 2 R. With v = 2^-24, the unit roundoff of single precision, the roundings of that place,
+of Eq. 3 and of the event condition come to less than
+
+    p = 2^-19 (A + g D²) = 32 v (A + g D²)
+
+if they are all counted as errors of the place, and 2^-22 of the speed as errors of the velocity:
+of Eq. 3 there are 13 v (A + g D²), and each rounding that `RingApproach.margins` names, with v in
+the place of u, is less than what those margins make of the rest of p. The margins of the search in
+double precision, given these as errors, are therefore those of the search in single precision.
+
+Of the bound on F'' the roundings stay below `ease`: rho' is off by v V (39 A/I + 5), which moves
+rho on a window by 2^-12.7 A at the most where A <= 2^5 I; z by 2^-14 R where g D² <= 2^7 R; the
+rest is relative, 8 v. By so much time is rounded at the edges of windows, too, where no contact can
+begin: 2^-16 R and less, of the 2^-14 R that they are wider by.
+
+So a step is without a root for the true flight, too, and where the slope r fulfils
+r² > 8 C 2^5 (F - m + 2 m) there is one simple root, three steps of Newton's method away: F itself
+is at most F - m + 2 m, and so h < 2^-8. A search that gets no further, because F is within its
+margin or a step is none, goes on from there in double precision; so does one that is not of those
+sizes, or in which anything is not a number.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import sympy as sp
+
+from ..ground.choice import AtMost, Choose, Less, Not, every, hold, some
+from ..ground.rounding import position_error, speed, velocity_error
+from ..ground.symbols import POSITION, VELOCITY, t
+from .decisions import flat, tilt
+from .events import ceiling, end, horizon, leaving, rate_margin
+from .polar import CONSTANTS
+from .ring import RingApproach
+from .windows import enter, opening
+
+TURNS = 24
+"""Steps after which the search goes on in double precision; it takes about two."""
+
+_LONGEST, _SHORTEST = sp.Integer(2) ** 12, sp.Rational(1, 2**12)
+"""Between these lengths, speeds and accelerations, in SI units, nothing over- or underflows."""
+
+_NEAR = every(Less(0, leaving), Less(tilt * t, flat))
+"""Near the surface that the ball left, where F/t is known better than F."""
+
+
+class CoarseRing(RingApproach):
+    """The search for the ring, as single precision has it."""
+
+    ease: ClassVar[sp.Expr] = sp.Rational(1, 2**12)
+
+    @property
+    def passed(self) -> tuple[sp.Symbol, ...]:
+        """What its kernels are given beside the constants of the flight: margins and windows."""
+        return (flat, tilt, *(edge for window in self._later() for edge in window))
+
+    def _later(self) -> list[tuple[sp.Symbol, sp.Symbol]]:
+        """The windows after the first, which nothing is before."""
+        return opening(len(self.windows))[1:]
+
+    def headroom(self, low_gap: sp.Expr) -> sp.Expr:
+        """Return 2^5 (F - m + 2 m), which F itself is less than 2^-5 of."""
+        return 2**5 * hold(low_gap + 2 * self.allowed)
+
+    @property
+    def allowed(self) -> sp.Expr:
+        """The margin of the form that F is known better in."""
+        return hold(Choose(_NEAR, tilt * t, flat), "m")
+
+    def _searched(self) -> sp.Expr:
+        return Choose(_NEAR, hold(self.leaving_gap, r"F_\ell"), hold(self.gap, "F"))
+
+    def grain(self) -> dict[str, sp.Basic]:
+        """Return what errors single precision comes to, whether it serves, and windows from t on.
+
+        `t` is where the first window opens, and `horizon` where the last one ends.
+        """
+        innermost, outermost = self.radii()
+        lasting = hold(horizon - t)
+        dropped = hold(self.gravity * lasting**2)
+        fastest = hold(speed + self.gravity * horizon)
+        fits = every(
+            AtMost(dropped, 2**7 * self.ring.reach),
+            AtMost(outermost, 2**5 * innermost),
+            AtMost(outermost, 2**5 * self.ring.reach),
+            AtMost(outermost, _LONGEST),
+            AtMost(_SHORTEST, innermost),
+            AtMost(fastest, _LONGEST),
+            AtMost(self.gravity, _LONGEST),
+            AtMost(_SHORTEST, self.gravity),
+            # F/t is of the place where the ball left.
+            AtMost(leaving * t, 0),
+        )
+        shift = sp.Rational(1, 2**19) * hold(outermost + dropped)
+        blur = sp.Rational(1, 2**22) * fastest
+        windows = {
+            name: symbol - t
+            for low, high in self._later()
+            for name, symbol in ((low.name, low), (high.name, high))
+        }
+        return {
+            "place": position_error + shift,
+            "motion": velocity_error + blur,
+            "span": end - t,
+            **windows,
+            "fits": fits,
+        }
+
+    def narrow(self) -> dict[str, sp.Expr]:
+        """Return what the search needs to know, for single precision to round."""
+        known = (*POSITION, *VELOCITY, *CONSTANTS, ceiling, rate_margin, leaving, *self.passed)
+        return {"t": sp.Integer(0), **{s.name: s for s in (end, *known)}}
+
+    def leap(self) -> dict[str, sp.Basic]:
+        """Return where the search is after a step, in which window, and how it stands.
+
+        `certain` where one simple root follows; it is then three steps of Newton's method from `t`.
+        `t` is infinite where no window is left.
+        """
+        said = self.advance()
+        gap, rate, step, following = (said[name] for name in ("gap", "rate", "step", "next"))
+        allowed = self.allowed
+        sure = Less(0, said["clearance"])
+        closing = every(Less(rate, 0), AtMost(gap - allowed, allowed))
+        stuck = every(Not(sure), some(closing, Not(Less(t, following))))
+        exhausted = every(Not(some(sure, stuck)), AtMost(end - t, step))
+        entered = enter(len(self.windows), 1, end, sp.oo)
+        more = entered["searching"]
+        return {
+            "t": Choose(exhausted, entered["t"], Choose(some(sure, stuck), t, following)),
+            "end": Choose(exhausted, entered["end"], end),
+            "certain": sure,
+            "leaping": every(Not(some(sure, stuck)), some(Not(exhausted), more)),
+        }
