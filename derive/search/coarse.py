@@ -107,7 +107,7 @@ class CoarseRing(RingApproach):
         return {
             "place": position_error + shift,
             "motion": velocity_error + blur,
-            "span": end - t,
+            "end": end - t,
             **windows,
             "fits": fits,
         }

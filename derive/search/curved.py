@@ -149,12 +149,15 @@ def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     yield Do(KERNELS["beyond"])
     yield Do(KERNELS["left"], {"index": index})
     levels = {"position_error": "position_level", "velocity_error": "velocity_level"}
-    yield given(own["grain"], horizon="latest", **levels)
+    grain = given(own["grain"], horizon="latest", **levels)
+    passed = {"place", "motion", "fits"}
+    since = {name: f"near_{name}" for name in grain.kernel.output_names if name not in passed}
+    yield Do(grain.kernel, grain.inputs, since)
     yield _margins(own, "place", "motion")
-    there = {**{name: f"near_{name}" for name in "xyz"}, "vz": "near_vz"}
+    there = {name: f"near_{name}" for name in ("x", "y", "z", "vz")}
     yield Do(common["flight"], {}, there, frozenset(there))
     narrow = own["narrow"]
-    inputs = there | {"end": "span", "rate_margin": "rate_slack"}
+    inputs = since | there | {"rate_margin": "rate_slack"}
     short = {name: f"short_{name}" for name in narrow.output_names}
     names = set(map(variable, narrow.arguments))
     yield Do(narrow, {k: v for k, v in inputs.items() if k in names}, short)

@@ -1,6 +1,6 @@
 /* Values of LANES_WIDTH shots abreast, and what is done to them.
 
-   Generated from templates/c/lanes.h.j2, scene court, derivation 111c28d8154e2b57,
+   Generated from templates/c/lanes.h.j2, scene court, derivation a21c6f9dd1a545a0,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. Above one lane a value is a struct of two native
@@ -94,6 +94,35 @@ static const uint8_t EXPANDED[16][8] = {
 #define lanes_pack LANES(pack)
 #define lanes_expand LANES(expand)
 #define K(c) lanes_all(c)
+#define S LANES(single)
+#define Q LANES(single_mask)
+#define singles_all LANES(singles_all)
+#define singles_add LANES(singles_add)
+#define singles_sub LANES(singles_sub)
+#define singles_mul LANES(singles_mul)
+#define singles_div LANES(singles_div)
+#define singles_neg LANES(singles_neg)
+#define singles_sqrt LANES(singles_sqrt)
+#define singles_abs LANES(singles_abs)
+#define singles_max LANES(singles_max)
+#define singles_min LANES(singles_min)
+#define singles_less LANES(singles_less)
+#define singles_at_most LANES(singles_at_most)
+#define singles_equal LANES(singles_equal)
+#define singles_both LANES(singles_both)
+#define singles_either LANES(singles_either)
+#define singles_not LANES(singles_not)
+#define singles_nowhere LANES(singles_nowhere)
+#define singles_select LANES(singles_select)
+#define singles_load LANES(singles_load)
+#define singles_store LANES(singles_store)
+#define singles_pack LANES(singles_pack)
+#define singles_expand LANES(singles_expand)
+#define singles_truth LANES(singles_truth)
+#define singles_of LANES(singles_of)
+#define lanes_narrow LANES(narrow)
+#define lanes_wide LANES(wide)
+#define KS(c) singles_all((float)(c))
 
 #if LANES_WIDTH == 1
 
@@ -139,6 +168,39 @@ LANES_INLINE void lanes_pack(double *to, M m, V a)
         *to = a;
 }
 LANES_INLINE V lanes_expand(const double *from, M m, V old) { return m ? *from : old; }
+
+typedef float S;
+typedef int Q;
+LANES_INLINE S singles_all(float c) { return c; }
+LANES_INLINE S singles_add(S a, S b) { return a + b; }
+LANES_INLINE S singles_sub(S a, S b) { return a - b; }
+LANES_INLINE S singles_mul(S a, S b) { return a * b; }
+LANES_INLINE S singles_div(S a, S b) { return a / b; }
+LANES_INLINE S singles_neg(S a) { return -a; }
+LANES_INLINE S singles_sqrt(S a) { return sqrtf(a); }
+LANES_INLINE S singles_abs(S a) { return fabsf(a); }
+LANES_INLINE Q singles_less(S a, S b) { return a < b; }
+LANES_INLINE Q singles_at_most(S a, S b) { return a <= b; }
+LANES_INLINE Q singles_equal(S a, S b) { return a == b; }
+LANES_INLINE Q singles_both(Q a, Q b) { return a & b; }
+LANES_INLINE Q singles_either(Q a, Q b) { return a | b; }
+LANES_INLINE Q singles_not(Q a) { return !a; }
+LANES_INLINE Q singles_nowhere(void) { return 0; }
+LANES_INLINE S singles_select(Q m, S a, S b) { return m ? a : b; }
+LANES_INLINE S singles_max(S a, S b) { return a < b ? b : a; }
+LANES_INLINE S singles_min(S a, S b) { return a < b ? a : b; }
+LANES_INLINE S singles_load(const float *row) { return *row; }
+LANES_INLINE void singles_store(float *row, S a) { *row = a; }
+LANES_INLINE S lanes_narrow(V a) { return (float)a; }
+LANES_INLINE V lanes_wide(S a) { return a; }
+LANES_INLINE M singles_truth(Q m) { return m; }
+LANES_INLINE Q singles_of(M m) { return m; }
+LANES_INLINE void singles_pack(float *to, M m, S a)
+{
+    if (m)
+        *to = a;
+}
+LANES_INLINE S singles_expand(const float *from, M m, S old) { return m ? *from : old; }
 
 #else
 
@@ -465,6 +527,216 @@ LANES_INLINE V lanes_expand(const double *from, M m, V old)
     return (V){n_expand(from, m.lo, old.lo),
                n_expand(from + LANES_POPULATION(n_bits(m.lo)), m.hi, old.hi)};
 }
+
+/* One native vector of single precision for the two of double precision. */
+#if defined(__x86_64__) && NATIVE == 8
+
+typedef __m512 S;
+typedef __mmask16 Q;
+LANES_INLINE S singles_all(float c) { return _mm512_set1_ps(c); }
+LANES_INLINE Q singles_less(S a, S b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
+LANES_INLINE Q singles_at_most(S a, S b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
+LANES_INLINE Q singles_equal(S a, S b) { return _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ); }
+LANES_INLINE Q singles_both(Q a, Q b) { return _kand_mask16(a, b); }
+LANES_INLINE Q singles_either(Q a, Q b) { return _kor_mask16(a, b); }
+LANES_INLINE Q singles_not(Q a) { return _knot_mask16(a); }
+LANES_INLINE S singles_select(Q m, S a, S b) { return _mm512_mask_blend_ps(m, b, a); }
+LANES_INLINE S singles_sqrt(S a) { return _mm512_sqrt_ps(a); }
+LANES_INLINE S singles_abs(S a) { return _mm512_abs_ps(a); }
+LANES_INLINE S singles_max(S a, S b) { return _mm512_max_ps(b, a); }
+LANES_INLINE S singles_min(S a, S b) { return _mm512_min_ps(a, b); }
+LANES_INLINE S lanes_narrow(V a)
+{
+    const __m512 lo = _mm512_castps256_ps512(_mm512_cvtpd_ps(a.lo));
+    return _mm512_insertf32x8(lo, _mm512_cvtpd_ps(a.hi), 1);
+}
+LANES_INLINE V lanes_wide(S a)
+{
+    return (V){_mm512_cvtps_pd(_mm512_castps512_ps256(a)),
+               _mm512_cvtps_pd(_mm512_extractf32x8_ps(a, 1))};
+}
+LANES_INLINE M singles_truth(Q m) { return (M){(B)m, (B)(m >> 8)}; }
+LANES_INLINE Q singles_of(M m) { return (Q)(m.lo | (unsigned)m.hi << 8); }
+LANES_INLINE void singles_pack(float *to, M m, S a)
+{
+    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(singles_of(m), a));
+}
+LANES_INLINE S singles_expand(const float *from, M m, S old)
+{
+    return _mm512_mask_expand_ps(old, singles_of(m), _mm512_loadu_ps(from));
+}
+
+#else
+
+#if defined(__x86_64__) && NATIVE == 4
+
+typedef __m256 S;
+typedef __m256 Q;
+LANES_INLINE S singles_all(float c) { return _mm256_set1_ps(c); }
+LANES_INLINE Q singles_less(S a, S b) { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
+LANES_INLINE Q singles_at_most(S a, S b) { return _mm256_cmp_ps(a, b, _CMP_LE_OQ); }
+LANES_INLINE Q singles_equal(S a, S b) { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }
+LANES_INLINE Q singles_both(Q a, Q b) { return _mm256_and_ps(a, b); }
+LANES_INLINE Q singles_either(Q a, Q b) { return _mm256_or_ps(a, b); }
+LANES_INLINE Q singles_not(Q a) { return _mm256_xor_ps(a, (S)_mm256_set1_epi64x(-1)); }
+LANES_INLINE S singles_select(Q m, S a, S b) { return _mm256_blendv_ps(b, a, m); }
+LANES_INLINE S singles_sqrt(S a) { return _mm256_sqrt_ps(a); }
+LANES_INLINE S singles_abs(S a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
+LANES_INLINE S singles_max(S a, S b) { return _mm256_max_ps(b, a); }
+LANES_INLINE S singles_min(S a, S b) { return _mm256_min_ps(a, b); }
+LANES_INLINE S lanes_narrow(V a)
+{
+    return _mm256_set_m128(_mm256_cvtpd_ps(a.hi), _mm256_cvtpd_ps(a.lo));
+}
+LANES_INLINE V lanes_wide(S a)
+{
+    return (V){_mm256_cvtps_pd(_mm256_castps256_ps128(a)),
+               _mm256_cvtps_pd(_mm256_extractf128_ps(a, 1))};
+}
+LANES_INLINE M singles_truth(Q m)
+{
+    const __m256i all = (__m256i)m;
+    return (M){(B)_mm256_cvtepi32_epi64(_mm256_castsi256_si128(all)),
+               (B)_mm256_cvtepi32_epi64(_mm256_extracti128_si256(all, 1))};
+}
+LANES_INLINE Q singles_of(M m)
+{
+    const __m256 pairs = _mm256_shuffle_ps((S)m.lo, (S)m.hi, 0x88);
+    return (Q)_mm256_permute4x64_epi64((__m256i)pairs, 0xd8);
+}
+
+#elif defined(__x86_64__)
+
+typedef __m128 S;
+typedef __m128 Q;
+LANES_INLINE S singles_all(float c) { return _mm_set1_ps(c); }
+LANES_INLINE Q singles_less(S a, S b) { return _mm_cmplt_ps(a, b); }
+LANES_INLINE Q singles_at_most(S a, S b) { return _mm_cmple_ps(a, b); }
+LANES_INLINE Q singles_equal(S a, S b) { return _mm_cmpeq_ps(a, b); }
+LANES_INLINE Q singles_both(Q a, Q b) { return _mm_and_ps(a, b); }
+LANES_INLINE Q singles_either(Q a, Q b) { return _mm_or_ps(a, b); }
+LANES_INLINE Q singles_not(Q a) { return _mm_xor_ps(a, (S)_mm_set1_epi64x(-1)); }
+LANES_INLINE S singles_select(Q m, S a, S b)
+{
+    return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b));
+}
+LANES_INLINE S singles_sqrt(S a) { return _mm_sqrt_ps(a); }
+LANES_INLINE S singles_abs(S a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
+LANES_INLINE S singles_max(S a, S b) { return _mm_max_ps(b, a); }
+LANES_INLINE S singles_min(S a, S b) { return _mm_min_ps(a, b); }
+LANES_INLINE S lanes_narrow(V a) { return _mm_movelh_ps(_mm_cvtpd_ps(a.lo), _mm_cvtpd_ps(a.hi)); }
+LANES_INLINE V lanes_wide(S a)
+{
+    return (V){_mm_cvtps_pd(a), _mm_cvtps_pd(_mm_movehl_ps(a, a))};
+}
+LANES_INLINE M singles_truth(Q m)
+{
+    return (M){(B)_mm_unpacklo_ps(m, m), (B)_mm_unpackhi_ps(m, m)};
+}
+LANES_INLINE Q singles_of(M m) { return _mm_shuffle_ps((S)m.lo, (S)m.hi, 0x88); }
+
+#else
+
+typedef float S __attribute__((vector_size(4 * LANES_WIDTH)));
+typedef int32_t Q __attribute__((vector_size(4 * LANES_WIDTH)));
+LANES_INLINE S singles_all(float c) { return c - (S){0}; }
+LANES_INLINE Q singles_less(S a, S b) { return a < b; }
+LANES_INLINE Q singles_at_most(S a, S b) { return a <= b; }
+LANES_INLINE Q singles_equal(S a, S b) { return a == b; }
+LANES_INLINE Q singles_both(Q a, Q b) { return a & b; }
+LANES_INLINE Q singles_either(Q a, Q b) { return a | b; }
+LANES_INLINE Q singles_not(Q a) { return ~a; }
+LANES_INLINE S singles_select(Q m, S a, S b) { return (S)(((Q)a & m) | ((Q)b & ~m)); }
+LANES_INLINE S singles_sqrt(S a)
+{
+    for (int lane = 0; lane < LANES_WIDTH; lane++)
+        a[lane] = sqrtf(a[lane]);
+    return a;
+}
+LANES_INLINE S singles_abs(S a) { return (S)((Q)a & (INT32_MAX - (Q){0})); }
+LANES_INLINE S singles_max(S a, S b) { return singles_select(a < b, b, a); }
+LANES_INLINE S singles_min(S a, S b) { return singles_select(a < b, a, b); }
+LANES_INLINE S lanes_narrow(V a)
+{
+    S b;
+    for (int lane = 0; lane < NATIVE; lane++) {
+        b[lane] = (float)a.lo[lane];
+        b[NATIVE + lane] = (float)a.hi[lane];
+    }
+    return b;
+}
+LANES_INLINE V lanes_wide(S a)
+{
+    V b;
+    for (int lane = 0; lane < NATIVE; lane++) {
+        b.lo[lane] = a[lane];
+        b.hi[lane] = a[NATIVE + lane];
+    }
+    return b;
+}
+LANES_INLINE M singles_truth(Q m)
+{
+    M b;
+    for (int lane = 0; lane < NATIVE; lane++) {
+        b.lo[lane] = m[lane];
+        b.hi[lane] = m[NATIVE + lane];
+    }
+    return b;
+}
+LANES_INLINE Q singles_of(M m)
+{
+    Q b;
+    for (int lane = 0; lane < NATIVE; lane++) {
+        b[lane] = (int32_t)m.lo[lane];
+        b[NATIVE + lane] = (int32_t)m.hi[lane];
+    }
+    return b;
+}
+
+#endif
+
+LANES_INLINE void singles_pack(float *to, M m, S a)
+{
+    const unsigned bits = lanes_bits(m);
+    float all[LANES_WIDTH];
+    memcpy(all, &a, sizeof all);
+    for (int lane = 0; lane < LANES_WIDTH; lane++) {
+        *to = all[lane];
+        to += bits >> lane & 1;
+    }
+}
+LANES_INLINE S singles_expand(const float *from, M m, S old)
+{
+    const unsigned bits = lanes_bits(m);
+    float all[LANES_WIDTH];
+    for (int lane = 0; lane < LANES_WIDTH; lane++) {
+        all[lane] = *from;
+        from += bits >> lane & 1;
+    }
+    S next;
+    memcpy(&next, all, sizeof next);
+    return singles_select(singles_of(m), next, old);
+}
+
+#endif
+
+LANES_INLINE S singles_add(S a, S b) { return a + b; }
+LANES_INLINE S singles_sub(S a, S b) { return a - b; }
+LANES_INLINE S singles_mul(S a, S b) { return a * b; }
+LANES_INLINE S singles_div(S a, S b) { return a / b; }
+LANES_INLINE S singles_neg(S a) { return -a; }
+LANES_INLINE Q singles_nowhere(void)
+{
+    const S zero = singles_all(0.0f);
+    return singles_less(zero, zero);
+}
+LANES_INLINE S singles_load(const float *row)
+{
+    S a;
+    memcpy(&a, row, sizeof a);
+    return a;
+}
+LANES_INLINE void singles_store(float *row, S a) { memcpy(row, &a, sizeof a); }
 
 #undef N
 #undef B

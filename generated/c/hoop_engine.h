@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation f336ff7eb1160b29,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 666484b40949facc,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -12,6 +12,7 @@
 
 /* A column, with room for a whole row of lanes behind its end. */
 typedef double LANES(hoop_column)[LANES_SHOTS + LANES_WIDTH];
+typedef float LANES(hoop_singles)[LANES_SHOTS + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on, and the places of
    their results: else each store waits for its line. */
@@ -111,17 +112,57 @@ typedef struct {
     LANES(hoop_column) open_y;
     LANES(hoop_column) open_z;
     LANES(hoop_column) open_arrival;
+    LANES(hoop_column) open_ceiling;
     LANES(hoop_column) open_certain;
+    LANES(hoop_column) open_end;
     LANES(hoop_column) open_flat;
+    LANES(hoop_column) open_high0;
+    LANES(hoop_column) open_high1;
+    LANES(hoop_column) open_high2;
+    LANES(hoop_column) open_latest;
+    LANES(hoop_column) open_low0;
+    LANES(hoop_column) open_low1;
+    LANES(hoop_column) open_low2;
     LANES(hoop_column) open_rho_start;
+    LANES(hoop_column) open_searching;
+    LANES(hoop_column) open_share;
+    LANES(hoop_singles) open_short_t;
+    LANES(hoop_column) open_steady;
+    LANES(hoop_column) open_swing;
+    LANES(hoop_column) open_t;
     LANES(hoop_column) open_tilt;
+    LANES(hoop_column) open_leaping_row;
+    LANES(hoop_column) open_leaping_leaping;
+    LANES(hoop_column) open_leaping_p_ball_radius;
+    LANES(hoop_column) open_leaping_p_gravity;
+    LANES(hoop_column) open_leaping_p_ring_radius;
+    LANES(hoop_column) open_leaping_p_wire_radius;
+    LANES(hoop_singles) open_leaping_short_ceiling;
+    LANES(hoop_singles) open_leaping_short_end;
+    LANES(hoop_singles) open_leaping_short_flat;
+    LANES(hoop_singles) open_leaping_short_high1;
+    LANES(hoop_singles) open_leaping_short_high2;
+    LANES(hoop_singles) open_leaping_short_leaving;
+    LANES(hoop_singles) open_leaping_short_low1;
+    LANES(hoop_singles) open_leaping_short_low2;
+    LANES(hoop_singles) open_leaping_short_rate_margin;
+    LANES(hoop_singles) open_leaping_short_rho_start;
+    LANES(hoop_singles) open_leaping_short_steady;
+    LANES(hoop_singles) open_leaping_short_swing;
+    LANES(hoop_singles) open_leaping_short_t;
+    LANES(hoop_singles) open_leaping_short_tilt;
+    LANES(hoop_singles) open_leaping_short_vx;
+    LANES(hoop_singles) open_leaping_short_vy;
+    LANES(hoop_singles) open_leaping_short_vz;
+    LANES(hoop_singles) open_leaping_short_x;
+    LANES(hoop_singles) open_leaping_short_y;
+    LANES(hoop_singles) open_leaping_short_z;
     LANES(hoop_column) open_searching_row;
     LANES(hoop_column) open_searching_arrival;
     LANES(hoop_column) open_searching_ceiling;
     LANES(hoop_column) open_searching_certain;
     LANES(hoop_column) open_searching_end;
     LANES(hoop_column) open_searching_extent;
-    LANES(hoop_column) open_searching_flat;
     LANES(hoop_column) open_searching_high0;
     LANES(hoop_column) open_searching_high1;
     LANES(hoop_column) open_searching_high2;
@@ -134,21 +175,54 @@ typedef struct {
     LANES(hoop_column) open_searching_p_gravity;
     LANES(hoop_column) open_searching_p_ring_radius;
     LANES(hoop_column) open_searching_p_wire_radius;
-    LANES(hoop_column) open_searching_rate_slack;
     LANES(hoop_column) open_searching_rho_start;
-    LANES(hoop_column) open_searching_searching;
     LANES(hoop_column) open_searching_share;
     LANES(hoop_column) open_searching_speed;
     LANES(hoop_column) open_searching_steady;
     LANES(hoop_column) open_searching_swing;
     LANES(hoop_column) open_searching_t;
-    LANES(hoop_column) open_searching_tilt;
     LANES(hoop_column) open_searching_vx;
     LANES(hoop_column) open_searching_vy;
     LANES(hoop_column) open_searching_vz;
     LANES(hoop_column) open_searching_x;
     LANES(hoop_column) open_searching_y;
     LANES(hoop_column) open_searching_z;
+    LANES(hoop_column) open_searching_flat;
+    LANES(hoop_column) open_searching_tilt;
+    LANES(hoop_column) open_searching_searching_row;
+    LANES(hoop_column) open_searching_searching_arrival;
+    LANES(hoop_column) open_searching_searching_ceiling;
+    LANES(hoop_column) open_searching_searching_certain;
+    LANES(hoop_column) open_searching_searching_end;
+    LANES(hoop_column) open_searching_searching_extent;
+    LANES(hoop_column) open_searching_searching_flat;
+    LANES(hoop_column) open_searching_searching_high0;
+    LANES(hoop_column) open_searching_searching_high1;
+    LANES(hoop_column) open_searching_searching_high2;
+    LANES(hoop_column) open_searching_searching_last;
+    LANES(hoop_column) open_searching_searching_latest;
+    LANES(hoop_column) open_searching_searching_low0;
+    LANES(hoop_column) open_searching_searching_low1;
+    LANES(hoop_column) open_searching_searching_low2;
+    LANES(hoop_column) open_searching_searching_p_ball_radius;
+    LANES(hoop_column) open_searching_searching_p_gravity;
+    LANES(hoop_column) open_searching_searching_p_ring_radius;
+    LANES(hoop_column) open_searching_searching_p_wire_radius;
+    LANES(hoop_column) open_searching_searching_rate_slack;
+    LANES(hoop_column) open_searching_searching_rho_start;
+    LANES(hoop_column) open_searching_searching_searching;
+    LANES(hoop_column) open_searching_searching_share;
+    LANES(hoop_column) open_searching_searching_speed;
+    LANES(hoop_column) open_searching_searching_steady;
+    LANES(hoop_column) open_searching_searching_swing;
+    LANES(hoop_column) open_searching_searching_t;
+    LANES(hoop_column) open_searching_searching_tilt;
+    LANES(hoop_column) open_searching_searching_vx;
+    LANES(hoop_column) open_searching_searching_vy;
+    LANES(hoop_column) open_searching_searching_vz;
+    LANES(hoop_column) open_searching_searching_x;
+    LANES(hoop_column) open_searching_searching_y;
+    LANES(hoop_column) open_searching_searching_z;
 } LANES(hoop_plain_lists);
 
 /* Put the next shots into rows, from one on. */
@@ -593,7 +667,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             }
         }
         {
-        size_t open_searching_shots = 0;
+        size_t open_leaping_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             V extent = lanes_load(lists->open_extent + i);
@@ -628,25 +702,253 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V share = _o36.share;
             V arrival = _o36.arrival;
             M certain = _o36.certain;
-            const LANES(hoop_allowance_out) _o37 =
-                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o37.position_level;
-            V velocity_level = _o37.velocity_level;
-            const LANES(hoop_ring_margins_out) _o38 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o38.margin;
-            V tilt = _o38.leaving_margin;
-            V rate_slack = _o38.rate_margin;
-            const LANES(hoop_ring_enter_out) _o39 =
+            const LANES(hoop_ring_enter_out) _o37 =
                 LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o39.t;
-            V end = _o39.end;
-            M searching = _o39.searching;
+            V t = _o37.t;
+            V end = _o37.end;
+            M searching = _o37.searching;
+            const LANES(hoop_allowance_out) _o38 =
+                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
+            V position_level = _o38.position_level;
+            V velocity_level = _o38.velocity_level;
+            const LANES(hoop_left_out) _o39 =
+                LANES(hoop_left)(K(0.0), last);
+            V leaving = _o39.leaving;
+            const LANES(hoop_ring_grain_out) _o40 =
+                LANES(hoop_ring_grain)(t, end, leaving, latest, speed, position_level, velocity_level, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V place = _o40.place;
+            V motion = _o40.motion;
+            V near_end = _o40.end;
+            V near_low1 = _o40.low1;
+            V near_high1 = _o40.high1;
+            V near_low2 = _o40.low2;
+            V near_high2 = _o40.high2;
+            M fits = _o40.fits;
+            const LANES(hoop_ring_margins_out) _o41 =
+                LANES(hoop_ring_margins)(latest, extent, speed, place, motion, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V flat = _o41.margin;
+            V tilt = _o41.leaving_margin;
+            V rate_slack = _o41.rate_margin;
+            const LANES(hoop_flight_out) _o42 =
+                LANES(hoop_flight)(t, x, y, z, vx, vy, vz, p_gravity);
+            V near_x = _o42.x;
+            V near_y = _o42.y;
+            V near_z = _o42.z;
+            V near_vz = _o42.vz;
+            const LANES(hoop_ring_narrow_out) _o43 =
+                LANES(hoop_ring_narrow)(lanes_narrow(near_end), lanes_narrow(leaving), lanes_narrow(rate_slack), lanes_narrow(ceiling), lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(steady), lanes_narrow(swing), lanes_narrow(rho_start), lanes_narrow(flat), lanes_narrow(tilt), lanes_narrow(near_low1), lanes_narrow(near_high1), lanes_narrow(near_low2), lanes_narrow(near_high2));
+            S short_t = _o43.t;
+            S short_end = _o43.end;
+            S short_x = _o43.x;
+            S short_y = _o43.y;
+            S short_z = _o43.z;
+            S short_vx = _o43.vx;
+            S short_vy = _o43.vy;
+            S short_vz = _o43.vz;
+            S short_steady = _o43.steady;
+            S short_swing = _o43.swing;
+            S short_rho_start = _o43.rho_start;
+            S short_ceiling = _o43.ceiling;
+            S short_rate_margin = _o43.rate_margin;
+            S short_leaving = _o43.leaving;
+            S short_flat = _o43.flat;
+            S short_tilt = _o43.tilt;
+            S short_low1 = _o43.low1;
+            S short_high1 = _o43.high1;
+            S short_low2 = _o43.low2;
+            S short_high2 = _o43.high2;
+            const LANES(hoop_coarse_out) _o44 =
+                LANES(hoop_coarse)(fits, searching);
+            M leaping = _o44.leaping;
             lanes_store(lists->open_arrival + i, arrival);
+            lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
+            lanes_store(lists->open_end + i, end);
             lanes_store(lists->open_flat + i, flat);
+            lanes_store(lists->open_high0 + i, high0);
+            lanes_store(lists->open_high1 + i, high1);
+            lanes_store(lists->open_high2 + i, high2);
+            lanes_store(lists->open_latest + i, latest);
+            lanes_store(lists->open_low0 + i, low0);
+            lanes_store(lists->open_low1 + i, low1);
+            lanes_store(lists->open_low2 + i, low2);
             lanes_store(lists->open_rho_start + i, rho_start);
+            lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
+            lanes_store(lists->open_share + i, share);
+            singles_store(lists->open_short_t + i, short_t);
+            lanes_store(lists->open_steady + i, steady);
+            lanes_store(lists->open_swing + i, swing);
+            lanes_store(lists->open_t + i, t);
             lanes_store(lists->open_tilt + i, tilt);
+            const M packed = lanes_both(rows, leaping);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_leaping_row + open_leaping_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                if (varying)
+                    lanes_pack(lists->open_leaping_p_ball_radius + open_leaping_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_leaping_p_gravity + open_leaping_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_leaping_p_ring_radius + open_leaping_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, p_wire_radius);
+                singles_pack(lists->open_leaping_short_ceiling + open_leaping_shots, packed, short_ceiling);
+                singles_pack(lists->open_leaping_short_end + open_leaping_shots, packed, short_end);
+                singles_pack(lists->open_leaping_short_flat + open_leaping_shots, packed, short_flat);
+                singles_pack(lists->open_leaping_short_high1 + open_leaping_shots, packed, short_high1);
+                singles_pack(lists->open_leaping_short_high2 + open_leaping_shots, packed, short_high2);
+                singles_pack(lists->open_leaping_short_leaving + open_leaping_shots, packed, short_leaving);
+                singles_pack(lists->open_leaping_short_low1 + open_leaping_shots, packed, short_low1);
+                singles_pack(lists->open_leaping_short_low2 + open_leaping_shots, packed, short_low2);
+                singles_pack(lists->open_leaping_short_rate_margin + open_leaping_shots, packed, short_rate_margin);
+                singles_pack(lists->open_leaping_short_rho_start + open_leaping_shots, packed, short_rho_start);
+                singles_pack(lists->open_leaping_short_steady + open_leaping_shots, packed, short_steady);
+                singles_pack(lists->open_leaping_short_swing + open_leaping_shots, packed, short_swing);
+                singles_pack(lists->open_leaping_short_t + open_leaping_shots, packed, short_t);
+                singles_pack(lists->open_leaping_short_tilt + open_leaping_shots, packed, short_tilt);
+                singles_pack(lists->open_leaping_short_vx + open_leaping_shots, packed, short_vx);
+                singles_pack(lists->open_leaping_short_vy + open_leaping_shots, packed, short_vy);
+                singles_pack(lists->open_leaping_short_vz + open_leaping_shots, packed, short_vz);
+                singles_pack(lists->open_leaping_short_x + open_leaping_shots, packed, short_x);
+                singles_pack(lists->open_leaping_short_y + open_leaping_shots, packed, short_y);
+                singles_pack(lists->open_leaping_short_z + open_leaping_shots, packed, short_z);
+                open_leaping_shots += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_radius = lanes_load(lists->p_ring_radius);
+            V p_wire_radius = lanes_load(lists->p_wire_radius);
+            S short_ceiling = KS(0.0);
+            S short_end = KS(0.0);
+            S short_flat = KS(0.0);
+            S short_high1 = KS(0.0);
+            S short_high2 = KS(0.0);
+            S short_leaving = KS(0.0);
+            S short_low1 = KS(0.0);
+            S short_low2 = KS(0.0);
+            S short_rate_margin = KS(0.0);
+            S short_rho_start = KS(0.0);
+            S short_steady = KS(0.0);
+            S short_swing = KS(0.0);
+            S short_t = KS(0.0);
+            S short_tilt = KS(0.0);
+            S short_vx = KS(0.0);
+            S short_vy = KS(0.0);
+            S short_vz = KS(0.0);
+            S short_x = KS(0.0);
+            S short_y = KS(0.0);
+            S short_z = KS(0.0);
+            for (;;) {
+                if (taken < open_leaping_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_leaping_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    short_ceiling = singles_expand(lists->open_leaping_short_ceiling + taken, idle, short_ceiling);
+                    short_end = singles_expand(lists->open_leaping_short_end + taken, idle, short_end);
+                    short_flat = singles_expand(lists->open_leaping_short_flat + taken, idle, short_flat);
+                    short_high1 = singles_expand(lists->open_leaping_short_high1 + taken, idle, short_high1);
+                    short_high2 = singles_expand(lists->open_leaping_short_high2 + taken, idle, short_high2);
+                    short_leaving = singles_expand(lists->open_leaping_short_leaving + taken, idle, short_leaving);
+                    short_low1 = singles_expand(lists->open_leaping_short_low1 + taken, idle, short_low1);
+                    short_low2 = singles_expand(lists->open_leaping_short_low2 + taken, idle, short_low2);
+                    short_rate_margin = singles_expand(lists->open_leaping_short_rate_margin + taken, idle, short_rate_margin);
+                    short_rho_start = singles_expand(lists->open_leaping_short_rho_start + taken, idle, short_rho_start);
+                    short_steady = singles_expand(lists->open_leaping_short_steady + taken, idle, short_steady);
+                    short_swing = singles_expand(lists->open_leaping_short_swing + taken, idle, short_swing);
+                    short_t = singles_expand(lists->open_leaping_short_t + taken, idle, short_t);
+                    short_tilt = singles_expand(lists->open_leaping_short_tilt + taken, idle, short_tilt);
+                    short_vx = singles_expand(lists->open_leaping_short_vx + taken, idle, short_vx);
+                    short_vy = singles_expand(lists->open_leaping_short_vy + taken, idle, short_vy);
+                    short_vz = singles_expand(lists->open_leaping_short_vz + taken, idle, short_vz);
+                    short_x = singles_expand(lists->open_leaping_short_x + taken, idle, short_x);
+                    short_y = singles_expand(lists->open_leaping_short_y + taken, idle, short_y);
+                    short_z = singles_expand(lists->open_leaping_short_z + taken, idle, short_z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, p_ball_radius);
+                        p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_leaping_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_leaping_p_wire_radius + taken, idle, p_wire_radius);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_leaping_shots - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M leaping = active;
+                const LANES(hoop_ring_leap_out) _o45 =
+                    LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                short_t = _o45.t;
+                short_end = _o45.end;
+                M certain = _o45.certain;
+                leaping = _o45.leaping;
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_certain[LANES_WIDTH];
+                    lanes_store(ended_certain, lanes_select(certain, K(1.0), K(0.0)));
+                    float ended_short_t[LANES_WIDTH];
+                    singles_store(ended_short_t, short_t);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_certain[k] = ended_certain[lane];
+                        lists->open_short_t[k] = ended_short_t[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        }
+        {
+        size_t open_searching_shots = 0;
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
+            V arrival = lanes_load(lists->open_arrival + i);
+            V ceiling = lanes_load(lists->open_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
+            V end = lanes_load(lists->open_end + i);
+            V extent = lanes_load(lists->open_extent + i);
+            V high0 = lanes_load(lists->open_high0 + i);
+            V high1 = lanes_load(lists->open_high1 + i);
+            V high2 = lanes_load(lists->open_high2 + i);
+            V last = lanes_load(lists->open_last + i);
+            V latest = lanes_load(lists->open_latest + i);
+            V low0 = lanes_load(lists->open_low0 + i);
+            V low1 = lanes_load(lists->open_low1 + i);
+            V low2 = lanes_load(lists->open_low2 + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V rho_start = lanes_load(lists->open_rho_start + i);
+            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            V share = lanes_load(lists->open_share + i);
+            S short_t = singles_load(lists->open_short_t + i);
+            V speed = lanes_load(lists->open_speed + i);
+            V steady = lanes_load(lists->open_steady + i);
+            V swing = lanes_load(lists->open_swing + i);
+            V t = lanes_load(lists->open_t + i);
+            V vx = lanes_load(lists->open_vx + i);
+            V vy = lanes_load(lists->open_vy + i);
+            V vz = lanes_load(lists->open_vz + i);
+            V x = lanes_load(lists->open_x + i);
+            V y = lanes_load(lists->open_y + i);
+            V z = lanes_load(lists->open_z + i);
+            const LANES(hoop_leapt_out) _o46 =
+                LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, t);
+            arrival = _o46.arrival;
+            t = _o46.t;
+            searching = _o46.searching;
+            lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -655,7 +957,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
                 lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
                 lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
-                lanes_pack(lists->open_searching_flat + open_searching_shots, packed, flat);
                 lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
                 lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
                 lanes_pack(lists->open_searching_high2 + open_searching_shots, packed, high2);
@@ -672,14 +973,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, p_ring_radius);
                 if (varying)
                     lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_searching_rate_slack + open_searching_shots, packed, rate_slack);
                 lanes_pack(lists->open_searching_rho_start + open_searching_shots, packed, rho_start);
                 lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
                 lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
                 lanes_pack(lists->open_searching_steady + open_searching_shots, packed, steady);
                 lanes_pack(lists->open_searching_swing + open_searching_shots, packed, swing);
                 lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
-                lanes_pack(lists->open_searching_tilt + open_searching_shots, packed, tilt);
                 lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
                 lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
                 lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
@@ -687,6 +986,97 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_pack(lists->open_searching_y + open_searching_shots, packed, y);
                 lanes_pack(lists->open_searching_z + open_searching_shots, packed, z);
                 open_searching_shots += lanes_many(packed);
+            }
+        }
+        {
+        size_t open_searching_searching_shots = 0;
+        for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_searching_shots - i);
+            V arrival = lanes_load(lists->open_searching_arrival + i);
+            V ceiling = lanes_load(lists->open_searching_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
+            V end = lanes_load(lists->open_searching_end + i);
+            V extent = lanes_load(lists->open_searching_extent + i);
+            V high0 = lanes_load(lists->open_searching_high0 + i);
+            V high1 = lanes_load(lists->open_searching_high1 + i);
+            V high2 = lanes_load(lists->open_searching_high2 + i);
+            V last = lanes_load(lists->open_searching_last + i);
+            V latest = lanes_load(lists->open_searching_latest + i);
+            V low0 = lanes_load(lists->open_searching_low0 + i);
+            V low1 = lanes_load(lists->open_searching_low1 + i);
+            V low2 = lanes_load(lists->open_searching_low2 + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_searching_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius);
+            V rho_start = lanes_load(lists->open_searching_rho_start + i);
+            V share = lanes_load(lists->open_searching_share + i);
+            V speed = lanes_load(lists->open_searching_speed + i);
+            V steady = lanes_load(lists->open_searching_steady + i);
+            V swing = lanes_load(lists->open_searching_swing + i);
+            V t = lanes_load(lists->open_searching_t + i);
+            V vx = lanes_load(lists->open_searching_vx + i);
+            V vy = lanes_load(lists->open_searching_vy + i);
+            V vz = lanes_load(lists->open_searching_vz + i);
+            V x = lanes_load(lists->open_searching_x + i);
+            V y = lanes_load(lists->open_searching_y + i);
+            V z = lanes_load(lists->open_searching_z + i);
+            const LANES(hoop_allowance_out) _o47 =
+                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
+            V position_level = _o47.position_level;
+            V velocity_level = _o47.velocity_level;
+            const LANES(hoop_ring_margins_out) _o48 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V flat = _o48.margin;
+            V tilt = _o48.leaving_margin;
+            V rate_slack = _o48.rate_margin;
+            const LANES(hoop_ring_enter_out) _o49 =
+                LANES(hoop_ring_enter)(t, end, high0, high1, high2, low0, low1, low2, t);
+            t = _o49.t;
+            end = _o49.end;
+            M searching = _o49.searching;
+            lanes_store(lists->open_searching_flat + i, flat);
+            lanes_store(lists->open_searching_tilt + i, tilt);
+            const M packed = lanes_both(rows, searching);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_searching_searching_row + open_searching_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_searching_searching_arrival + open_searching_searching_shots, packed, arrival);
+                lanes_pack(lists->open_searching_searching_ceiling + open_searching_searching_shots, packed, ceiling);
+                lanes_pack(lists->open_searching_searching_certain + open_searching_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_searching_searching_end + open_searching_searching_shots, packed, end);
+                lanes_pack(lists->open_searching_searching_extent + open_searching_searching_shots, packed, extent);
+                lanes_pack(lists->open_searching_searching_flat + open_searching_searching_shots, packed, flat);
+                lanes_pack(lists->open_searching_searching_high0 + open_searching_searching_shots, packed, high0);
+                lanes_pack(lists->open_searching_searching_high1 + open_searching_searching_shots, packed, high1);
+                lanes_pack(lists->open_searching_searching_high2 + open_searching_searching_shots, packed, high2);
+                lanes_pack(lists->open_searching_searching_last + open_searching_searching_shots, packed, last);
+                lanes_pack(lists->open_searching_searching_latest + open_searching_searching_shots, packed, latest);
+                lanes_pack(lists->open_searching_searching_low0 + open_searching_searching_shots, packed, low0);
+                lanes_pack(lists->open_searching_searching_low1 + open_searching_searching_shots, packed, low1);
+                lanes_pack(lists->open_searching_searching_low2 + open_searching_searching_shots, packed, low2);
+                if (varying)
+                    lanes_pack(lists->open_searching_searching_p_ball_radius + open_searching_searching_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_searching_searching_p_gravity + open_searching_searching_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_searching_searching_rate_slack + open_searching_searching_shots, packed, rate_slack);
+                lanes_pack(lists->open_searching_searching_rho_start + open_searching_searching_shots, packed, rho_start);
+                lanes_pack(lists->open_searching_searching_share + open_searching_searching_shots, packed, share);
+                lanes_pack(lists->open_searching_searching_speed + open_searching_searching_shots, packed, speed);
+                lanes_pack(lists->open_searching_searching_steady + open_searching_searching_shots, packed, steady);
+                lanes_pack(lists->open_searching_searching_swing + open_searching_searching_shots, packed, swing);
+                lanes_pack(lists->open_searching_searching_t + open_searching_searching_shots, packed, t);
+                lanes_pack(lists->open_searching_searching_tilt + open_searching_searching_shots, packed, tilt);
+                lanes_pack(lists->open_searching_searching_vx + open_searching_searching_shots, packed, vx);
+                lanes_pack(lists->open_searching_searching_vy + open_searching_searching_shots, packed, vy);
+                lanes_pack(lists->open_searching_searching_vz + open_searching_searching_shots, packed, vz);
+                lanes_pack(lists->open_searching_searching_x + open_searching_searching_shots, packed, x);
+                lanes_pack(lists->open_searching_searching_y + open_searching_searching_shots, packed, y);
+                lanes_pack(lists->open_searching_searching_z + open_searching_searching_shots, packed, z);
+                open_searching_searching_shots += lanes_many(packed);
             }
         }
         {
@@ -726,45 +1116,45 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < open_searching_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
-                    row = lanes_expand(lists->open_searching_row + taken, idle, row);
+                    row = lanes_expand(lists->open_searching_searching_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
-                    arrival = lanes_expand(lists->open_searching_arrival + taken, idle, arrival);
-                    ceiling = lanes_expand(lists->open_searching_ceiling + taken, idle, ceiling);
-                    certain = lanes_less(K(0.0), lanes_expand(lists->open_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
-                    end = lanes_expand(lists->open_searching_end + taken, idle, end);
-                    extent = lanes_expand(lists->open_searching_extent + taken, idle, extent);
-                    flat = lanes_expand(lists->open_searching_flat + taken, idle, flat);
-                    high0 = lanes_expand(lists->open_searching_high0 + taken, idle, high0);
-                    high1 = lanes_expand(lists->open_searching_high1 + taken, idle, high1);
-                    high2 = lanes_expand(lists->open_searching_high2 + taken, idle, high2);
-                    last = lanes_expand(lists->open_searching_last + taken, idle, last);
-                    latest = lanes_expand(lists->open_searching_latest + taken, idle, latest);
-                    low0 = lanes_expand(lists->open_searching_low0 + taken, idle, low0);
-                    low1 = lanes_expand(lists->open_searching_low1 + taken, idle, low1);
-                    low2 = lanes_expand(lists->open_searching_low2 + taken, idle, low2);
-                    rate_slack = lanes_expand(lists->open_searching_rate_slack + taken, idle, rate_slack);
-                    rho_start = lanes_expand(lists->open_searching_rho_start + taken, idle, rho_start);
-                    share = lanes_expand(lists->open_searching_share + taken, idle, share);
-                    speed = lanes_expand(lists->open_searching_speed + taken, idle, speed);
-                    steady = lanes_expand(lists->open_searching_steady + taken, idle, steady);
-                    swing = lanes_expand(lists->open_searching_swing + taken, idle, swing);
-                    t = lanes_expand(lists->open_searching_t + taken, idle, t);
-                    tilt = lanes_expand(lists->open_searching_tilt + taken, idle, tilt);
-                    vx = lanes_expand(lists->open_searching_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->open_searching_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->open_searching_vz + taken, idle, vz);
-                    x = lanes_expand(lists->open_searching_x + taken, idle, x);
-                    y = lanes_expand(lists->open_searching_y + taken, idle, y);
-                    z = lanes_expand(lists->open_searching_z + taken, idle, z);
+                    arrival = lanes_expand(lists->open_searching_searching_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_searching_searching_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_searching_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    end = lanes_expand(lists->open_searching_searching_end + taken, idle, end);
+                    extent = lanes_expand(lists->open_searching_searching_extent + taken, idle, extent);
+                    flat = lanes_expand(lists->open_searching_searching_flat + taken, idle, flat);
+                    high0 = lanes_expand(lists->open_searching_searching_high0 + taken, idle, high0);
+                    high1 = lanes_expand(lists->open_searching_searching_high1 + taken, idle, high1);
+                    high2 = lanes_expand(lists->open_searching_searching_high2 + taken, idle, high2);
+                    last = lanes_expand(lists->open_searching_searching_last + taken, idle, last);
+                    latest = lanes_expand(lists->open_searching_searching_latest + taken, idle, latest);
+                    low0 = lanes_expand(lists->open_searching_searching_low0 + taken, idle, low0);
+                    low1 = lanes_expand(lists->open_searching_searching_low1 + taken, idle, low1);
+                    low2 = lanes_expand(lists->open_searching_searching_low2 + taken, idle, low2);
+                    rate_slack = lanes_expand(lists->open_searching_searching_rate_slack + taken, idle, rate_slack);
+                    rho_start = lanes_expand(lists->open_searching_searching_rho_start + taken, idle, rho_start);
+                    share = lanes_expand(lists->open_searching_searching_share + taken, idle, share);
+                    speed = lanes_expand(lists->open_searching_searching_speed + taken, idle, speed);
+                    steady = lanes_expand(lists->open_searching_searching_steady + taken, idle, steady);
+                    swing = lanes_expand(lists->open_searching_searching_swing + taken, idle, swing);
+                    t = lanes_expand(lists->open_searching_searching_t + taken, idle, t);
+                    tilt = lanes_expand(lists->open_searching_searching_tilt + taken, idle, tilt);
+                    vx = lanes_expand(lists->open_searching_searching_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_searching_searching_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_searching_searching_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_searching_searching_x + taken, idle, x);
+                    y = lanes_expand(lists->open_searching_searching_y + taken, idle, y);
+                    z = lanes_expand(lists->open_searching_searching_z + taken, idle, z);
                     if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_searching_p_ball_radius + taken, idle, p_ball_radius);
-                        p_gravity = lanes_expand(lists->open_searching_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_searching_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_searching_p_wire_radius + taken, idle, p_wire_radius);
+                        p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, p_ball_radius);
+                        p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_searching_searching_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_searching_searching_p_wire_radius + taken, idle, p_wire_radius);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_searching_shots - taken;
+                    const size_t room = LANES_WIDTH - busy, left = open_searching_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -772,53 +1162,52 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o40 =
+                const LANES(hoop_nearby_out) _o50 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o40.leaving;
-                V margin = _o40.margin;
-                const LANES(hoop_ring_advance_out) _o41 =
+                V leaving = _o50.leaving;
+                V margin = _o50.margin;
+                const LANES(hoop_ring_advance_out) _o51 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o41.gap;
-                V rate = _o41.rate;
-                V bend = _o41.bend;
-                V step = _o41.step;
-                V next = _o41.next;
-                V root = _o41.root;
-                V clearance = _o41.clearance;
-                const LANES(hoop_struck_out) _o42 =
+                V gap = _o51.gap;
+                V rate = _o51.rate;
+                V bend = _o51.bend;
+                V step = _o51.step;
+                V next = _o51.next;
+                V clearance = _o51.clearance;
+                const LANES(hoop_struck_out) _o52 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o42.hit;
-                M sure = _o42.sure;
-                M vague = _o42.vague;
-                const M _m43 = lanes_both(active, vague);
-                if (lanes_any(_m43)) {
-                    const LANES(hoop_finer_out) _o44 =
+                M hit = _o52.hit;
+                M sure = _o52.sure;
+                M vague = _o52.vague;
+                const M _m53 = lanes_both(active, vague);
+                if (lanes_any(_m53)) {
+                    const LANES(hoop_finer_out) _o54 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m43, _o44.share, share);
-                    const LANES(hoop_allowance_out) _o45 =
+                    share = lanes_select(_m53, _o54.share, share);
+                    const LANES(hoop_allowance_out) _o55 =
                         LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o45.position_level;
-                    V velocity_level = _o45.velocity_level;
-                    const LANES(hoop_ring_margins_out) _o46 =
+                    V position_level = _o55.position_level;
+                    V velocity_level = _o55.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o56 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m43, _o46.margin, flat);
-                    tilt = lanes_select(_m43, _o46.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m43, _o46.rate_margin, rate_slack);
+                    flat = lanes_select(_m53, _o56.margin, flat);
+                    tilt = lanes_select(_m53, _o56.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m53, _o56.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) _o47 =
-                    LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
-                arrival = _o47.arrival;
-                certain = _o47.certain;
-                M exhausted = _o47.exhausted;
-                searching = _o47.searching;
-                t = _o47.t;
-                const M _m48 = lanes_both(active, exhausted);
+                const LANES(hoop_advanced_out) _o57 =
+                    LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
+                arrival = _o57.arrival;
+                certain = _o57.certain;
+                M exhausted = _o57.exhausted;
+                searching = _o57.searching;
+                t = _o57.t;
+                const M _m58 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o49 =
+                    const LANES(hoop_ring_enter_out) _o59 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m48, _o49.t, t);
-                    end = lanes_select(_m48, _o49.end, end);
-                    searching = lanes_choose(_m48, _o49.searching, searching);
+                    t = lanes_select(_m58, _o59.t, t);
+                    end = lanes_select(_m58, _o59.end, end);
+                    searching = lanes_choose(_m58, _o59.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -836,15 +1225,23 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
                         const int lane = LANES_LOWEST(bits);
                         const size_t k = (size_t)ended_row[lane];
-                        lists->open_arrival[k] = ended_arrival[lane];
-                        lists->open_certain[k] = ended_certain[lane];
-                        lists->open_flat[k] = ended_flat[lane];
-                        lists->open_tilt[k] = ended_tilt[lane];
+                        lists->open_searching_arrival[k] = ended_arrival[lane];
+                        lists->open_searching_certain[k] = ended_certain[lane];
+                        lists->open_searching_flat[k] = ended_flat[lane];
+                        lists->open_searching_tilt[k] = ended_tilt[lane];
                     }
                     busy -= lanes_many(ended);
                     active = lanes_both(active, lanes_not(ended));
                 }
             }
+        }
+        }
+        for (size_t k = 0; k < open_searching_shots; k++) {
+            const size_t row = (size_t)lists->open_searching_row[k];
+            lists->open_arrival[row] = lists->open_searching_arrival[k];
+            lists->open_certain[row] = lists->open_searching_certain[k];
+            lists->open_flat[row] = lists->open_searching_flat[k];
+            lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
@@ -866,31 +1263,37 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o50 =
+            const LANES(hoop_found_out) _o60 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o50.arrives;
-            const LANES(hoop_nearby_out) _o51 =
+            M arrives = _o60.arrives;
+            const LANES(hoop_nearby_out) _o61 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o51.leaving;
-            const LANES(hoop_ring_refine_out) _o52 =
+            V leaving = _o61.leaving;
+            const LANES(hoop_ring_refine_out) _o62 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V refined = _o52.time;
-            const LANES(hoop_polished_out) _o53 =
+            V refined = _o62.time;
+            const LANES(hoop_polished_out) _o63 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o53.arrival;
-            const LANES(hoop_ring_refine_out) _o54 =
+            arrival = _o63.arrival;
+            const LANES(hoop_ring_refine_out) _o64 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o54.time;
-            const LANES(hoop_polished_out) _o55 =
+            refined = _o64.time;
+            const LANES(hoop_polished_out) _o65 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o55.arrival;
-            const LANES(hoop_landed_out) _o56 =
+            arrival = _o65.arrival;
+            const LANES(hoop_ring_refine_out) _o66 =
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            refined = _o66.time;
+            const LANES(hoop_polished_out) _o67 =
+                LANES(hoop_polished)(arrival, certain, refined);
+            arrival = _o67.arrival;
+            const LANES(hoop_landed_out) _o68 =
                 LANES(hoop_landed)(arrival);
-            V time = _o56.time;
-            const LANES(hoop_sooner_out) _o57 =
+            V time = _o68.time;
+            const LANES(hoop_sooner_out) _o69 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o57.when;
-            which = _o57.which;
+            when = _o69.when;
+            which = _o69.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -928,65 +1331,65 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m58 = lanes_both(rows, limited);
-            if (lanes_any(_m58)) {
-                const LANES(hoop_expiry_out) _o59 =
+            const M _m70 = lanes_both(rows, limited);
+            if (lanes_any(_m70)) {
+                const LANES(hoop_expiry_out) _o71 =
                     LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o59.time;
-                M arrives = _o59.arrives;
-                const LANES(hoop_sooner_out) _o60 =
+                V time = _o71.time;
+                M arrives = _o71.arrives;
+                const LANES(hoop_sooner_out) _o72 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m58, _o60.when, when);
-                which = lanes_select(_m58, _o60.which, which);
+                when = lanes_select(_m70, _o72.when, when);
+                which = lanes_select(_m70, _o72.which, which);
             }
-            const LANES(hoop_departed_out) _o61 =
+            const LANES(hoop_departed_out) _o73 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o61.moves;
-            M ends = _o61.ends;
-            M touches = _o61.touches;
-            V reached = _o61.reached;
-            const LANES(hoop_body_of_out) _o62 =
+            M moves = _o73.moves;
+            M ends = _o73.ends;
+            M touches = _o73.touches;
+            V reached = _o73.reached;
+            const LANES(hoop_body_of_out) _o74 =
                 LANES(hoop_body_of)(which);
-            V body = _o62.body;
-            const M _m63 = lanes_both(rows, moves);
+            V body = _o74.body;
+            const M _m75 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o64 =
+                const LANES(hoop_flight_out) _o76 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m63, _o64.x, x);
-                y = lanes_select(_m63, _o64.y, y);
-                z = lanes_select(_m63, _o64.z, z);
-                vx = lanes_select(_m63, _o64.vx, vx);
-                vy = lanes_select(_m63, _o64.vy, vy);
-                vz = lanes_select(_m63, _o64.vz, vz);
-                const LANES(hoop_ticked_out) _o65 =
+                x = lanes_select(_m75, _o76.x, x);
+                y = lanes_select(_m75, _o76.y, y);
+                z = lanes_select(_m75, _o76.z, z);
+                vx = lanes_select(_m75, _o76.vx, vx);
+                vy = lanes_select(_m75, _o76.vy, vy);
+                vz = lanes_select(_m75, _o76.vz, vz);
+                const LANES(hoop_ticked_out) _o77 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m63, _o65.clock, clock);
+                clock = lanes_select(_m75, _o77.clock, clock);
             }
-            const M _m66 = lanes_both(rows, limited);
-            if (lanes_any(_m66)) {
-                const LANES(hoop_expired_out) _o67 =
+            const M _m78 = lanes_both(rows, limited);
+            if (lanes_any(_m78)) {
+                const LANES(hoop_expired_out) _o79 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m66, _o67.clock, clock);
-                body = lanes_select(_m66, _o67.body, body);
-                reached = lanes_select(_m66, _o67.reached, reached);
-                ends = lanes_choose(_m66, _o67.ends, ends);
+                clock = lanes_select(_m78, _o79.clock, clock);
+                body = lanes_select(_m78, _o79.body, body);
+                reached = lanes_select(_m78, _o79.reached, reached);
+                ends = lanes_choose(_m78, _o79.ends, ends);
             }
-            const LANES(hoop_here_out) _o68 =
+            const LANES(hoop_here_out) _o80 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o68.here;
-            const M _m69 = lanes_both(rows, here);
+            M here = _o80.here;
+            const M _m81 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o70 =
+                const LANES(hoop_end_bounds_out) _o82 =
                     LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o70.g0;
-                const LANES(hoop_end_reached_out) _o71 =
+                V g0 = _o82.g0;
+                const LANES(hoop_end_reached_out) _o83 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m69, _o71.reached, reached);
+                reached = lanes_select(_m81, _o83.reached, reached);
             }
-            const LANES(hoop_accounted_out) _o72 =
+            const LANES(hoop_accounted_out) _o84 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o72.contacts;
-            V outcome = _o72.outcome;
+            contacts = _o84.contacts;
+            V outcome = _o84.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -999,97 +1402,97 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o73 =
+            const LANES(hoop_meeting_out) _o85 =
                 LANES(hoop_meeting)(K(0.0), ends, touches);
-            M meeting = _o73.meeting;
-            const M _m74 = lanes_both(rows, meeting);
-            if (lanes_any(_m74)) {
-                const LANES(hoop_end_normal_out) _o75 =
+            M meeting = _o85.meeting;
+            const M _m86 = lanes_both(rows, meeting);
+            if (lanes_any(_m86)) {
+                const LANES(hoop_end_normal_out) _o87 =
                     LANES(hoop_end_normal)();
-                V nx = _o75.nx;
-                V ny = _o75.ny;
-                V nz = _o75.nz;
-                const LANES(hoop_here_out) _o76 =
+                V nx = _o87.nx;
+                V ny = _o87.ny;
+                V nz = _o87.nz;
+                const LANES(hoop_here_out) _o88 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o76.here;
-                const M _m77 = lanes_both(_m74, here);
+                M here = _o88.here;
+                const M _m89 = lanes_both(_m86, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o78 =
+                    const LANES(hoop_ring_normal_out) _o90 =
                         LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m77, _o78.nx, nx);
-                    ny = lanes_select(_m77, _o78.ny, ny);
-                    nz = lanes_select(_m77, _o78.nz, nz);
-                    const LANES(hoop_counted_out) _o79 =
+                    nx = lanes_select(_m89, _o90.nx, nx);
+                    ny = lanes_select(_m89, _o90.ny, ny);
+                    nz = lanes_select(_m89, _o90.nz, nz);
+                    const LANES(hoop_counted_out) _o91 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m77, _o79.count, count_0);
+                    count_0 = lanes_select(_m89, _o91.count, count_0);
                 }
-                const LANES(hoop_here_out) _o80 =
+                const LANES(hoop_here_out) _o92 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o80.here;
-                const M _m81 = lanes_both(_m74, here);
+                here = _o92.here;
+                const M _m93 = lanes_both(_m86, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o82 =
+                    const LANES(hoop_backboard_normal_out) _o94 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m81, _o82.nx, nx);
-                    ny = lanes_select(_m81, _o82.ny, ny);
-                    nz = lanes_select(_m81, _o82.nz, nz);
-                    const LANES(hoop_counted_out) _o83 =
+                    nx = lanes_select(_m93, _o94.nx, nx);
+                    ny = lanes_select(_m93, _o94.ny, ny);
+                    nz = lanes_select(_m93, _o94.nz, nz);
+                    const LANES(hoop_counted_out) _o95 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m81, _o83.count, count_1);
+                    count_1 = lanes_select(_m93, _o95.count, count_1);
                 }
-                const LANES(hoop_here_out) _o84 =
+                const LANES(hoop_here_out) _o96 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o84.here;
-                const M _m85 = lanes_both(_m74, here);
+                here = _o96.here;
+                const M _m97 = lanes_both(_m86, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o86 =
+                    const LANES(hoop_bridge_normal_out) _o98 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m85, _o86.nx, nx);
-                    ny = lanes_select(_m85, _o86.ny, ny);
-                    nz = lanes_select(_m85, _o86.nz, nz);
-                    const LANES(hoop_counted_out) _o87 =
+                    nx = lanes_select(_m97, _o98.nx, nx);
+                    ny = lanes_select(_m97, _o98.ny, ny);
+                    nz = lanes_select(_m97, _o98.nz, nz);
+                    const LANES(hoop_counted_out) _o99 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m85, _o87.count, count_2);
+                    count_2 = lanes_select(_m97, _o99.count, count_2);
                 }
-                const M _m88 = lanes_both(_m74, touches);
-                if (lanes_any(_m88)) {
-                    const LANES(hoop_impact_out) _o89 =
+                const M _m100 = lanes_both(_m86, touches);
+                if (lanes_any(_m100)) {
+                    const LANES(hoop_impact_out) _o101 =
                         LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m88, _o89.vx, vx);
-                    vy = lanes_select(_m88, _o89.vy, vy);
-                    vz = lanes_select(_m88, _o89.vz, vz);
-                    wx = lanes_select(_m88, _o89.wx, wx);
-                    wy = lanes_select(_m88, _o89.wy, wy);
-                    wz = lanes_select(_m88, _o89.wz, wz);
+                    vx = lanes_select(_m100, _o101.vx, vx);
+                    vy = lanes_select(_m100, _o101.vy, vy);
+                    vz = lanes_select(_m100, _o101.vz, vz);
+                    wx = lanes_select(_m100, _o101.wx, wx);
+                    wy = lanes_select(_m100, _o101.wy, wy);
+                    wz = lanes_select(_m100, _o101.wz, wz);
                 }
-                const LANES(hoop_here_out) _o90 =
+                const LANES(hoop_here_out) _o102 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o90.here;
-                const M _m91 = lanes_both(_m74, here);
+                here = _o102.here;
+                const M _m103 = lanes_both(_m86, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o92 =
+                    const LANES(hoop_backboard_place_out) _o104 =
                         LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m91, _o92.x, x);
-                    y = lanes_select(_m91, _o92.y, y);
-                    z = lanes_select(_m91, _o92.z, z);
+                    x = lanes_select(_m103, _o104.x, x);
+                    y = lanes_select(_m103, _o104.y, y);
+                    z = lanes_select(_m103, _o104.z, z);
                 }
-                const LANES(hoop_here_out) _o93 =
+                const LANES(hoop_here_out) _o105 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o93.here;
-                const M _m94 = lanes_both(_m74, here);
+                here = _o105.here;
+                const M _m106 = lanes_both(_m86, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o95 =
+                    const LANES(hoop_bridge_place_out) _o107 =
                         LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m94, _o95.x, x);
-                    y = lanes_select(_m94, _o95.y, y);
-                    z = lanes_select(_m94, _o95.z, z);
+                    x = lanes_select(_m106, _o107.x, x);
+                    y = lanes_select(_m106, _o107.y, y);
+                    z = lanes_select(_m106, _o107.z, z);
                 }
-                const M _m96 = lanes_both(_m74, touches);
+                const M _m108 = lanes_both(_m86, touches);
                 {
-                    const LANES(hoop_touched_out) _o97 =
+                    const LANES(hoop_touched_out) _o109 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m96, _o97.first, first);
-                    last = lanes_select(_m96, _o97.last, last);
+                    first = lanes_select(_m108, _o109.first, first);
+                    last = lanes_select(_m108, _o109.last, last);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -1227,12 +1630,49 @@ typedef struct {
     LANES(hoop_column) open_arrival;
     LANES(hoop_column) open_ceiling;
     LANES(hoop_column) open_certain;
+    LANES(hoop_column) open_end;
     LANES(hoop_column) open_flat;
+    LANES(hoop_column) open_high0;
+    LANES(hoop_column) open_high1;
+    LANES(hoop_column) open_high2;
     LANES(hoop_column) open_latest;
+    LANES(hoop_column) open_low0;
+    LANES(hoop_column) open_low1;
+    LANES(hoop_column) open_low2;
     LANES(hoop_column) open_rho_start;
     LANES(hoop_column) open_searching;
+    LANES(hoop_column) open_share;
+    LANES(hoop_singles) open_short_t;
+    LANES(hoop_column) open_steady;
+    LANES(hoop_column) open_swing;
     LANES(hoop_column) open_t;
     LANES(hoop_column) open_tilt;
+    LANES(hoop_column) open_leaping_row;
+    LANES(hoop_column) open_leaping_leaping;
+    LANES(hoop_column) open_leaping_p_ball_radius;
+    LANES(hoop_column) open_leaping_p_gravity;
+    LANES(hoop_column) open_leaping_p_ring_radius;
+    LANES(hoop_column) open_leaping_p_wire_radius;
+    LANES(hoop_singles) open_leaping_short_ceiling;
+    LANES(hoop_singles) open_leaping_short_end;
+    LANES(hoop_singles) open_leaping_short_flat;
+    LANES(hoop_singles) open_leaping_short_high1;
+    LANES(hoop_singles) open_leaping_short_high2;
+    LANES(hoop_singles) open_leaping_short_leaving;
+    LANES(hoop_singles) open_leaping_short_low1;
+    LANES(hoop_singles) open_leaping_short_low2;
+    LANES(hoop_singles) open_leaping_short_rate_margin;
+    LANES(hoop_singles) open_leaping_short_rho_start;
+    LANES(hoop_singles) open_leaping_short_steady;
+    LANES(hoop_singles) open_leaping_short_swing;
+    LANES(hoop_singles) open_leaping_short_t;
+    LANES(hoop_singles) open_leaping_short_tilt;
+    LANES(hoop_singles) open_leaping_short_vx;
+    LANES(hoop_singles) open_leaping_short_vy;
+    LANES(hoop_singles) open_leaping_short_vz;
+    LANES(hoop_singles) open_leaping_short_x;
+    LANES(hoop_singles) open_leaping_short_y;
+    LANES(hoop_singles) open_leaping_short_z;
     LANES(hoop_column) open_searching_row;
     LANES(hoop_column) open_searching_arrival;
     LANES(hoop_column) open_searching_ceiling;
@@ -1240,7 +1680,6 @@ typedef struct {
     LANES(hoop_column) open_searching_doubt;
     LANES(hoop_column) open_searching_end;
     LANES(hoop_column) open_searching_extent;
-    LANES(hoop_column) open_searching_flat;
     LANES(hoop_column) open_searching_high0;
     LANES(hoop_column) open_searching_high1;
     LANES(hoop_column) open_searching_high2;
@@ -1254,15 +1693,12 @@ typedef struct {
     LANES(hoop_column) open_searching_p_ring_radius;
     LANES(hoop_column) open_searching_p_wire_radius;
     LANES(hoop_column) open_searching_position_error;
-    LANES(hoop_column) open_searching_rate_slack;
     LANES(hoop_column) open_searching_rho_start;
-    LANES(hoop_column) open_searching_searching;
     LANES(hoop_column) open_searching_share;
     LANES(hoop_column) open_searching_speed;
     LANES(hoop_column) open_searching_steady;
     LANES(hoop_column) open_searching_swing;
     LANES(hoop_column) open_searching_t;
-    LANES(hoop_column) open_searching_tilt;
     LANES(hoop_column) open_searching_velocity_error;
     LANES(hoop_column) open_searching_vx;
     LANES(hoop_column) open_searching_vy;
@@ -1270,6 +1706,46 @@ typedef struct {
     LANES(hoop_column) open_searching_x;
     LANES(hoop_column) open_searching_y;
     LANES(hoop_column) open_searching_z;
+    LANES(hoop_column) open_searching_flat;
+    LANES(hoop_column) open_searching_searching;
+    LANES(hoop_column) open_searching_tilt;
+    LANES(hoop_column) open_searching_searching_row;
+    LANES(hoop_column) open_searching_searching_arrival;
+    LANES(hoop_column) open_searching_searching_ceiling;
+    LANES(hoop_column) open_searching_searching_certain;
+    LANES(hoop_column) open_searching_searching_doubt;
+    LANES(hoop_column) open_searching_searching_end;
+    LANES(hoop_column) open_searching_searching_extent;
+    LANES(hoop_column) open_searching_searching_flat;
+    LANES(hoop_column) open_searching_searching_high0;
+    LANES(hoop_column) open_searching_searching_high1;
+    LANES(hoop_column) open_searching_searching_high2;
+    LANES(hoop_column) open_searching_searching_last;
+    LANES(hoop_column) open_searching_searching_latest;
+    LANES(hoop_column) open_searching_searching_low0;
+    LANES(hoop_column) open_searching_searching_low1;
+    LANES(hoop_column) open_searching_searching_low2;
+    LANES(hoop_column) open_searching_searching_p_ball_radius;
+    LANES(hoop_column) open_searching_searching_p_gravity;
+    LANES(hoop_column) open_searching_searching_p_ring_radius;
+    LANES(hoop_column) open_searching_searching_p_wire_radius;
+    LANES(hoop_column) open_searching_searching_position_error;
+    LANES(hoop_column) open_searching_searching_rate_slack;
+    LANES(hoop_column) open_searching_searching_rho_start;
+    LANES(hoop_column) open_searching_searching_searching;
+    LANES(hoop_column) open_searching_searching_share;
+    LANES(hoop_column) open_searching_searching_speed;
+    LANES(hoop_column) open_searching_searching_steady;
+    LANES(hoop_column) open_searching_searching_swing;
+    LANES(hoop_column) open_searching_searching_t;
+    LANES(hoop_column) open_searching_searching_tilt;
+    LANES(hoop_column) open_searching_searching_velocity_error;
+    LANES(hoop_column) open_searching_searching_vx;
+    LANES(hoop_column) open_searching_searching_vy;
+    LANES(hoop_column) open_searching_searching_vz;
+    LANES(hoop_column) open_searching_searching_x;
+    LANES(hoop_column) open_searching_searching_y;
+    LANES(hoop_column) open_searching_searching_z;
 } LANES(hoop_bounded_lists);
 
 /* Put the next shots into rows, from one on. */
@@ -1880,7 +2356,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             }
         }
         {
-        size_t open_searching_shots = 0;
+        size_t open_leaping_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             V doubt = lanes_load(lists->open_doubt + i);
@@ -1921,34 +2397,261 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V share = _o58.share;
             V arrival = _o58.arrival;
             M certain = _o58.certain;
-            const LANES(hoop_allowance_out) _o59 =
+            const LANES(hoop_ring_enter_out) _o59 =
+                LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
+            V t = _o59.t;
+            V end = _o59.end;
+            M searching = _o59.searching;
+            const LANES(hoop_allowance_out) _o60 =
                 LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o59.position_level;
-            V velocity_level = _o59.velocity_level;
-            V excess = _o59.excess;
-            const LANES(hoop_ring_margins_out) _o60 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o60.margin;
-            V tilt = _o60.leaving_margin;
-            V rate_slack = _o60.rate_margin;
+            V position_level = _o60.position_level;
+            V velocity_level = _o60.velocity_level;
+            V excess = _o60.excess;
             const LANES(hoop_beyond_out) _o61 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
             doubt = _o61.doubt;
-            const LANES(hoop_ring_enter_out) _o62 =
-                LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o62.t;
-            V end = _o62.end;
-            M searching = _o62.searching;
+            const LANES(hoop_left_out) _o62 =
+                LANES(hoop_left)(K(0.0), last);
+            V leaving = _o62.leaving;
+            const LANES(hoop_ring_grain_out) _o63 =
+                LANES(hoop_ring_grain)(t, end, leaving, latest, speed, position_level, velocity_level, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V place = _o63.place;
+            V motion = _o63.motion;
+            V near_end = _o63.end;
+            V near_low1 = _o63.low1;
+            V near_high1 = _o63.high1;
+            V near_low2 = _o63.low2;
+            V near_high2 = _o63.high2;
+            M fits = _o63.fits;
+            const LANES(hoop_ring_margins_out) _o64 =
+                LANES(hoop_ring_margins)(latest, extent, speed, place, motion, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V flat = _o64.margin;
+            V tilt = _o64.leaving_margin;
+            V rate_slack = _o64.rate_margin;
+            const LANES(hoop_flight_out) _o65 =
+                LANES(hoop_flight)(t, x, y, z, vx, vy, vz, p_gravity);
+            V near_x = _o65.x;
+            V near_y = _o65.y;
+            V near_z = _o65.z;
+            V near_vz = _o65.vz;
+            const LANES(hoop_ring_narrow_out) _o66 =
+                LANES(hoop_ring_narrow)(lanes_narrow(near_end), lanes_narrow(leaving), lanes_narrow(rate_slack), lanes_narrow(ceiling), lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(steady), lanes_narrow(swing), lanes_narrow(rho_start), lanes_narrow(flat), lanes_narrow(tilt), lanes_narrow(near_low1), lanes_narrow(near_high1), lanes_narrow(near_low2), lanes_narrow(near_high2));
+            S short_t = _o66.t;
+            S short_end = _o66.end;
+            S short_x = _o66.x;
+            S short_y = _o66.y;
+            S short_z = _o66.z;
+            S short_vx = _o66.vx;
+            S short_vy = _o66.vy;
+            S short_vz = _o66.vz;
+            S short_steady = _o66.steady;
+            S short_swing = _o66.swing;
+            S short_rho_start = _o66.rho_start;
+            S short_ceiling = _o66.ceiling;
+            S short_rate_margin = _o66.rate_margin;
+            S short_leaving = _o66.leaving;
+            S short_flat = _o66.flat;
+            S short_tilt = _o66.tilt;
+            S short_low1 = _o66.low1;
+            S short_high1 = _o66.high1;
+            S short_low2 = _o66.low2;
+            S short_high2 = _o66.high2;
+            const LANES(hoop_coarse_out) _o67 =
+                LANES(hoop_coarse)(fits, searching);
+            M leaping = _o67.leaping;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             lanes_store(lists->open_doubt + i, doubt);
+            lanes_store(lists->open_end + i, end);
             lanes_store(lists->open_flat + i, flat);
+            lanes_store(lists->open_high0 + i, high0);
+            lanes_store(lists->open_high1 + i, high1);
+            lanes_store(lists->open_high2 + i, high2);
             lanes_store(lists->open_latest + i, latest);
+            lanes_store(lists->open_low0 + i, low0);
+            lanes_store(lists->open_low1 + i, low1);
+            lanes_store(lists->open_low2 + i, low2);
             lanes_store(lists->open_rho_start + i, rho_start);
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
+            lanes_store(lists->open_share + i, share);
+            singles_store(lists->open_short_t + i, short_t);
+            lanes_store(lists->open_steady + i, steady);
+            lanes_store(lists->open_swing + i, swing);
             lanes_store(lists->open_t + i, t);
             lanes_store(lists->open_tilt + i, tilt);
+            const M packed = lanes_both(rows, leaping);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_leaping_row + open_leaping_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                if (varying)
+                    lanes_pack(lists->open_leaping_p_ball_radius + open_leaping_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_leaping_p_gravity + open_leaping_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_leaping_p_ring_radius + open_leaping_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, p_wire_radius);
+                singles_pack(lists->open_leaping_short_ceiling + open_leaping_shots, packed, short_ceiling);
+                singles_pack(lists->open_leaping_short_end + open_leaping_shots, packed, short_end);
+                singles_pack(lists->open_leaping_short_flat + open_leaping_shots, packed, short_flat);
+                singles_pack(lists->open_leaping_short_high1 + open_leaping_shots, packed, short_high1);
+                singles_pack(lists->open_leaping_short_high2 + open_leaping_shots, packed, short_high2);
+                singles_pack(lists->open_leaping_short_leaving + open_leaping_shots, packed, short_leaving);
+                singles_pack(lists->open_leaping_short_low1 + open_leaping_shots, packed, short_low1);
+                singles_pack(lists->open_leaping_short_low2 + open_leaping_shots, packed, short_low2);
+                singles_pack(lists->open_leaping_short_rate_margin + open_leaping_shots, packed, short_rate_margin);
+                singles_pack(lists->open_leaping_short_rho_start + open_leaping_shots, packed, short_rho_start);
+                singles_pack(lists->open_leaping_short_steady + open_leaping_shots, packed, short_steady);
+                singles_pack(lists->open_leaping_short_swing + open_leaping_shots, packed, short_swing);
+                singles_pack(lists->open_leaping_short_t + open_leaping_shots, packed, short_t);
+                singles_pack(lists->open_leaping_short_tilt + open_leaping_shots, packed, short_tilt);
+                singles_pack(lists->open_leaping_short_vx + open_leaping_shots, packed, short_vx);
+                singles_pack(lists->open_leaping_short_vy + open_leaping_shots, packed, short_vy);
+                singles_pack(lists->open_leaping_short_vz + open_leaping_shots, packed, short_vz);
+                singles_pack(lists->open_leaping_short_x + open_leaping_shots, packed, short_x);
+                singles_pack(lists->open_leaping_short_y + open_leaping_shots, packed, short_y);
+                singles_pack(lists->open_leaping_short_z + open_leaping_shots, packed, short_z);
+                open_leaping_shots += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_radius = lanes_load(lists->p_ring_radius);
+            V p_wire_radius = lanes_load(lists->p_wire_radius);
+            S short_ceiling = KS(0.0);
+            S short_end = KS(0.0);
+            S short_flat = KS(0.0);
+            S short_high1 = KS(0.0);
+            S short_high2 = KS(0.0);
+            S short_leaving = KS(0.0);
+            S short_low1 = KS(0.0);
+            S short_low2 = KS(0.0);
+            S short_rate_margin = KS(0.0);
+            S short_rho_start = KS(0.0);
+            S short_steady = KS(0.0);
+            S short_swing = KS(0.0);
+            S short_t = KS(0.0);
+            S short_tilt = KS(0.0);
+            S short_vx = KS(0.0);
+            S short_vy = KS(0.0);
+            S short_vz = KS(0.0);
+            S short_x = KS(0.0);
+            S short_y = KS(0.0);
+            S short_z = KS(0.0);
+            for (;;) {
+                if (taken < open_leaping_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_leaping_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    short_ceiling = singles_expand(lists->open_leaping_short_ceiling + taken, idle, short_ceiling);
+                    short_end = singles_expand(lists->open_leaping_short_end + taken, idle, short_end);
+                    short_flat = singles_expand(lists->open_leaping_short_flat + taken, idle, short_flat);
+                    short_high1 = singles_expand(lists->open_leaping_short_high1 + taken, idle, short_high1);
+                    short_high2 = singles_expand(lists->open_leaping_short_high2 + taken, idle, short_high2);
+                    short_leaving = singles_expand(lists->open_leaping_short_leaving + taken, idle, short_leaving);
+                    short_low1 = singles_expand(lists->open_leaping_short_low1 + taken, idle, short_low1);
+                    short_low2 = singles_expand(lists->open_leaping_short_low2 + taken, idle, short_low2);
+                    short_rate_margin = singles_expand(lists->open_leaping_short_rate_margin + taken, idle, short_rate_margin);
+                    short_rho_start = singles_expand(lists->open_leaping_short_rho_start + taken, idle, short_rho_start);
+                    short_steady = singles_expand(lists->open_leaping_short_steady + taken, idle, short_steady);
+                    short_swing = singles_expand(lists->open_leaping_short_swing + taken, idle, short_swing);
+                    short_t = singles_expand(lists->open_leaping_short_t + taken, idle, short_t);
+                    short_tilt = singles_expand(lists->open_leaping_short_tilt + taken, idle, short_tilt);
+                    short_vx = singles_expand(lists->open_leaping_short_vx + taken, idle, short_vx);
+                    short_vy = singles_expand(lists->open_leaping_short_vy + taken, idle, short_vy);
+                    short_vz = singles_expand(lists->open_leaping_short_vz + taken, idle, short_vz);
+                    short_x = singles_expand(lists->open_leaping_short_x + taken, idle, short_x);
+                    short_y = singles_expand(lists->open_leaping_short_y + taken, idle, short_y);
+                    short_z = singles_expand(lists->open_leaping_short_z + taken, idle, short_z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, p_ball_radius);
+                        p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_leaping_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_leaping_p_wire_radius + taken, idle, p_wire_radius);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_leaping_shots - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M leaping = active;
+                const LANES(hoop_ring_leap_out) _o68 =
+                    LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                short_t = _o68.t;
+                short_end = _o68.end;
+                M certain = _o68.certain;
+                leaping = _o68.leaping;
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_certain[LANES_WIDTH];
+                    lanes_store(ended_certain, lanes_select(certain, K(1.0), K(0.0)));
+                    float ended_short_t[LANES_WIDTH];
+                    singles_store(ended_short_t, short_t);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_certain[k] = ended_certain[lane];
+                        lists->open_short_t[k] = ended_short_t[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        }
+        {
+        size_t open_searching_shots = 0;
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
+            V arrival = lanes_load(lists->open_arrival + i);
+            V ceiling = lanes_load(lists->open_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
+            V doubt = lanes_load(lists->open_doubt + i);
+            V end = lanes_load(lists->open_end + i);
+            V extent = lanes_load(lists->open_extent + i);
+            V high0 = lanes_load(lists->open_high0 + i);
+            V high1 = lanes_load(lists->open_high1 + i);
+            V high2 = lanes_load(lists->open_high2 + i);
+            V last = lanes_load(lists->open_last + i);
+            V latest = lanes_load(lists->open_latest + i);
+            V low0 = lanes_load(lists->open_low0 + i);
+            V low1 = lanes_load(lists->open_low1 + i);
+            V low2 = lanes_load(lists->open_low2 + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V position_error = lanes_load(lists->open_position_error + i);
+            V rho_start = lanes_load(lists->open_rho_start + i);
+            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            V share = lanes_load(lists->open_share + i);
+            S short_t = singles_load(lists->open_short_t + i);
+            V speed = lanes_load(lists->open_speed + i);
+            V steady = lanes_load(lists->open_steady + i);
+            V swing = lanes_load(lists->open_swing + i);
+            V t = lanes_load(lists->open_t + i);
+            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            V vx = lanes_load(lists->open_vx + i);
+            V vy = lanes_load(lists->open_vy + i);
+            V vz = lanes_load(lists->open_vz + i);
+            V x = lanes_load(lists->open_x + i);
+            V y = lanes_load(lists->open_y + i);
+            V z = lanes_load(lists->open_z + i);
+            const LANES(hoop_leapt_out) _o69 =
+                LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, t);
+            arrival = _o69.arrival;
+            t = _o69.t;
+            searching = _o69.searching;
+            lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -1958,7 +2661,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_searching_doubt + open_searching_shots, packed, doubt);
                 lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
                 lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
-                lanes_pack(lists->open_searching_flat + open_searching_shots, packed, flat);
                 lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
                 lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
                 lanes_pack(lists->open_searching_high2 + open_searching_shots, packed, high2);
@@ -1976,14 +2678,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (varying)
                     lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
-                lanes_pack(lists->open_searching_rate_slack + open_searching_shots, packed, rate_slack);
                 lanes_pack(lists->open_searching_rho_start + open_searching_shots, packed, rho_start);
                 lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
                 lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
                 lanes_pack(lists->open_searching_steady + open_searching_shots, packed, steady);
                 lanes_pack(lists->open_searching_swing + open_searching_shots, packed, swing);
                 lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
-                lanes_pack(lists->open_searching_tilt + open_searching_shots, packed, tilt);
                 lanes_pack(lists->open_searching_velocity_error + open_searching_shots, packed, velocity_error);
                 lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
                 lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
@@ -1992,6 +2692,105 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_searching_y + open_searching_shots, packed, y);
                 lanes_pack(lists->open_searching_z + open_searching_shots, packed, z);
                 open_searching_shots += lanes_many(packed);
+            }
+        }
+        {
+        size_t open_searching_searching_shots = 0;
+        for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_searching_shots - i);
+            V arrival = lanes_load(lists->open_searching_arrival + i);
+            V ceiling = lanes_load(lists->open_searching_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
+            V doubt = lanes_load(lists->open_searching_doubt + i);
+            V end = lanes_load(lists->open_searching_end + i);
+            V extent = lanes_load(lists->open_searching_extent + i);
+            V high0 = lanes_load(lists->open_searching_high0 + i);
+            V high1 = lanes_load(lists->open_searching_high1 + i);
+            V high2 = lanes_load(lists->open_searching_high2 + i);
+            V last = lanes_load(lists->open_searching_last + i);
+            V latest = lanes_load(lists->open_searching_latest + i);
+            V low0 = lanes_load(lists->open_searching_low0 + i);
+            V low1 = lanes_load(lists->open_searching_low1 + i);
+            V low2 = lanes_load(lists->open_searching_low2 + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_searching_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius);
+            V position_error = lanes_load(lists->open_searching_position_error + i);
+            V rho_start = lanes_load(lists->open_searching_rho_start + i);
+            V share = lanes_load(lists->open_searching_share + i);
+            V speed = lanes_load(lists->open_searching_speed + i);
+            V steady = lanes_load(lists->open_searching_steady + i);
+            V swing = lanes_load(lists->open_searching_swing + i);
+            V t = lanes_load(lists->open_searching_t + i);
+            V velocity_error = lanes_load(lists->open_searching_velocity_error + i);
+            V vx = lanes_load(lists->open_searching_vx + i);
+            V vy = lanes_load(lists->open_searching_vy + i);
+            V vz = lanes_load(lists->open_searching_vz + i);
+            V x = lanes_load(lists->open_searching_x + i);
+            V y = lanes_load(lists->open_searching_y + i);
+            V z = lanes_load(lists->open_searching_z + i);
+            const LANES(hoop_allowance_out) _o70 =
+                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            V position_level = _o70.position_level;
+            V velocity_level = _o70.velocity_level;
+            const LANES(hoop_ring_margins_out) _o71 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V flat = _o71.margin;
+            V tilt = _o71.leaving_margin;
+            V rate_slack = _o71.rate_margin;
+            const LANES(hoop_ring_enter_out) _o72 =
+                LANES(hoop_ring_enter)(t, end, high0, high1, high2, low0, low1, low2, t);
+            t = _o72.t;
+            end = _o72.end;
+            M searching = _o72.searching;
+            lanes_store(lists->open_searching_flat + i, flat);
+            lanes_store(lists->open_searching_searching + i, lanes_select(searching, K(1.0), K(0.0)));
+            lanes_store(lists->open_searching_t + i, t);
+            lanes_store(lists->open_searching_tilt + i, tilt);
+            const M packed = lanes_both(rows, searching);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_searching_searching_row + open_searching_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_searching_searching_arrival + open_searching_searching_shots, packed, arrival);
+                lanes_pack(lists->open_searching_searching_ceiling + open_searching_searching_shots, packed, ceiling);
+                lanes_pack(lists->open_searching_searching_certain + open_searching_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_searching_searching_doubt + open_searching_searching_shots, packed, doubt);
+                lanes_pack(lists->open_searching_searching_end + open_searching_searching_shots, packed, end);
+                lanes_pack(lists->open_searching_searching_extent + open_searching_searching_shots, packed, extent);
+                lanes_pack(lists->open_searching_searching_flat + open_searching_searching_shots, packed, flat);
+                lanes_pack(lists->open_searching_searching_high0 + open_searching_searching_shots, packed, high0);
+                lanes_pack(lists->open_searching_searching_high1 + open_searching_searching_shots, packed, high1);
+                lanes_pack(lists->open_searching_searching_high2 + open_searching_searching_shots, packed, high2);
+                lanes_pack(lists->open_searching_searching_last + open_searching_searching_shots, packed, last);
+                lanes_pack(lists->open_searching_searching_latest + open_searching_searching_shots, packed, latest);
+                lanes_pack(lists->open_searching_searching_low0 + open_searching_searching_shots, packed, low0);
+                lanes_pack(lists->open_searching_searching_low1 + open_searching_searching_shots, packed, low1);
+                lanes_pack(lists->open_searching_searching_low2 + open_searching_searching_shots, packed, low2);
+                if (varying)
+                    lanes_pack(lists->open_searching_searching_p_ball_radius + open_searching_searching_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_searching_searching_p_gravity + open_searching_searching_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_searching_searching_position_error + open_searching_searching_shots, packed, position_error);
+                lanes_pack(lists->open_searching_searching_rate_slack + open_searching_searching_shots, packed, rate_slack);
+                lanes_pack(lists->open_searching_searching_rho_start + open_searching_searching_shots, packed, rho_start);
+                lanes_pack(lists->open_searching_searching_share + open_searching_searching_shots, packed, share);
+                lanes_pack(lists->open_searching_searching_speed + open_searching_searching_shots, packed, speed);
+                lanes_pack(lists->open_searching_searching_steady + open_searching_searching_shots, packed, steady);
+                lanes_pack(lists->open_searching_searching_swing + open_searching_searching_shots, packed, swing);
+                lanes_pack(lists->open_searching_searching_t + open_searching_searching_shots, packed, t);
+                lanes_pack(lists->open_searching_searching_tilt + open_searching_searching_shots, packed, tilt);
+                lanes_pack(lists->open_searching_searching_velocity_error + open_searching_searching_shots, packed, velocity_error);
+                lanes_pack(lists->open_searching_searching_vx + open_searching_searching_shots, packed, vx);
+                lanes_pack(lists->open_searching_searching_vy + open_searching_searching_shots, packed, vy);
+                lanes_pack(lists->open_searching_searching_vz + open_searching_searching_shots, packed, vz);
+                lanes_pack(lists->open_searching_searching_x + open_searching_searching_shots, packed, x);
+                lanes_pack(lists->open_searching_searching_y + open_searching_searching_shots, packed, y);
+                lanes_pack(lists->open_searching_searching_z + open_searching_searching_shots, packed, z);
+                open_searching_searching_shots += lanes_many(packed);
             }
         }
         {
@@ -2034,48 +2833,48 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < open_searching_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
-                    row = lanes_expand(lists->open_searching_row + taken, idle, row);
+                    row = lanes_expand(lists->open_searching_searching_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
-                    arrival = lanes_expand(lists->open_searching_arrival + taken, idle, arrival);
-                    ceiling = lanes_expand(lists->open_searching_ceiling + taken, idle, ceiling);
-                    certain = lanes_less(K(0.0), lanes_expand(lists->open_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
-                    doubt = lanes_expand(lists->open_searching_doubt + taken, idle, doubt);
-                    end = lanes_expand(lists->open_searching_end + taken, idle, end);
-                    extent = lanes_expand(lists->open_searching_extent + taken, idle, extent);
-                    flat = lanes_expand(lists->open_searching_flat + taken, idle, flat);
-                    high0 = lanes_expand(lists->open_searching_high0 + taken, idle, high0);
-                    high1 = lanes_expand(lists->open_searching_high1 + taken, idle, high1);
-                    high2 = lanes_expand(lists->open_searching_high2 + taken, idle, high2);
-                    last = lanes_expand(lists->open_searching_last + taken, idle, last);
-                    latest = lanes_expand(lists->open_searching_latest + taken, idle, latest);
-                    low0 = lanes_expand(lists->open_searching_low0 + taken, idle, low0);
-                    low1 = lanes_expand(lists->open_searching_low1 + taken, idle, low1);
-                    low2 = lanes_expand(lists->open_searching_low2 + taken, idle, low2);
-                    position_error = lanes_expand(lists->open_searching_position_error + taken, idle, position_error);
-                    rate_slack = lanes_expand(lists->open_searching_rate_slack + taken, idle, rate_slack);
-                    rho_start = lanes_expand(lists->open_searching_rho_start + taken, idle, rho_start);
-                    share = lanes_expand(lists->open_searching_share + taken, idle, share);
-                    speed = lanes_expand(lists->open_searching_speed + taken, idle, speed);
-                    steady = lanes_expand(lists->open_searching_steady + taken, idle, steady);
-                    swing = lanes_expand(lists->open_searching_swing + taken, idle, swing);
-                    t = lanes_expand(lists->open_searching_t + taken, idle, t);
-                    tilt = lanes_expand(lists->open_searching_tilt + taken, idle, tilt);
-                    velocity_error = lanes_expand(lists->open_searching_velocity_error + taken, idle, velocity_error);
-                    vx = lanes_expand(lists->open_searching_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->open_searching_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->open_searching_vz + taken, idle, vz);
-                    x = lanes_expand(lists->open_searching_x + taken, idle, x);
-                    y = lanes_expand(lists->open_searching_y + taken, idle, y);
-                    z = lanes_expand(lists->open_searching_z + taken, idle, z);
+                    arrival = lanes_expand(lists->open_searching_searching_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_searching_searching_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_searching_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    doubt = lanes_expand(lists->open_searching_searching_doubt + taken, idle, doubt);
+                    end = lanes_expand(lists->open_searching_searching_end + taken, idle, end);
+                    extent = lanes_expand(lists->open_searching_searching_extent + taken, idle, extent);
+                    flat = lanes_expand(lists->open_searching_searching_flat + taken, idle, flat);
+                    high0 = lanes_expand(lists->open_searching_searching_high0 + taken, idle, high0);
+                    high1 = lanes_expand(lists->open_searching_searching_high1 + taken, idle, high1);
+                    high2 = lanes_expand(lists->open_searching_searching_high2 + taken, idle, high2);
+                    last = lanes_expand(lists->open_searching_searching_last + taken, idle, last);
+                    latest = lanes_expand(lists->open_searching_searching_latest + taken, idle, latest);
+                    low0 = lanes_expand(lists->open_searching_searching_low0 + taken, idle, low0);
+                    low1 = lanes_expand(lists->open_searching_searching_low1 + taken, idle, low1);
+                    low2 = lanes_expand(lists->open_searching_searching_low2 + taken, idle, low2);
+                    position_error = lanes_expand(lists->open_searching_searching_position_error + taken, idle, position_error);
+                    rate_slack = lanes_expand(lists->open_searching_searching_rate_slack + taken, idle, rate_slack);
+                    rho_start = lanes_expand(lists->open_searching_searching_rho_start + taken, idle, rho_start);
+                    share = lanes_expand(lists->open_searching_searching_share + taken, idle, share);
+                    speed = lanes_expand(lists->open_searching_searching_speed + taken, idle, speed);
+                    steady = lanes_expand(lists->open_searching_searching_steady + taken, idle, steady);
+                    swing = lanes_expand(lists->open_searching_searching_swing + taken, idle, swing);
+                    t = lanes_expand(lists->open_searching_searching_t + taken, idle, t);
+                    tilt = lanes_expand(lists->open_searching_searching_tilt + taken, idle, tilt);
+                    velocity_error = lanes_expand(lists->open_searching_searching_velocity_error + taken, idle, velocity_error);
+                    vx = lanes_expand(lists->open_searching_searching_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_searching_searching_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_searching_searching_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_searching_searching_x + taken, idle, x);
+                    y = lanes_expand(lists->open_searching_searching_y + taken, idle, y);
+                    z = lanes_expand(lists->open_searching_searching_z + taken, idle, z);
                     if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_searching_p_ball_radius + taken, idle, p_ball_radius);
-                        p_gravity = lanes_expand(lists->open_searching_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_searching_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_searching_p_wire_radius + taken, idle, p_wire_radius);
+                        p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, p_ball_radius);
+                        p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_searching_searching_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_searching_searching_p_wire_radius + taken, idle, p_wire_radius);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_searching_shots - taken;
+                    const size_t room = LANES_WIDTH - busy, left = open_searching_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -2083,57 +2882,56 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o63 =
+                const LANES(hoop_nearby_out) _o73 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o63.leaving;
-                V margin = _o63.margin;
-                const LANES(hoop_ring_advance_out) _o64 =
+                V leaving = _o73.leaving;
+                V margin = _o73.margin;
+                const LANES(hoop_ring_advance_out) _o74 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o64.gap;
-                V rate = _o64.rate;
-                V bend = _o64.bend;
-                V step = _o64.step;
-                V next = _o64.next;
-                V root = _o64.root;
-                V clearance = _o64.clearance;
-                const LANES(hoop_struck_out) _o65 =
+                V gap = _o74.gap;
+                V rate = _o74.rate;
+                V bend = _o74.bend;
+                V step = _o74.step;
+                V next = _o74.next;
+                V clearance = _o74.clearance;
+                const LANES(hoop_struck_out) _o75 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o65.hit;
-                M sure = _o65.sure;
-                M vague = _o65.vague;
-                const M _m66 = lanes_both(active, vague);
-                if (lanes_any(_m66)) {
-                    const LANES(hoop_finer_out) _o67 =
+                M hit = _o75.hit;
+                M sure = _o75.sure;
+                M vague = _o75.vague;
+                const M _m76 = lanes_both(active, vague);
+                if (lanes_any(_m76)) {
+                    const LANES(hoop_finer_out) _o77 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m66, _o67.share, share);
-                    const LANES(hoop_allowance_out) _o68 =
+                    share = lanes_select(_m76, _o77.share, share);
+                    const LANES(hoop_allowance_out) _o78 =
                         LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o68.position_level;
-                    V velocity_level = _o68.velocity_level;
-                    V excess = _o68.excess;
-                    const LANES(hoop_ring_margins_out) _o69 =
+                    V position_level = _o78.position_level;
+                    V velocity_level = _o78.velocity_level;
+                    V excess = _o78.excess;
+                    const LANES(hoop_ring_margins_out) _o79 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m66, _o69.margin, flat);
-                    tilt = lanes_select(_m66, _o69.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m66, _o69.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o70 =
+                    flat = lanes_select(_m76, _o79.margin, flat);
+                    tilt = lanes_select(_m76, _o79.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m76, _o79.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o80 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m66, _o70.doubt, doubt);
+                    doubt = lanes_select(_m76, _o80.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) _o71 =
-                    LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
-                arrival = _o71.arrival;
-                certain = _o71.certain;
-                M exhausted = _o71.exhausted;
-                searching = _o71.searching;
-                t = _o71.t;
-                const M _m72 = lanes_both(active, exhausted);
+                const LANES(hoop_advanced_out) _o81 =
+                    LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
+                arrival = _o81.arrival;
+                certain = _o81.certain;
+                M exhausted = _o81.exhausted;
+                searching = _o81.searching;
+                t = _o81.t;
+                const M _m82 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o73 =
+                    const LANES(hoop_ring_enter_out) _o83 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m72, _o73.t, t);
-                    end = lanes_select(_m72, _o73.end, end);
-                    searching = lanes_choose(_m72, _o73.searching, searching);
+                    t = lanes_select(_m82, _o83.t, t);
+                    end = lanes_select(_m82, _o83.end, end);
+                    searching = lanes_choose(_m82, _o83.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -2157,18 +2955,36 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
                         const int lane = LANES_LOWEST(bits);
                         const size_t k = (size_t)ended_row[lane];
-                        lists->open_arrival[k] = ended_arrival[lane];
-                        lists->open_certain[k] = ended_certain[lane];
-                        lists->open_doubt[k] = ended_doubt[lane];
-                        lists->open_flat[k] = ended_flat[lane];
-                        lists->open_searching[k] = ended_searching[lane];
-                        lists->open_t[k] = ended_t[lane];
-                        lists->open_tilt[k] = ended_tilt[lane];
+                        lists->open_searching_arrival[k] = ended_arrival[lane];
+                        lists->open_searching_certain[k] = ended_certain[lane];
+                        lists->open_searching_doubt[k] = ended_doubt[lane];
+                        lists->open_searching_flat[k] = ended_flat[lane];
+                        lists->open_searching_searching[k] = ended_searching[lane];
+                        lists->open_searching_t[k] = ended_t[lane];
+                        lists->open_searching_tilt[k] = ended_tilt[lane];
                     }
                     busy -= lanes_many(ended);
                     active = lanes_both(active, lanes_not(ended));
                 }
             }
+        }
+        }
+        for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
+            V doubt = lanes_load(lists->open_searching_doubt + i);
+            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
+            V t = lanes_load(lists->open_searching_t + i);
+            const LANES(hoop_questioned_out) _o84 =
+                LANES(hoop_questioned)(doubt, t, searching);
+            doubt = _o84.doubt;
+            lanes_store(lists->open_searching_doubt + i, doubt);
+        }
+        for (size_t k = 0; k < open_searching_shots; k++) {
+            const size_t row = (size_t)lists->open_searching_row[k];
+            lists->open_arrival[row] = lists->open_searching_arrival[k];
+            lists->open_certain[row] = lists->open_searching_certain[k];
+            lists->open_doubt[row] = lists->open_searching_doubt[k];
+            lists->open_flat[row] = lists->open_searching_flat[k];
+            lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
@@ -2187,9 +3003,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_position_error + i);
             V rho_start = lanes_load(lists->open_rho_start + i);
-            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             V speed = lanes_load(lists->open_speed + i);
-            V t = lanes_load(lists->open_t + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V vx = lanes_load(lists->open_vx + i);
@@ -2200,55 +3014,58 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_questioned_out) _o74 =
-                LANES(hoop_questioned)(doubt, t, searching);
-            doubt = _o74.doubt;
-            const LANES(hoop_found_out) _o75 =
+            const LANES(hoop_found_out) _o85 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o75.arrives;
-            const LANES(hoop_nearby_out) _o76 =
+            M arrives = _o85.arrives;
+            const LANES(hoop_nearby_out) _o86 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o76.leaving;
-            const LANES(hoop_ring_refine_out) _o77 =
+            V leaving = _o86.leaving;
+            const LANES(hoop_ring_refine_out) _o87 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V refined = _o77.time;
-            const LANES(hoop_polished_out) _o78 =
+            V refined = _o87.time;
+            const LANES(hoop_polished_out) _o88 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o78.arrival;
-            const LANES(hoop_ring_refine_out) _o79 =
+            arrival = _o88.arrival;
+            const LANES(hoop_ring_refine_out) _o89 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o79.time;
-            V rate = _o79.rate;
-            const LANES(hoop_polished_out) _o80 =
+            refined = _o89.time;
+            const LANES(hoop_polished_out) _o90 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o80.arrival;
-            const LANES(hoop_ring_margins_out) _o81 =
+            arrival = _o90.arrival;
+            const LANES(hoop_ring_refine_out) _o91 =
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            refined = _o91.time;
+            V rate = _o91.rate;
+            const LANES(hoop_polished_out) _o92 =
+                LANES(hoop_polished)(arrival, certain, refined);
+            arrival = _o92.arrival;
+            const LANES(hoop_ring_margins_out) _o93 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            flat = _o81.margin;
-            tilt = _o81.leaving_margin;
-            V rate_margin = _o81.rate_margin;
-            const LANES(hoop_own_margin_out) _o82 =
+            flat = _o93.margin;
+            tilt = _o93.leaving_margin;
+            V rate_margin = _o93.rate_margin;
+            const LANES(hoop_own_margin_out) _o94 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o82.margin;
-            const LANES(hoop_crossing_out) _o83 =
+            V margin = _o94.margin;
+            const LANES(hoop_crossing_out) _o95 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o83.clearance;
-            V delay = _o83.delay;
-            const LANES(hoop_landed_out) _o84 =
+            V clearance = _o95.clearance;
+            V delay = _o95.delay;
+            const LANES(hoop_landed_out) _o96 =
                 LANES(hoop_landed)(arrival);
-            V time = _o84.time;
-            const LANES(hoop_landed_surely_out) _o85 =
+            V time = _o96.time;
+            const LANES(hoop_landed_surely_out) _o97 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o85.delay;
-            doubt = _o85.doubt;
-            const LANES(hoop_tied_out) _o86 =
+            delay = _o97.delay;
+            doubt = _o97.doubt;
+            const LANES(hoop_tied_out) _o98 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o86.doubt;
-            late = _o86.late;
-            const LANES(hoop_sooner_out) _o87 =
+            doubt = _o98.doubt;
+            late = _o98.late;
+            const LANES(hoop_sooner_out) _o99 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o87.when;
-            which = _o87.which;
+            when = _o99.when;
+            which = _o99.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -2316,81 +3133,81 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m88 = lanes_both(rows, limited);
-            if (lanes_any(_m88)) {
-                const LANES(hoop_expiry_out) _o89 =
+            const M _m100 = lanes_both(rows, limited);
+            if (lanes_any(_m100)) {
+                const LANES(hoop_expiry_out) _o101 =
                     LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o89.time;
-                V delay = _o89.delay;
-                M arrives = _o89.arrives;
-                doubt = lanes_select(_m88, _o89.doubt, doubt);
-                const LANES(hoop_tied_out) _o90 =
+                V time = _o101.time;
+                V delay = _o101.delay;
+                M arrives = _o101.arrives;
+                doubt = lanes_select(_m100, _o101.doubt, doubt);
+                const LANES(hoop_tied_out) _o102 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m88, _o90.doubt, doubt);
-                late = lanes_select(_m88, _o90.late, late);
-                const LANES(hoop_sooner_out) _o91 =
+                doubt = lanes_select(_m100, _o102.doubt, doubt);
+                late = lanes_select(_m100, _o102.late, late);
+                const LANES(hoop_sooner_out) _o103 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m88, _o91.when, when);
-                which = lanes_select(_m88, _o91.which, which);
+                when = lanes_select(_m100, _o103.when, when);
+                which = lanes_select(_m100, _o103.which, which);
             }
-            const LANES(hoop_departed_out) _o92 =
+            const LANES(hoop_departed_out) _o104 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o92.moves;
-            M ends = _o92.ends;
-            M touches = _o92.touches;
-            V reached = _o92.reached;
-            M edge = _o92.edge;
-            const LANES(hoop_body_of_out) _o93 =
+            M moves = _o104.moves;
+            M ends = _o104.ends;
+            M touches = _o104.touches;
+            V reached = _o104.reached;
+            M edge = _o104.edge;
+            const LANES(hoop_body_of_out) _o105 =
                 LANES(hoop_body_of)(which);
-            V body = _o93.body;
-            const M _m94 = lanes_both(rows, moves);
+            V body = _o105.body;
+            const M _m106 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o95 =
+                const LANES(hoop_flight_out) _o107 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m94, _o95.x, x);
-                y = lanes_select(_m94, _o95.y, y);
-                z = lanes_select(_m94, _o95.z, z);
-                vx = lanes_select(_m94, _o95.vx, vx);
-                vy = lanes_select(_m94, _o95.vy, vy);
-                vz = lanes_select(_m94, _o95.vz, vz);
-                const LANES(hoop_ticked_out) _o96 =
+                x = lanes_select(_m106, _o107.x, x);
+                y = lanes_select(_m106, _o107.y, y);
+                z = lanes_select(_m106, _o107.z, z);
+                vx = lanes_select(_m106, _o107.vx, vx);
+                vy = lanes_select(_m106, _o107.vy, vy);
+                vz = lanes_select(_m106, _o107.vz, vz);
+                const LANES(hoop_ticked_out) _o108 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m94, _o96.clock, clock);
+                clock = lanes_select(_m106, _o108.clock, clock);
             }
-            const M _m97 = lanes_both(rows, limited);
-            if (lanes_any(_m97)) {
-                const LANES(hoop_expired_out) _o98 =
+            const M _m109 = lanes_both(rows, limited);
+            if (lanes_any(_m109)) {
+                const LANES(hoop_expired_out) _o110 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m97, _o98.clock, clock);
-                body = lanes_select(_m97, _o98.body, body);
-                reached = lanes_select(_m97, _o98.reached, reached);
-                ends = lanes_choose(_m97, _o98.ends, ends);
+                clock = lanes_select(_m109, _o110.clock, clock);
+                body = lanes_select(_m109, _o110.body, body);
+                reached = lanes_select(_m109, _o110.reached, reached);
+                ends = lanes_choose(_m109, _o110.ends, ends);
             }
-            const LANES(hoop_displacement_out) _o99 =
+            const LANES(hoop_displacement_out) _o111 =
                 LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o99.margin;
-            const LANES(hoop_here_out) _o100 =
+            V slack = _o111.margin;
+            const LANES(hoop_here_out) _o112 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o100.here;
-            const M _m101 = lanes_both(rows, here);
+            M here = _o112.here;
+            const M _m113 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o102 =
+                const LANES(hoop_end_bounds_out) _o114 =
                     LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o102.g0;
-                const LANES(hoop_end_reached_out) _o103 =
+                V g0 = _o114.g0;
+                const LANES(hoop_end_reached_out) _o115 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m101, _o103.reached, reached);
-                const LANES(hoop_end_edge_out) _o104 =
+                reached = lanes_select(_m113, _o115.reached, reached);
+                const LANES(hoop_end_edge_out) _o116 =
                     LANES(hoop_end_edge)(g0, slack);
-                edge = lanes_choose(_m101, _o104.edge, edge);
+                edge = lanes_choose(_m113, _o116.edge, edge);
             }
-            const LANES(hoop_doubted_out) _o105 =
+            const LANES(hoop_doubted_out) _o117 =
                 LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
-            uncertain = _o105.uncertain;
-            const LANES(hoop_accounted_out) _o106 =
+            uncertain = _o117.uncertain;
+            const LANES(hoop_accounted_out) _o118 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o106.contacts;
-            V outcome = _o106.outcome;
+            contacts = _o118.contacts;
+            V outcome = _o118.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -2403,205 +3220,205 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o107 =
+            const LANES(hoop_meeting_out) _o119 =
                 LANES(hoop_meeting)(claims, ends, touches);
-            M meeting = _o107.meeting;
-            const M _m108 = lanes_both(rows, meeting);
-            if (lanes_any(_m108)) {
-                const LANES(hoop_end_normal_out) _o109 =
+            M meeting = _o119.meeting;
+            const M _m120 = lanes_both(rows, meeting);
+            if (lanes_any(_m120)) {
+                const LANES(hoop_end_normal_out) _o121 =
                     LANES(hoop_end_normal)();
-                V nx = _o109.nx;
-                V ny = _o109.ny;
-                V nz = _o109.nz;
-                const LANES(hoop_here_out) _o110 =
+                V nx = _o121.nx;
+                V ny = _o121.ny;
+                V nz = _o121.nz;
+                const LANES(hoop_here_out) _o122 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o110.here;
-                const M _m111 = lanes_both(_m108, here);
+                M here = _o122.here;
+                const M _m123 = lanes_both(_m120, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o112 =
+                    const LANES(hoop_ring_normal_out) _o124 =
                         LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m111, _o112.nx, nx);
-                    ny = lanes_select(_m111, _o112.ny, ny);
-                    nz = lanes_select(_m111, _o112.nz, nz);
-                    const LANES(hoop_counted_out) _o113 =
+                    nx = lanes_select(_m123, _o124.nx, nx);
+                    ny = lanes_select(_m123, _o124.ny, ny);
+                    nz = lanes_select(_m123, _o124.nz, nz);
+                    const LANES(hoop_counted_out) _o125 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m111, _o113.count, count_0);
+                    count_0 = lanes_select(_m123, _o125.count, count_0);
                 }
-                const LANES(hoop_here_out) _o114 =
+                const LANES(hoop_here_out) _o126 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o114.here;
-                const M _m115 = lanes_both(_m108, here);
+                here = _o126.here;
+                const M _m127 = lanes_both(_m120, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o116 =
+                    const LANES(hoop_backboard_normal_out) _o128 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m115, _o116.nx, nx);
-                    ny = lanes_select(_m115, _o116.ny, ny);
-                    nz = lanes_select(_m115, _o116.nz, nz);
-                    const LANES(hoop_counted_out) _o117 =
+                    nx = lanes_select(_m127, _o128.nx, nx);
+                    ny = lanes_select(_m127, _o128.ny, ny);
+                    nz = lanes_select(_m127, _o128.nz, nz);
+                    const LANES(hoop_counted_out) _o129 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m115, _o117.count, count_1);
+                    count_1 = lanes_select(_m127, _o129.count, count_1);
                 }
-                const LANES(hoop_here_out) _o118 =
+                const LANES(hoop_here_out) _o130 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o118.here;
-                const M _m119 = lanes_both(_m108, here);
+                here = _o130.here;
+                const M _m131 = lanes_both(_m120, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o120 =
+                    const LANES(hoop_bridge_normal_out) _o132 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m119, _o120.nx, nx);
-                    ny = lanes_select(_m119, _o120.ny, ny);
-                    nz = lanes_select(_m119, _o120.nz, nz);
-                    const LANES(hoop_counted_out) _o121 =
+                    nx = lanes_select(_m131, _o132.nx, nx);
+                    ny = lanes_select(_m131, _o132.ny, ny);
+                    nz = lanes_select(_m131, _o132.nz, nz);
+                    const LANES(hoop_counted_out) _o133 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m119, _o121.count, count_2);
+                    count_2 = lanes_select(_m131, _o133.count, count_2);
                 }
-                const LANES(hoop_elsewhere_out) _o122 =
+                const LANES(hoop_elsewhere_out) _o134 =
                     LANES(hoop_elsewhere)();
-                V curving = _o122.curving;
-                const LANES(hoop_again_out) _o123 =
+                V curving = _o134.curving;
+                const LANES(hoop_again_out) _o135 =
                     LANES(hoop_again)(K(0.0), last, which);
-                M again = _o123.again;
-                const M _m124 = lanes_both(_m108, again);
+                M again = _o135.again;
+                const M _m136 = lanes_both(_m120, again);
                 {
-                    const LANES(hoop_ring_curvature_out) _o125 =
+                    const LANES(hoop_ring_curvature_out) _o137 =
                         LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m124, _o125.curvature, curving);
+                    curving = lanes_select(_m136, _o137.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o126 =
+                const LANES(hoop_again_out) _o138 =
                     LANES(hoop_again)(K(1.0), last, which);
-                again = _o126.again;
-                const M _m127 = lanes_both(_m108, again);
+                again = _o138.again;
+                const M _m139 = lanes_both(_m120, again);
                 {
-                    const LANES(hoop_backboard_curvature_out) _o128 =
+                    const LANES(hoop_backboard_curvature_out) _o140 =
                         LANES(hoop_backboard_curvature)();
-                    curving = lanes_select(_m127, _o128.curvature, curving);
+                    curving = lanes_select(_m139, _o140.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o129 =
+                const LANES(hoop_again_out) _o141 =
                     LANES(hoop_again)(K(2.0), last, which);
-                again = _o129.again;
-                const M _m130 = lanes_both(_m108, again);
+                again = _o141.again;
+                const M _m142 = lanes_both(_m120, again);
                 {
-                    const LANES(hoop_bridge_curvature_out) _o131 =
+                    const LANES(hoop_bridge_curvature_out) _o143 =
                         LANES(hoop_bridge_curvature)();
-                    curving = lanes_select(_m130, _o131.curvature, curving);
+                    curving = lanes_select(_m142, _o143.curvature, curving);
                 }
-                const LANES(hoop_carry_flight_out) _o132 =
+                const LANES(hoop_carry_flight_out) _o144 =
                     LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m108, _o132.dx, dx);
-                dy = lanes_select(_m108, _o132.dy, dy);
-                dz = lanes_select(_m108, _o132.dz, dz);
-                dvx = lanes_select(_m108, _o132.dvx, dvx);
-                dvy = lanes_select(_m108, _o132.dvy, dvy);
-                dvz = lanes_select(_m108, _o132.dvz, dvz);
-                V delay = _o132.delay;
-                V shift = _o132.shift;
-                const LANES(hoop_delayed_out) _o133 =
+                dx = lanes_select(_m120, _o144.dx, dx);
+                dy = lanes_select(_m120, _o144.dy, dy);
+                dz = lanes_select(_m120, _o144.dz, dz);
+                dvx = lanes_select(_m120, _o144.dvx, dvx);
+                dvy = lanes_select(_m120, _o144.dvy, dvy);
+                dvz = lanes_select(_m120, _o144.dvz, dvz);
+                V delay = _o144.delay;
+                V shift = _o144.shift;
+                const LANES(hoop_delayed_out) _o145 =
                     LANES(hoop_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m108, _o133.clock_error, clock_error);
-                const M _m134 = lanes_both(_m108, ends);
+                clock_error = lanes_select(_m120, _o145.clock_error, clock_error);
+                const M _m146 = lanes_both(_m120, ends);
                 {
-                    const LANES(hoop_floored_out) _o135 =
+                    const LANES(hoop_floored_out) _o147 =
                         LANES(hoop_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m134, _o135.dx, dx);
-                    dy = lanes_select(_m134, _o135.dy, dy);
-                    dz = lanes_select(_m134, _o135.dz, dz);
+                    dx = lanes_select(_m146, _o147.dx, dx);
+                    dy = lanes_select(_m146, _o147.dy, dy);
+                    dz = lanes_select(_m146, _o147.dz, dz);
                 }
-                const LANES(hoop_unturned_out) _o136 =
+                const LANES(hoop_unturned_out) _o148 =
                     LANES(hoop_unturned)();
-                V dnx = _o136.dnx;
-                V dny = _o136.dny;
-                V dnz = _o136.dnz;
-                V turn = _o136.turn;
-                const LANES(hoop_here_out) _o137 =
+                V dnx = _o148.dnx;
+                V dny = _o148.dny;
+                V dnz = _o148.dnz;
+                V turn = _o148.turn;
+                const LANES(hoop_here_out) _o149 =
                     LANES(hoop_here)(K(0.0), which);
-                here = _o137.here;
-                const M _m138 = lanes_both(_m108, here);
-                if (lanes_any(_m138)) {
-                    const LANES(hoop_ring_carry_normal_out) _o139 =
+                here = _o149.here;
+                const M _m150 = lanes_both(_m120, here);
+                if (lanes_any(_m150)) {
+                    const LANES(hoop_ring_carry_normal_out) _o151 =
                         LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m138, _o139.dnx, dnx);
-                    dny = lanes_select(_m138, _o139.dny, dny);
-                    dnz = lanes_select(_m138, _o139.dnz, dnz);
-                    turn = lanes_select(_m138, _o139.turn, turn);
+                    dnx = lanes_select(_m150, _o151.dnx, dnx);
+                    dny = lanes_select(_m150, _o151.dny, dny);
+                    dnz = lanes_select(_m150, _o151.dnz, dnz);
+                    turn = lanes_select(_m150, _o151.turn, turn);
                 }
-                const M _m140 = lanes_both(_m108, touches);
-                if (lanes_any(_m140)) {
-                    const LANES(hoop_carry_impact_out) _o141 =
+                const M _m152 = lanes_both(_m120, touches);
+                if (lanes_any(_m152)) {
+                    const LANES(hoop_carry_impact_out) _o153 =
                         LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                    dvx = lanes_select(_m140, _o141.dvx, dvx);
-                    dvy = lanes_select(_m140, _o141.dvy, dvy);
-                    dvz = lanes_select(_m140, _o141.dvz, dvz);
-                    dwx = lanes_select(_m140, _o141.dwx, dwx);
-                    dwy = lanes_select(_m140, _o141.dwy, dwy);
-                    dwz = lanes_select(_m140, _o141.dwz, dwz);
-                    const LANES(hoop_impact_out) _o142 =
+                    dvx = lanes_select(_m152, _o153.dvx, dvx);
+                    dvy = lanes_select(_m152, _o153.dvy, dvy);
+                    dvz = lanes_select(_m152, _o153.dvz, dvz);
+                    dwx = lanes_select(_m152, _o153.dwx, dwx);
+                    dwy = lanes_select(_m152, _o153.dwy, dwy);
+                    dwz = lanes_select(_m152, _o153.dwz, dwz);
+                    const LANES(hoop_impact_out) _o154 =
                         LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m140, _o142.vx, vx);
-                    vy = lanes_select(_m140, _o142.vy, vy);
-                    vz = lanes_select(_m140, _o142.vz, vz);
-                    wx = lanes_select(_m140, _o142.wx, wx);
-                    wy = lanes_select(_m140, _o142.wy, wy);
-                    wz = lanes_select(_m140, _o142.wz, wz);
+                    vx = lanes_select(_m152, _o154.vx, vx);
+                    vy = lanes_select(_m152, _o154.vy, vy);
+                    vz = lanes_select(_m152, _o154.vz, vz);
+                    wx = lanes_select(_m152, _o154.wx, wx);
+                    wy = lanes_select(_m152, _o154.wy, wy);
+                    wz = lanes_select(_m152, _o154.wz, wz);
                 }
-                const LANES(hoop_here_out) _o143 =
+                const LANES(hoop_here_out) _o155 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o143.here;
-                const M _m144 = lanes_both(_m108, here);
+                here = _o155.here;
+                const M _m156 = lanes_both(_m120, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o145 =
+                    const LANES(hoop_backboard_place_out) _o157 =
                         LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m144, _o145.x, x);
-                    y = lanes_select(_m144, _o145.y, y);
-                    z = lanes_select(_m144, _o145.z, z);
+                    x = lanes_select(_m156, _o157.x, x);
+                    y = lanes_select(_m156, _o157.y, y);
+                    z = lanes_select(_m156, _o157.z, z);
                 }
-                const LANES(hoop_here_out) _o146 =
+                const LANES(hoop_here_out) _o158 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o146.here;
-                const M _m147 = lanes_both(_m108, here);
+                here = _o158.here;
+                const M _m159 = lanes_both(_m120, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o148 =
+                    const LANES(hoop_bridge_place_out) _o160 =
                         LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m147, _o148.x, x);
-                    y = lanes_select(_m147, _o148.y, y);
-                    z = lanes_select(_m147, _o148.z, z);
+                    x = lanes_select(_m159, _o160.x, x);
+                    y = lanes_select(_m159, _o160.y, y);
+                    z = lanes_select(_m159, _o160.z, z);
                 }
-                const M _m149 = lanes_both(_m108, touches);
+                const M _m161 = lanes_both(_m120, touches);
                 {
-                    const LANES(hoop_touched_out) _o150 =
+                    const LANES(hoop_touched_out) _o162 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m149, _o150.first, first);
-                    last = lanes_select(_m149, _o150.last, last);
+                    first = lanes_select(_m161, _o162.first, first);
+                    last = lanes_select(_m161, _o162.last, last);
                 }
             }
-            const M _m151 = lanes_both(rows, limited);
-            if (lanes_any(_m151)) {
-                const LANES(hoop_timed_out) _o152 =
+            const M _m163 = lanes_both(rows, limited);
+            if (lanes_any(_m163)) {
+                const LANES(hoop_timed_out) _o164 =
                     LANES(hoop_timed)(claims, K(4.0), which);
-                M timed = _o152.timed;
-                const M _m153 = lanes_both(_m151, timed);
-                if (lanes_any(_m153)) {
-                    const LANES(hoop_carry_time_out) _o154 =
+                M timed = _o164.timed;
+                const M _m165 = lanes_both(_m163, timed);
+                if (lanes_any(_m165)) {
+                    const LANES(hoop_carry_time_out) _o166 =
                         LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m153, _o154.dx, dx);
-                    dy = lanes_select(_m153, _o154.dy, dy);
-                    dz = lanes_select(_m153, _o154.dz, dz);
-                    dvx = lanes_select(_m153, _o154.dvx, dvx);
-                    dvy = lanes_select(_m153, _o154.dvy, dvy);
-                    dvz = lanes_select(_m153, _o154.dvz, dvz);
-                    clock_error = lanes_select(_m153, _o154.clock_error, clock_error);
+                    dx = lanes_select(_m165, _o166.dx, dx);
+                    dy = lanes_select(_m165, _o166.dy, dy);
+                    dz = lanes_select(_m165, _o166.dz, dz);
+                    dvx = lanes_select(_m165, _o166.dvx, dvx);
+                    dvy = lanes_select(_m165, _o166.dvy, dvy);
+                    dvz = lanes_select(_m165, _o166.dvz, dvz);
+                    clock_error = lanes_select(_m165, _o166.clock_error, clock_error);
                 }
             }
-            const LANES(hoop_closing_out) _o155 =
+            const LANES(hoop_closing_out) _o167 =
                 LANES(hoop_closing)(claims, outcome);
-            M closed = _o155.closed;
-            const M _m156 = lanes_both(rows, closed);
+            M closed = _o167.closed;
+            const M _m168 = lanes_both(rows, closed);
             {
-                const LANES(hoop_claimed_errors_out) _o157 =
+                const LANES(hoop_claimed_errors_out) _o169 =
                     LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m156, _o157.position_error, position_claim);
-                velocity_claim = lanes_select(_m156, _o157.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m156, _o157.spin_error, spin_claim);
-                time_claim = lanes_select(_m156, _o157.time_error, time_claim);
+                position_claim = lanes_select(_m168, _o169.position_error, position_claim);
+                velocity_claim = lanes_select(_m168, _o169.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m168, _o169.spin_error, spin_claim);
+                time_claim = lanes_select(_m168, _o169.time_error, time_claim);
             }
             lanes_store(lists->clock + i, clock);
             lanes_store(lists->clock_error + i, clock_error);

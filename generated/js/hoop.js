@@ -1,6 +1,6 @@
 /* Flight in the scene hoop.
 
-   Generated from templates/js/flight.js.j2, scene hoop, derivation f336ff7eb1160b29,
+   Generated from templates/js/flight.js.j2, scene hoop, derivation 666484b40949facc,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Numbers in, an array of numbers out; SI units. */

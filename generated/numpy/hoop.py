@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation f336ff7eb1160b29,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 666484b40949facc,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -21,10 +21,11 @@ from numpy import count_nonzero as _count_nonzero
 from numpy import divide as _divide
 from numpy import empty_like as _empty_like
 from numpy import flatnonzero as _flatnonzero
-from numpy import float64 as _float64
+from numpy import float32 as _float32
 from numpy import full as _full
 from numpy import inf as _inf
 from numpy import int8 as _int8
+from numpy import int32 as _int32
 from numpy import int64 as _int64
 from numpy import logical_and as _logical_and
 from numpy import logical_not as _logical_not
@@ -222,16 +223,17 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "beginning": (),
     "beyond": ("doubt", "excess", "late", "lost", "pad",),
     "nearby": ("flat", "index", "last", "t", "tilt",),
+    "coarse": ("fits", "searching",),
+    "leapt": ("arrival", "certain", "lasting", "searching", "t",),
     "struck": ("bend", "clearance", "gap", "margin", "rate", "rate_margin", "share",),
     "finer": ("share",),
     "exceeded": ("doubt", "excess", "t",),
-    "advanced": ("arrival", "certain", "end", "hit", "next", "root", "step", "sure", "t", "vague",),
+    "advanced": ("arrival", "certain", "end", "hit", "next", "step", "sure", "t", "vague",),
     "found": ("arrival",),
     "polished": ("arrival", "certain", "refined",),
     "own_margin": ("arrival", "flat", "leaving", "tilt",),
     "landed": ("arrival",),
     "landed_surely": ("arrives", "certain", "clearance", "delay", "doubt", "time",),
-    "outside": (),
     "finite_state": ("vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
     "opening": ("excess", "position_error", "velocity_error",),
     "limited": ("time_limit",),
@@ -266,6 +268,9 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_margins": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_grain": ("t", "end", "leaving", "horizon", "speed", "position_error", "velocity_error", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_narrow": ("end", "leaving", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "low1", "high1", "low2", "high2",),
+    "ring_leap": ("t", "end", "leaving", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_enter": ("after", "end", "high0", "high1", "high2", "low0", "low1", "low2", "t",),
     "backboard_coefficients": ("x", "vx", "p_ball_radius", "p_board_distance",),
     "backboard_deflated": ("vx",),
@@ -337,6 +342,8 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "beginning": ("share", "arrival", "certain",),
     "beyond": ("doubt",),
     "nearby": ("leaving", "margin",),
+    "coarse": ("leaping",),
+    "leapt": ("arrival", "t", "searching",),
     "struck": ("hit", "sure", "vague",),
     "finer": ("share",),
     "exceeded": ("doubt",),
@@ -346,7 +353,6 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "own_margin": ("margin",),
     "landed": ("time",),
     "landed_surely": ("delay", "doubt",),
-    "outside": ("side",),
     "finite_state": ("finite",),
     "opening": ("when", "which", "late", "doubt",),
     "limited": ("limited",),
@@ -380,7 +386,10 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "lost",),
     "ring_margins": ("margin", "leaving_margin", "rate_margin",),
     "ring_refine": ("time", "rate",),
-    "ring_advance": ("gap", "rate", "bend", "step", "next", "root", "clearance",),
+    "ring_advance": ("gap", "rate", "bend", "step", "next", "clearance",),
+    "ring_grain": ("place", "motion", "end", "low1", "high1", "low2", "high2", "fits",),
+    "ring_narrow": ("t", "end", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "ceiling", "rate_margin", "leaving", "flat", "tilt", "low1", "high1", "low2", "high2",),
+    "ring_leap": ("t", "end", "certain", "leaping",),
     "ring_enter": ("t", "end", "searching",),
     "backboard_coefficients": ("c0", "c1",),
     "backboard_deflated": ("c0",),
@@ -434,9 +443,29 @@ NO_ROWS: tuple[None, ...] = (None,) * ROWS
 """With these in their place it makes arrays of its own."""
 
 
-def _bits(value: Any) -> Any:
-    """Return numbers as the whole numbers of the same bits."""
-    return (value if _ndim(value) else _float64(value)).view(_int64)
+def _bits(value: Any, row: Any) -> Any:
+    """Return numbers as the whole numbers of the same bits, of the size of those in a row."""
+    return (value if _ndim(value) else row.dtype.type(value)).view(_whole(row))
+
+
+def _whole(row: Any) -> Any:
+    """Return the type of whole numbers as long as those in a row."""
+    return _int64 if row.itemsize == 8 else _int32
+
+
+def _single(value: Any) -> Any:
+    """Return numbers rounded to single precision."""
+    return value.astype(_float32, copy=False) if type(value) is _ndarray else _float32(value)
+
+
+def _double(value: Any) -> Any:
+    """Return numbers of single precision as doubles."""
+    return value.astype(float) if type(value) is _ndarray else float(value)
+
+
+def _halves(room: Any) -> Any:
+    """Return rows as rows of single precision."""
+    return [None if row is None else row.view(_float32)[: len(row)] for row in room]
 
 
 def _select(truth: Any, then: Any, other: Any, row: Any, keep: bool = True) -> Any:
@@ -457,9 +486,9 @@ def _select(truth: Any, then: Any, other: Any, row: Any, keep: bool = True) -> A
         return row
     if not shots < 16 * many < 15 * shots:
         return _where(truth, then, other)
-    bits, unlike = row.view(_int64), _bits(other)
-    _bitwise_xor(_bits(then), unlike, bits)
-    _bitwise_and(bits, _negative(truth.view(_int8)).astype(_int64), bits)
+    bits, unlike = row.view(_whole(row)), _bits(other, row)
+    _bitwise_xor(_bits(then, row), unlike, bits)
+    _bitwise_and(bits, _negative(truth.view(_int8)).astype(bits.dtype), bits)
     _bitwise_xor(bits, unlike, bits)
     return row
 
@@ -911,6 +940,25 @@ def nearby(flat: Any, index: Any, last: Any, t: Any, tilt: Any) -> tuple[Any, ..
     return _where(_s1, 1.0, 0.0), _where(_s1, _s0, flat)
 
 
+def coarse(fits: Any, searching: Any) -> tuple[Any, ...]:
+    """Whether a search begins in single precision.
+
+    Table 1. 1 operation: 1 conjunction.
+    Returns leaping.
+    """
+    return _logical_and(searching, fits),
+
+
+def leapt(arrival: Any, certain: Any, lasting: Any, searching: Any, t: Any) -> tuple[Any, ...]:
+    """What a search in single precision found, and whether it goes on, and from when.
+
+    Table 1. 6 operations: 1 addition, 1 comparison, 2 conjunctions, 1 complement, 1 selection.
+    Returns arrival, t, searching.
+    """
+    _s0 = lasting + t
+    return _where(certain, _s0, arrival), _s0, _logical_and(_logical_and(searching, _logical_not(certain)), (lasting < _inf))
+
+
 def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
     """Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
 
@@ -943,15 +991,15 @@ def exceeded(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
     return _where(_logical_and((0.0 < excess), (t < doubt)), t, doubt),
 
 
-def advanced(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, root: Any, step: Any, sure: Any, t: Any, vague: Any) -> tuple[Any, ...]:
+def advanced(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, step: Any, sure: Any, t: Any, vague: Any) -> tuple[Any, ...]:
     """The search after a step: what it found, whether its window is exhausted, where it is.
 
-    Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections.
+    Table 1. 13 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 2 selections.
     Returns arrival, certain, exhausted, searching, t.
     """
     _s0 = _logical_not(hit)
     _s1 = _logical_and(_logical_and(_s0, _logical_not(vague)), ((end - t) <= step))
-    return _where(hit, _where(sure, root, t), arrival), _logical_or(certain, _logical_and(hit, sure)), _s1, _logical_and(_s0, _logical_not(_s1)), _where(_logical_or(hit, vague), t, next)
+    return _where(hit, t, arrival), _logical_or(certain, _logical_and(hit, sure)), _s1, _logical_and(_s0, _logical_not(_s1)), _where(_logical_or(hit, vague), t, next)
 
 
 def found(arrival: Any) -> tuple[Any, ...]:
@@ -998,15 +1046,6 @@ def landed_surely(arrives: Any, certain: Any, clearance: Any, delay: Any, doubt:
     """
     _s0 = _logical_and(certain, (0.0 < clearance))
     return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < doubt)), time, doubt)
-
-
-def outside() -> tuple[Any, ...]:
-    """A search that begins outside the surface.
-
-    Table 1. No operations.
-    Returns side.
-    """
-    return 1.0,
 
 
 def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1544,12 +1583,12 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
 
 
 def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
+    """Gap, rate, bend, a step without a root, its end, and the clearance of a root.
 
-    Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
-    Returns gap, rate, bend, step, next, root, clearance.
+    Newton from the left under a curvature bound. 144 operations: 29 additions, 16 subtractions, 54 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
+    Returns gap, rate, bend, step, next, clearance.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
@@ -1564,48 +1603,187 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s11 = _multiply(_s4, _s5, _r5)
     _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
     _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
-    _s14 = _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
-    _s15 = 2.0 * _s14
-    _s16 = 6.0 * p_gravity
-    _s17 = _multiply(_s16, _s8, _r2)
-    _s18 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r8), _r8), _r8)
-    _s19 = 1.00006103515625 * _s9
-    _s20 = _subtract(_s15, rate_margin, _r5)
-    _s21 = _subtract(_s10, margin, _r10)
-    _s22 = _select(_s21 < 0.0, 0.0, _s21, _r11)
-    _s23 = _subtract(_add(_s17, _s18, _r12), steady, _r12)
+    _s14 = 2.0 * _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
+    _s15 = 6.0 * p_gravity
+    _s16 = _multiply(_s15, _s8, _r4)
+    _s17 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r2), _r2), _r2)
+    _s18 = 1.00006103515625 * _s9
+    _s19 = 9.094947017729282e-13 * (p_ring_radius + _s18)
+    _s20 = _subtract(_s14, rate_margin, _r5)
+    _s21 = _subtract(_s10, margin, _r7)
+    _s22 = _select(_s21 < 0.0, 0.0, _s21, _r9)
+    _s23 = _subtract(_add(_s16, _s17, _r8), steady, _r8)
     _s24 = _s20 < 0.0
-    _s25 = _multiply(2.0, _s22, _r13)
-    _s26 = _select(0.0 < _select(0.0 <= _s20, _s22, 0.0, _r14), _inf, _divide(_select(_s24, _s25, _multiply(4.0, _s20, _r14), _r15), _select(_s24, _negative(_s20, _r16), _select(0.0 < _s23, _s23, 0.0, _r17), _r18), _r15), _r14)
-    _s27 = _subtract(end, t, _r18)
-    _s28 = _select(_s26 < _s27, _s26, _s27, _r17)
-    _s29 = _add(_multiply(_s28, _select(_s13 < 0.0, 0.0, _s13, _r12), _r12), _s8, _r12)
-    _s30 = _multiply(_s16, _select(_s19 < _s29, _s19, _s29, _r6), _r6)
-    _s31 = _subtract(_add(_multiply(_s28, _select(0.0 < _s12, 0.0, _s12, _r12), _r12), _s2, _r12), 9.094947017729282e-13 * (p_ring_radius + _s19), _r12)
-    _s32 = p_ring_radius - _s19
+    _s25 = _multiply(2.0, _s22, _r10)
+    _s26 = _select(0.0 < _select(0.0 <= _s20, _s22, 0.0, _r11), _inf, _divide(_select(_s24, _s25, _multiply(4.0, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(0.0 < _s23, _s23, 0.0, _r14), _r15), _r12), _r11)
+    _s27 = _subtract(end, t, _r15)
+    _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
+    _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < 0.0, 0.0, _s13, _r8), _r8), _s8, _r8), _r8)
+    _s30 = _multiply(_s15, _select(_s18 < _s29, _s18, _s29, _r6), _r6)
+    _s31 = _subtract(_add(_multiply(_s28, _select(0.0 < _s12, 0.0, _s12, _r8), _r8), _s2, _r8), _s19, _r8)
+    _s32 = p_ring_radius - _s18
     _s33 = 0.0001220703125 * p_ring_radius
     _s34 = _where(_s32 < _s33, _s33, _s32)
     _s35 = _divide(1.0, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
-    _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r12), _r12), _r12)
+    _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
     _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(9.094947017729282e-13, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
     _s38 = _add(_multiply(_multiply(2.0, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r1), _r1)
     _s39 = _sqrt(_s38, _r3)
-    _s40 = _select(0.0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r1), _r12), _select(_s24, _subtract(_s39, _s20, _r3), _select(0.0 < _s37, _s37, 0.0, _r5), _r0), _r12), _inf, _r1)
+    _s40 = _select(0.0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r1), _r8), _select(_s24, _subtract(_s39, _s20, _r3), _select(0.0 < _s37, _s37, 0.0, _r5), _r0), _r8), _inf, _r1)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
-    _s42 = _negative(_add(rate_margin, _s15, _r0), _r0)
-    return _s10, _s15, _subtract(steady, _s17, _r2) - _s18, _s41, t + _s41, t - _divide(_multiply(0.5, _s10, _r7), _s14, _r7), _result(0.0 < _s42, _subtract(_multiply(_s42, _s42, _r7), _multiply(_multiply(8.0, ceiling, _r4), _add(margin, _multiply(32.0, _s22, _r11), _r11), _r4), _r4), _s42, _r0)
+    _s42 = _negative(_add(rate_margin, _s14, _r0), _r0)
+    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(0.0 < _s42, _subtract(_multiply(_s42, _s42, _r1), _multiply(_multiply(8.0, ceiling, _r8), _add(margin, _multiply(32.0, _s22, _r9), _r9), _r8), _r8), _s42, _r0)
 
 
-def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
-    """The first window that begins no earlier than a time, if there is one.
+def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, speed: Any, position_error: Any, velocity_error: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors that single precision comes to, whether it serves, and windows from t on.
 
-    Table 1. 18 operations: 6 comparisons, 3 conjunctions, 3 disjunctions, 6 selections.
+    running error analysis. 47 operations: 8 additions, 7 subtractions, 13 multiplications, 10 comparisons, 8 conjunctions, 1 selection.
+    Returns place, motion, end, low1, high1, low2, high2, fits.
+    """
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _subtract(horizon, t, _r0)
+    _s1 = _multiply(p_gravity, _multiply(_s0, _s0, _r0), _r0)
+    _s2 = 1.00006103515625 * (p_ball_radius + p_wire_radius)
+    _s3 = p_ring_radius + _s2
+    _s4 = _add(speed, _multiply(p_gravity, horizon, _r1), _r1)
+    _s5 = p_ring_radius - _s2
+    _s6 = 0.0001220703125 * p_ring_radius
+    _s7 = _where(_s5 < _s6, _s6, _s5)
+    _s8 = _logical_and(_logical_and(_logical_and((_s1 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_s3 <= (32.0 * _s7))), (_s3 <= ((32.0 * p_ball_radius) + (32.0 * p_wire_radius)))), (_s3 <= 4096.0))
+    _s9 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and(_s8, (0.000244140625 <= _s7)), (_s4 <= 4096.0)), (p_gravity <= 4096.0)), (0.000244140625 <= p_gravity)), (_multiply(leaving, t, _r2) <= 0.0))
+    return position_error + _multiply(1.9073486328125e-06, _add(_s1, _s3, _r0), _r0), velocity_error + _multiply(2.384185791015625e-07, _s4, _r1), end - t, low1 - t, high1 - t, low2 - t, high2 - t, _s9
+
+
+def ring_narrow(end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, low1: Any, high1: Any, low2: Any, high2: Any) -> tuple[Any, ...]:
+    """What a search needs to know, in single precision.
+
+    Newton from the left under a curvature bound, in single precision. No operations.
+    Returns t, end, x, y, z, vx, vy, vz, steady, swing, rho_start, ceiling, rate_margin, leaving, flat, tilt, low1, high1, low2, high2.
+    """
+    end = _single(end)
+    leaving = _single(leaving)
+    rate_margin = _single(rate_margin)
+    ceiling = _single(ceiling)
+    x = _single(x)
+    y = _single(y)
+    z = _single(z)
+    vx = _single(vx)
+    vy = _single(vy)
+    vz = _single(vz)
+    steady = _single(steady)
+    swing = _single(swing)
+    rho_start = _single(rho_start)
+    flat = _single(flat)
+    tilt = _single(tilt)
+    low1 = _single(low1)
+    high1 = _single(high1)
+    low2 = _single(low2)
+    high2 = _single(high2)
+    return 0.0, end, x, y, z, vx, vy, vz, steady, swing, rho_start, ceiling, rate_margin, leaving, flat, tilt, low1, high1, low2, high2
+
+
+def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
+
+    Newton from the left under a curvature bound, in single precision. 178 operations: 29 additions, 14 subtractions, 56 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 26 comparisons, 5 conjunctions, 5 disjunctions, 4 complements, 29 selections.
+    Returns t, end, certain, leaping.
+    """
+    t = _single(t)
+    end = _single(end)
+    leaving = _single(leaving)
+    rate_margin = _single(rate_margin)
+    ceiling = _single(ceiling)
+    x = _single(x)
+    y = _single(y)
+    z = _single(z)
+    vx = _single(vx)
+    vy = _single(vy)
+    vz = _single(vz)
+    steady = _single(steady)
+    swing = _single(swing)
+    rho_start = _single(rho_start)
+    flat = _single(flat)
+    tilt = _single(tilt)
+    low1 = _single(low1)
+    high1 = _single(high1)
+    low2 = _single(low2)
+    high2 = _single(high2)
+    p_ball_radius = _single(p_ball_radius)
+    p_ring_radius = _single(p_ring_radius)
+    p_wire_radius = _single(p_wire_radius)
+    p_gravity = _single(p_gravity)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, *_ = _halves(_room)
+    _s0 = _add(x, _multiply(t, vx, _r0), _r0)
+    _s1 = _add(y, _multiply(t, vy, _r1), _r1)
+    _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
+    _s3 = _add(rho_start, _s2, _r2)
+    _s4 = _divide(1.0, _multiply(_s3, _s2, _r4), _r4)
+    _s5 = _multiply(_s3, _s4, _r2)
+    _s6 = _multiply(_s5, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
+    _s7 = _subtract(_s2, p_ring_radius, _r0)
+    _s8 = _subtract(vz, _multiply(p_gravity, t, _r5), _r5)
+    _s9 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
+    _s10 = _add(z, _multiply(t, _s9, _r7), _r7)
+    _s11 = _multiply(2.0, _add(_multiply(_s6, _s7, _r8), _multiply(_s8, _s10, _r9), _r9), _r9)
+    _s12 = _negative(_add(rate_margin, _s11, _r8), _r8)
+    _s13 = _multiply(t, tilt, _r10)
+    _s14 = _logical_and((0.0 < leaving), (_s13 < flat))
+    _s15 = _select(_s14, _s13, flat, _r11)
+    _s16 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r12), _multiply(vy, vy, _r13), _r13), _r13), _multiply(2.0, _add(_multiply(vx, x, _r12), _multiply(vy, y, _r14), _r14), _r14), _r14), _add(_subtract(rho_start, p_ring_radius, _r13), _s7, _r13), _r13), _multiply(_s2, _s4, _r4), _r4)
+    _s17 = p_ball_radius + p_wire_radius
+    _s18 = _subtract(_select(_s14, _multiply(t, _add(_s16, _multiply(_add(z, _s10, _r13), _s9, _r13), _r13), _r13), _subtract(_add(_multiply(_s7, _s7, _r0), _multiply(_s10, _s10, _r4), _r4), _s17 * _s17, _r4), _r0), _s15, _r0)
+    _s19 = _select(_s18 < 0.0, 0.0, _s18, _r4)
+    _s20 = _select(0.0 < _s12, _subtract(_multiply(_s12, _s12, _r13), _multiply(_multiply(8.0, ceiling, _r6), _multiply(32.0, _add(_multiply(2.0, _s15, _r14), _s19, _r14), _r14), _r6), _r6), _s12, _r13)
+    _s21 = 0.0 < _s20
+    _s22 = 1.00006103515625 * _s17
+    _s23 = 0.000244140625 * (p_ring_radius + _s22)
+    _s24 = _subtract(_s11, rate_margin, _r13)
+    _s25 = 6.0 * p_gravity
+    _s26 = _subtract(_add(_multiply(_s25, _s10, _r6), _multiply(swing, _multiply(_s5, _multiply(_s5, _s5, _r8), _r8), _r8), _r8), steady, _r8)
+    _s27 = _s24 < 0.0
+    _s28 = _multiply(2.0, _s19, _r6)
+    _s29 = _select(0.0 < _select(0.0 <= _s24, _s19, 0.0, _r2), _inf, _divide(_select(_s27, _s28, _multiply(4.0, _s24, _r2), _r14), _select(_s27, _negative(_s24, _r12), _select(0.0 < _s26, _s26, 0.0, _r15), _r16), _r14), _r2)
+    _s30 = _subtract(end, t, _r16)
+    _s31 = _select(_s29 < _s30, _s29, _s30, _r15)
+    _s32 = _add(_s23, _add(_multiply(_s31, _select(_s8 < 0.0, 0.0, _s8, _r8), _r8), _s10, _r8), _r8)
+    _s33 = _multiply(_s25, _select(_s22 < _s32, _s22, _s32, _r7), _r7)
+    _s34 = _subtract(_add(_multiply(_s31, _select(0.0 < _s6, 0.0, _s6, _r8), _r8), _s2, _r8), _s23, _r8)
+    _s35 = p_ring_radius - _s22
+    _s36 = 0.0001220703125 * p_ring_radius
+    _s37 = _where(_s35 < _s36, _s36, _s35)
+    _s38 = _divide(1.0, _select(_s34 < _s37, _s37, _s34, _r3), _r3)
+    _s39 = _multiply(swing, _multiply(_s38, _multiply(_s38, _s38, _r8), _r8), _r8)
+    _s40 = _subtract(_add(_add(_s33, _s39, _r3), _multiply(0.000244140625, _add(_add(_s39, _absolute(steady, _r1), _r1), _absolute(_s33, _r7), _r7), _r7), _r7), steady, _r7)
+    _s41 = _add(_multiply(_multiply(2.0, _s40, _r3), _s19, _r3), _multiply(_s24, _s24, _r4), _r4)
+    _s42 = _sqrt(_s41, _r3)
+    _s43 = _select(0.0 <= _s41, _divide(_select(_s27, _s28, _add(_s24, _s42, _r4), _r1), _select(_s27, _subtract(_s42, _s24, _r3), _select(0.0 < _s40, _s40, 0.0, _r13), _r8), _r1), _inf, _r4)
+    _s44 = _select(_s43 < _s31, _s43, _s31, _r8)
+    _s45 = _add(t, _s44, _r13)
+    _s46 = _logical_or(_s21, _logical_and(_logical_not(_s21), _logical_or(_logical_and((_s11 < 0.0), (_s18 <= _s15)), _logical_not((t < _s45)))))
+    _s47 = _logical_not(_s46)
+    _s48 = _logical_and(_s47, (_s30 <= _s44))
+    _s49 = _select(end < low1, low1, end, _r8)
+    _s50 = _s49 < high1
+    _s51 = _select(end < low2, low2, end, _r4)
+    _s52 = _s51 < high2
+    return _result(_s48, _select(_s50, _s49, _select(_s52, _s51, _inf, _r1), _r15), _select(_s46, t, _s45, _r16), _r0), _result(_s48, _select(_s50, high1, _select(_s52, high2, end, _r16), _r15), end, _r0), _s21, _logical_and(_s47, _logical_or(_logical_not(_s48), _logical_or(_logical_or(False, _s52), _s50)))
+
+
+def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The first window that ends later than a time, if there is one, from then on.
+
+    Table 1. 18 operations: 6 comparisons, 3 disjunctions, 9 selections.
     Returns t, end, searching.
     """
-    _s0 = _logical_and((low0 < high0), (after <= low0))
-    _s1 = _logical_and((low1 < high1), (after <= low1))
-    _s2 = _logical_and((low2 < high2), (after <= low2))
-    return _where(_s0, low0, _where(_s1, low1, _where(_s2, low2, t))), _where(_s0, high0, _where(_s1, high1, _where(_s2, high2, end))), _logical_or(_logical_or(_logical_or(False, _s2), _s1), _s0)
+    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _s0 = _select(after < low0, low0, after, _r0)
+    _s1 = _s0 < high0
+    _s2 = _select(after < low1, low1, after, _r1)
+    _s3 = _s2 < high1
+    _s4 = _select(after < low2, low2, after, _r2)
+    _s5 = _s4 < high2
+    return _result(_s1, _s0, _select(_s3, _s2, _select(_s5, _s4, t, _r3), _r4), _r0), _result(_s1, high0, _select(_s3, high1, _select(_s5, high2, end, _r4), _r3), _r0), _logical_or(_logical_or(_logical_or(False, _s5), _s3), _s1)
 
 
 def backboard_coefficients(x: Any, vx: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2253,121 +2431,239 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _room_1 = room(_count4)
         _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, *_ = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
+        _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0, _room_1)
         _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1, _room_1)
-        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0)
-        _rows5, _count6 = _rows(_searching_1, _count4)
+        _leaving_1, = left(0.0, _last_1)
+        _place_1, _motion_1, _near_end_1, _near_low1_1, _near_high1_1, _near_low2_1, _near_high2_1, _fits_1 = ring_grain(_t_1, _end_1, _leaving_1, _latest_1, _speed_1, _position_level_1, _velocity_level_1, _low1_1, _high1_1, _low2_1, _high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _place_1, _motion_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_t_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
+        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_rate_margin_1, _short_leaving_1, _short_flat_1, _short_tilt_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1 = ring_narrow(_near_end_1, _leaving_1, _rate_slack_1, _ceiling_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _steady_1, _swing_1, _rho_start_1, _flat_1, _tilt_1, _near_low1_1, _near_high1_1, _near_low2_1, _near_high2_1)
+        _leaping_1, = coarse(_fits_1, _searching_1)
+        _rows5, _count6 = _rows(_leaping_1, _count4)
         if _count6:
-            _arrival_2 = _take(_arrival_1, _rows5)
-            _ceiling_2 = _take(_ceiling_1, _rows5)
-            _certain_2 = _take(_certain_1, _rows5)
-            _end_2 = _take(_end_1, _rows5)
-            _flat_2 = _take(_flat_1, _rows5)
-            _last_2 = _take(_last_1, _rows5)
+            _leaping_2 = _take(_leaping_1, _rows5)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
             _p_gravity_2 = _take(_p_gravity_1, _rows5)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows5)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows5)
-            _rate_slack_2 = _take(_rate_slack_1, _rows5)
-            _rho_start_2 = _take(_rho_start_1, _rows5)
-            _searching_2 = _take(_searching_1, _rows5)
-            _share_2 = _take(_share_1, _rows5)
-            _steady_2 = _take(_steady_1, _rows5)
-            _swing_2 = _take(_swing_1, _rows5)
-            _t_2 = _take(_t_1, _rows5)
-            _tilt_2 = _take(_tilt_1, _rows5)
-            _vx_2 = _take(_vx_1, _rows5)
-            _vy_2 = _take(_vy_1, _rows5)
-            _vz_2 = _take(_vz_1, _rows5)
-            _x_2 = _take(_x_1, _rows5)
-            _y_2 = _take(_y_1, _rows5)
-            _z_2 = _take(_z_1, _rows5)
-            _arrival_1 = _copy(_arrival_1, _count4)
+            _short_ceiling_2 = _take(_short_ceiling_1, _rows5)
+            _short_end_2 = _take(_short_end_1, _rows5)
+            _short_flat_2 = _take(_short_flat_1, _rows5)
+            _short_high1_2 = _take(_short_high1_1, _rows5)
+            _short_high2_2 = _take(_short_high2_1, _rows5)
+            _short_leaving_2 = _take(_short_leaving_1, _rows5)
+            _short_low1_2 = _take(_short_low1_1, _rows5)
+            _short_low2_2 = _take(_short_low2_1, _rows5)
+            _short_rate_margin_2 = _take(_short_rate_margin_1, _rows5)
+            _short_rho_start_2 = _take(_short_rho_start_1, _rows5)
+            _short_steady_2 = _take(_short_steady_1, _rows5)
+            _short_swing_2 = _take(_short_swing_1, _rows5)
+            _short_t_2 = _take(_short_t_1, _rows5)
+            _short_tilt_2 = _take(_short_tilt_1, _rows5)
+            _short_vx_2 = _take(_short_vx_1, _rows5)
+            _short_vy_2 = _take(_short_vy_1, _rows5)
+            _short_vz_2 = _take(_short_vz_1, _rows5)
+            _short_x_2 = _take(_short_x_1, _rows5)
+            _short_y_2 = _take(_short_y_1, _rows5)
+            _short_z_2 = _take(_short_z_1, _rows5)
             _certain_1 = _copy(_certain_1, _count4)
-            _flat_1 = _copy(_flat_1, _count4)
-            _tilt_1 = _copy(_tilt_1, _count4)
-            for _ in range(201):
+            _short_t_1 = _copy(_short_t_1, _count4)
+            for _ in range(24):
                 _room_2 = room(_count6)
-                _leaving_2, _margin_2 = nearby(_flat_2, 0.0, _last_2, _t_2, _tilt_2)
-                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = ring_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _steady_2, _swing_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
-                _rows7, _count8 = _rows(_vague_2, _count6)
-                if _count8:
-                    _far = _of(_rows5, _rows7)
-                    _extent_3 = _take(_extent_1, _far)
-                    _latest_3 = _take(_latest_1, _far)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows7)
-                    _p_gravity_3 = _take(_p_gravity_2, _rows7)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows7)
-                    _p_wire_radius_3 = _take(_p_wire_radius_2, _rows7)
-                    _share_3 = _take(_share_2, _rows7)
-                    _speed_3 = _take(_speed_1, _far)
-                    _room_3 = room(_count8)
-                    _share_3, = finer(_share_3)
-                    _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
-                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
-                    _flat_2 = _put(_flat_2, _rows7, _flat_3, _count6)
-                    _rate_slack_2 = _put(_rate_slack_2, _rows7, _rate_slack_3, _count6)
-                    _share_2 = _put(_share_2, _rows7, _share_3, _count6)
-                    _tilt_2 = _put(_tilt_2, _rows7, _tilt_3, _count6)
-                _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
-                _rows9, _count10 = _rows(_exhausted_2, _count6)
-                if _count10:
-                    _far = _of(_rows5, _rows9)
-                    _end_3 = _take(_end_2, _rows9)
-                    _high0_3 = _take(_high0_1, _far)
-                    _high1_3 = _take(_high1_1, _far)
-                    _high2_3 = _take(_high2_1, _far)
-                    _low0_3 = _take(_low0_1, _far)
-                    _low1_3 = _take(_low1_1, _far)
-                    _low2_3 = _take(_low2_1, _far)
-                    _t_3 = _take(_t_2, _rows9)
-                    _t_3, _end_3, _searching_3 = ring_enter(_end_3, _end_3, _high0_3, _high1_3, _high2_3, _low0_3, _low1_3, _low2_3, _t_3)
-                    _end_2 = _put(_end_2, _rows9, _end_3, _count6)
-                    _searching_2 = _put(_searching_2, _rows9, _searching_3, _count6)
-                    _t_2 = _put(_t_2, _rows9, _t_3, _count6)
-                _going11 = _where_true(_searching_2)
-                if len(_going11) == _count6:
+                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_leaving_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _going7 = _where_true(_leaping_2)
+                if len(_going7) == _count6:
                     continue
-                _done = _where_true(_logical_not(_searching_2))
-                _store(_arrival_1, _of(_rows5, _done), _arrival_2, _done)
+                _done = _where_true(_logical_not(_leaping_2))
                 _store(_certain_1, _of(_rows5, _done), _certain_2, _done)
-                _store(_flat_1, _of(_rows5, _done), _flat_2, _done)
-                _store(_tilt_1, _of(_rows5, _done), _tilt_2, _done)
-                _rows5, _count6 = _of(_rows5, _going11), len(_going11)
+                _store(_short_t_1, _of(_rows5, _done), _short_t_2, _done)
+                _rows5, _count6 = _of(_rows5, _going7), len(_going7)
                 if not _count6:
                     break
-                _arrival_2 = _take(_arrival_2, _going11)
-                _ceiling_2 = _take(_ceiling_2, _going11)
-                _certain_2 = _take(_certain_2, _going11)
-                _end_2 = _take(_end_2, _going11)
-                _flat_2 = _take(_flat_2, _going11)
-                _last_2 = _take(_last_2, _going11)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going11)
-                _p_gravity_2 = _take(_p_gravity_2, _going11)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going11)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going11)
-                _rate_slack_2 = _take(_rate_slack_2, _going11)
-                _rho_start_2 = _take(_rho_start_2, _going11)
-                _searching_2 = _take(_searching_2, _going11)
-                _share_2 = _take(_share_2, _going11)
-                _steady_2 = _take(_steady_2, _going11)
-                _swing_2 = _take(_swing_2, _going11)
-                _t_2 = _take(_t_2, _going11)
-                _tilt_2 = _take(_tilt_2, _going11)
-                _vx_2 = _take(_vx_2, _going11)
-                _vy_2 = _take(_vy_2, _going11)
-                _vz_2 = _take(_vz_2, _going11)
-                _x_2 = _take(_x_2, _going11)
-                _y_2 = _take(_y_2, _going11)
-                _z_2 = _take(_z_2, _going11)
+                _certain_2 = _take(_certain_2, _going7)
+                _leaping_2 = _take(_leaping_2, _going7)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going7)
+                _p_gravity_2 = _take(_p_gravity_2, _going7)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going7)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going7)
+                _short_ceiling_2 = _take(_short_ceiling_2, _going7)
+                _short_end_2 = _take(_short_end_2, _going7)
+                _short_flat_2 = _take(_short_flat_2, _going7)
+                _short_high1_2 = _take(_short_high1_2, _going7)
+                _short_high2_2 = _take(_short_high2_2, _going7)
+                _short_leaving_2 = _take(_short_leaving_2, _going7)
+                _short_low1_2 = _take(_short_low1_2, _going7)
+                _short_low2_2 = _take(_short_low2_2, _going7)
+                _short_rate_margin_2 = _take(_short_rate_margin_2, _going7)
+                _short_rho_start_2 = _take(_short_rho_start_2, _going7)
+                _short_steady_2 = _take(_short_steady_2, _going7)
+                _short_swing_2 = _take(_short_swing_2, _going7)
+                _short_t_2 = _take(_short_t_2, _going7)
+                _short_tilt_2 = _take(_short_tilt_2, _going7)
+                _short_vx_2 = _take(_short_vx_2, _going7)
+                _short_vy_2 = _take(_short_vy_2, _going7)
+                _short_vz_2 = _take(_short_vz_2, _going7)
+                _short_x_2 = _take(_short_x_2, _going7)
+                _short_y_2 = _take(_short_y_2, _going7)
+                _short_z_2 = _take(_short_z_2, _going7)
             else:
-                _store(_arrival_1, _rows5, _arrival_2, None)
                 _store(_certain_1, _rows5, _certain_2, None)
-                _store(_flat_1, _rows5, _flat_2, None)
-                _store(_tilt_1, _rows5, _tilt_2, None)
+                _store(_short_t_1, _rows5, _short_t_2, None)
+        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _t_1)
+        _rows8, _count9 = _rows(_searching_1, _count4)
+        if _count9:
+            _arrival_2 = _take(_arrival_1, _rows8)
+            _ceiling_2 = _take(_ceiling_1, _rows8)
+            _certain_2 = _take(_certain_1, _rows8)
+            _end_2 = _take(_end_1, _rows8)
+            _extent_2 = _take(_extent_1, _rows8)
+            _high0_2 = _take(_high0_1, _rows8)
+            _high1_2 = _take(_high1_1, _rows8)
+            _high2_2 = _take(_high2_1, _rows8)
+            _last_2 = _take(_last_1, _rows8)
+            _latest_2 = _take(_latest_1, _rows8)
+            _low0_2 = _take(_low0_1, _rows8)
+            _low1_2 = _take(_low1_1, _rows8)
+            _low2_2 = _take(_low2_1, _rows8)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows8)
+            _p_gravity_2 = _take(_p_gravity_1, _rows8)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows8)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows8)
+            _rho_start_2 = _take(_rho_start_1, _rows8)
+            _share_2 = _take(_share_1, _rows8)
+            _speed_2 = _take(_speed_1, _rows8)
+            _steady_2 = _take(_steady_1, _rows8)
+            _swing_2 = _take(_swing_1, _rows8)
+            _t_2 = _take(_t_1, _rows8)
+            _vx_2 = _take(_vx_1, _rows8)
+            _vy_2 = _take(_vy_1, _rows8)
+            _vz_2 = _take(_vz_1, _rows8)
+            _x_2 = _take(_x_1, _rows8)
+            _y_2 = _take(_y_1, _rows8)
+            _z_2 = _take(_z_1, _rows8)
+            _room_2 = room(_count9)
+            _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, 0.0, 0.0, _p_gravity_2, _room_2)
+            _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _t_2, _end_2, _searching_2 = ring_enter(_t_2, _end_2, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
+            _rows10, _count11 = _rows(_searching_2, _count9)
+            if _count11:
+                _arrival_3 = _take(_arrival_2, _rows10)
+                _ceiling_3 = _take(_ceiling_2, _rows10)
+                _certain_3 = _take(_certain_2, _rows10)
+                _end_3 = _take(_end_2, _rows10)
+                _flat_3 = _take(_flat_2, _rows10)
+                _last_3 = _take(_last_2, _rows10)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows10)
+                _p_gravity_3 = _take(_p_gravity_2, _rows10)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows10)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows10)
+                _rate_slack_3 = _take(_rate_slack_2, _rows10)
+                _rho_start_3 = _take(_rho_start_2, _rows10)
+                _searching_3 = _take(_searching_2, _rows10)
+                _share_3 = _take(_share_2, _rows10)
+                _steady_3 = _take(_steady_2, _rows10)
+                _swing_3 = _take(_swing_2, _rows10)
+                _t_3 = _take(_t_2, _rows10)
+                _tilt_3 = _take(_tilt_2, _rows10)
+                _vx_3 = _take(_vx_2, _rows10)
+                _vy_3 = _take(_vy_2, _rows10)
+                _vz_3 = _take(_vz_2, _rows10)
+                _x_3 = _take(_x_2, _rows10)
+                _y_3 = _take(_y_2, _rows10)
+                _z_3 = _take(_z_2, _rows10)
+                _arrival_2 = _copy(_arrival_2, _count9)
+                _certain_2 = _copy(_certain_2, _count9)
+                _flat_2 = _copy(_flat_2, _count9)
+                _tilt_2 = _copy(_tilt_2, _count9)
+                for _ in range(201):
+                    _room_3 = room(_count11)
+                    _leaving_3, _margin_3 = nearby(_flat_3, 0.0, _last_3, _t_3, _tilt_3)
+                    _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _steady_3, _swing_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
+                    _hit_3, _sure_3, _vague_3 = struck(_bend_3, _clearance_3, _gap_3, _margin_3, _rate_3, _rate_slack_3, _share_3)
+                    _rows12, _count13 = _rows(_vague_3, _count11)
+                    if _count13:
+                        _far = _of(_rows10, _rows12)
+                        _extent_4 = _take(_extent_2, _far)
+                        _latest_4 = _take(_latest_2, _far)
+                        _p_ball_radius_4 = _take(_p_ball_radius_3, _rows12)
+                        _p_gravity_4 = _take(_p_gravity_3, _rows12)
+                        _p_ring_radius_4 = _take(_p_ring_radius_3, _rows12)
+                        _p_wire_radius_4 = _take(_p_wire_radius_3, _rows12)
+                        _share_4 = _take(_share_3, _rows12)
+                        _speed_4 = _take(_speed_2, _far)
+                        _room_4 = room(_count13)
+                        _share_4, = finer(_share_4)
+                        _position_level_4, _velocity_level_4, *_ = allowance(_share_4, _latest_4, _extent_4, _speed_4, 0.0, 0.0, _p_gravity_4, _room_4)
+                        _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
+                        _flat_3 = _put(_flat_3, _rows12, _flat_4, _count11)
+                        _rate_slack_3 = _put(_rate_slack_3, _rows12, _rate_slack_4, _count11)
+                        _share_3 = _put(_share_3, _rows12, _share_4, _count11)
+                        _tilt_3 = _put(_tilt_3, _rows12, _tilt_4, _count11)
+                    _arrival_3, _certain_3, _exhausted_3, _searching_3, _t_3 = advanced(_arrival_3, _certain_3, _end_3, _hit_3, _next_3, _step_3, _sure_3, _t_3, _vague_3)
+                    _rows14, _count15 = _rows(_exhausted_3, _count11)
+                    if _count15:
+                        _far = _of(_rows10, _rows14)
+                        _end_4 = _take(_end_3, _rows14)
+                        _high0_4 = _take(_high0_2, _far)
+                        _high1_4 = _take(_high1_2, _far)
+                        _high2_4 = _take(_high2_2, _far)
+                        _low0_4 = _take(_low0_2, _far)
+                        _low1_4 = _take(_low1_2, _far)
+                        _low2_4 = _take(_low2_2, _far)
+                        _t_4 = _take(_t_3, _rows14)
+                        _room_4 = room(_count15)
+                        _t_4, _end_4, _searching_4 = ring_enter(_end_4, _end_4, _high0_4, _high1_4, _high2_4, _low0_4, _low1_4, _low2_4, _t_4, _room_4)
+                        _end_3 = _put(_end_3, _rows14, _end_4, _count11)
+                        _searching_3 = _put(_searching_3, _rows14, _searching_4, _count11)
+                        _t_3 = _put(_t_3, _rows14, _t_4, _count11)
+                    _going16 = _where_true(_searching_3)
+                    if len(_going16) == _count11:
+                        continue
+                    _done = _where_true(_logical_not(_searching_3))
+                    _store(_arrival_2, _of(_rows10, _done), _arrival_3, _done)
+                    _store(_certain_2, _of(_rows10, _done), _certain_3, _done)
+                    _store(_flat_2, _of(_rows10, _done), _flat_3, _done)
+                    _store(_tilt_2, _of(_rows10, _done), _tilt_3, _done)
+                    _rows10, _count11 = _of(_rows10, _going16), len(_going16)
+                    if not _count11:
+                        break
+                    _arrival_3 = _take(_arrival_3, _going16)
+                    _ceiling_3 = _take(_ceiling_3, _going16)
+                    _certain_3 = _take(_certain_3, _going16)
+                    _end_3 = _take(_end_3, _going16)
+                    _flat_3 = _take(_flat_3, _going16)
+                    _last_3 = _take(_last_3, _going16)
+                    _p_ball_radius_3 = _take(_p_ball_radius_3, _going16)
+                    _p_gravity_3 = _take(_p_gravity_3, _going16)
+                    _p_ring_radius_3 = _take(_p_ring_radius_3, _going16)
+                    _p_wire_radius_3 = _take(_p_wire_radius_3, _going16)
+                    _rate_slack_3 = _take(_rate_slack_3, _going16)
+                    _rho_start_3 = _take(_rho_start_3, _going16)
+                    _searching_3 = _take(_searching_3, _going16)
+                    _share_3 = _take(_share_3, _going16)
+                    _steady_3 = _take(_steady_3, _going16)
+                    _swing_3 = _take(_swing_3, _going16)
+                    _t_3 = _take(_t_3, _going16)
+                    _tilt_3 = _take(_tilt_3, _going16)
+                    _vx_3 = _take(_vx_3, _going16)
+                    _vy_3 = _take(_vy_3, _going16)
+                    _vz_3 = _take(_vz_3, _going16)
+                    _x_3 = _take(_x_3, _going16)
+                    _y_3 = _take(_y_3, _going16)
+                    _z_3 = _take(_z_3, _going16)
+                else:
+                    _store(_arrival_2, _rows10, _arrival_3, None)
+                    _store(_certain_2, _rows10, _certain_3, None)
+                    _store(_flat_2, _rows10, _flat_3, None)
+                    _store(_tilt_2, _rows10, _tilt_3, None)
+            _arrival_1 = _put(_arrival_1, _rows8, _arrival_2, _count4)
+            _certain_1 = _put(_certain_1, _rows8, _certain_2, _count4)
+            _flat_1 = _put(_flat_1, _rows8, _flat_2, _count4)
+            _tilt_1 = _put(_tilt_1, _rows8, _tilt_2, _count4)
         _arrives_1, = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
         _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
         _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
@@ -2376,17 +2672,17 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
         _when_0 = _put(_when_0, _rows3, _when_1, shots)
         _which_0 = _put(_which_0, _rows3, _which_1, shots)
-    _rows12, _count13 = _rows(_limited_0, shots)
-    if _count13:
-        _clock_1 = _take(_clock_0, _rows12)
-        _time_error_1 = _take(_time_error_0, _rows12)
-        _time_limit_1 = _take(_time_limit_0, _rows12)
-        _when_1 = _take(_when_0, _rows12)
-        _which_1 = _take(_which_0, _rows12)
+    _rows17, _count18 = _rows(_limited_0, shots)
+    if _count18:
+        _clock_1 = _take(_clock_0, _rows17)
+        _time_error_1 = _take(_time_error_0, _rows17)
+        _time_limit_1 = _take(_time_limit_0, _rows17)
+        _when_1 = _take(_when_0, _rows17)
+        _which_1 = _take(_which_0, _rows17)
         _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _time_error_1, _time_limit_1, _when_1, _which_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _when_0 = _put(_when_0, _rows12, _when_1, shots)
-        _which_0 = _put(_which_0, _rows12, _which_1, shots)
+        _when_0 = _put(_when_0, _rows17, _when_1, shots)
+        _which_0 = _put(_which_0, _rows17, _which_1, shots)
     _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
@@ -2398,19 +2694,19 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = _choose(_moves_0, _x_1, _x_0)
     _y_0 = _choose(_moves_0, _y_1, _y_0)
     _z_0 = _choose(_moves_0, _z_1, _z_0)
-    _rows14, _count15 = _rows(_limited_0, shots)
-    if _count15:
-        _body_1 = _take(_body_0, _rows14)
-        _clock_1 = _take(_clock_0, _rows14)
-        _ends_1 = _take(_ends_0, _rows14)
-        _reached_1 = _take(_reached_0, _rows14)
-        _time_limit_1 = _take(_time_limit_0, _rows14)
-        _which_1 = _take(_which_0, _rows14)
+    _rows19, _count20 = _rows(_limited_0, shots)
+    if _count20:
+        _body_1 = _take(_body_0, _rows19)
+        _clock_1 = _take(_clock_0, _rows19)
+        _ends_1 = _take(_ends_0, _rows19)
+        _reached_1 = _take(_reached_0, _rows19)
+        _time_limit_1 = _take(_time_limit_0, _rows19)
+        _which_1 = _take(_which_0, _rows19)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows14, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows14, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows14, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows14, _reached_1, shots)
+        _body_0 = _put(_body_0, _rows19, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows19, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows19, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows19, _reached_1, shots)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1)
@@ -2799,140 +3095,262 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _room_1 = room(_count6)
         _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, _lost_1 = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
+        _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0, _room_1)
         _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
-        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
-        _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0)
-        _rows7, _count8 = _rows(_searching_1, _count6)
+        _leaving_1, = left(0.0, _last_1)
+        _place_1, _motion_1, _near_end_1, _near_low1_1, _near_high1_1, _near_low2_1, _near_high2_1, _fits_1 = ring_grain(_t_1, _end_1, _leaving_1, _latest_1, _speed_1, _position_level_1, _velocity_level_1, _low1_1, _high1_1, _low2_1, _high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _place_1, _motion_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_t_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
+        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_rate_margin_1, _short_leaving_1, _short_flat_1, _short_tilt_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1 = ring_narrow(_near_end_1, _leaving_1, _rate_slack_1, _ceiling_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _steady_1, _swing_1, _rho_start_1, _flat_1, _tilt_1, _near_low1_1, _near_high1_1, _near_low2_1, _near_high2_1)
+        _leaping_1, = coarse(_fits_1, _searching_1)
+        _rows7, _count8 = _rows(_leaping_1, _count6)
         if _count8:
-            _arrival_2 = _take(_arrival_1, _rows7)
-            _ceiling_2 = _take(_ceiling_1, _rows7)
-            _certain_2 = _take(_certain_1, _rows7)
-            _doubt_2 = _take(_doubt_1, _rows7)
-            _end_2 = _take(_end_1, _rows7)
-            _flat_2 = _take(_flat_1, _rows7)
-            _last_2 = _take(_last_1, _rows7)
+            _leaping_2 = _take(_leaping_1, _rows7)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows7)
             _p_gravity_2 = _take(_p_gravity_1, _rows7)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows7)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows7)
-            _rate_slack_2 = _take(_rate_slack_1, _rows7)
-            _rho_start_2 = _take(_rho_start_1, _rows7)
-            _searching_2 = _take(_searching_1, _rows7)
-            _share_2 = _take(_share_1, _rows7)
-            _steady_2 = _take(_steady_1, _rows7)
-            _swing_2 = _take(_swing_1, _rows7)
-            _t_2 = _take(_t_1, _rows7)
-            _tilt_2 = _take(_tilt_1, _rows7)
-            _vx_2 = _take(_vx_1, _rows7)
-            _vy_2 = _take(_vy_1, _rows7)
-            _vz_2 = _take(_vz_1, _rows7)
-            _x_2 = _take(_x_1, _rows7)
-            _y_2 = _take(_y_1, _rows7)
-            _z_2 = _take(_z_1, _rows7)
-            _arrival_1 = _copy(_arrival_1, _count6)
+            _short_ceiling_2 = _take(_short_ceiling_1, _rows7)
+            _short_end_2 = _take(_short_end_1, _rows7)
+            _short_flat_2 = _take(_short_flat_1, _rows7)
+            _short_high1_2 = _take(_short_high1_1, _rows7)
+            _short_high2_2 = _take(_short_high2_1, _rows7)
+            _short_leaving_2 = _take(_short_leaving_1, _rows7)
+            _short_low1_2 = _take(_short_low1_1, _rows7)
+            _short_low2_2 = _take(_short_low2_1, _rows7)
+            _short_rate_margin_2 = _take(_short_rate_margin_1, _rows7)
+            _short_rho_start_2 = _take(_short_rho_start_1, _rows7)
+            _short_steady_2 = _take(_short_steady_1, _rows7)
+            _short_swing_2 = _take(_short_swing_1, _rows7)
+            _short_t_2 = _take(_short_t_1, _rows7)
+            _short_tilt_2 = _take(_short_tilt_1, _rows7)
+            _short_vx_2 = _take(_short_vx_1, _rows7)
+            _short_vy_2 = _take(_short_vy_1, _rows7)
+            _short_vz_2 = _take(_short_vz_1, _rows7)
+            _short_x_2 = _take(_short_x_1, _rows7)
+            _short_y_2 = _take(_short_y_1, _rows7)
+            _short_z_2 = _take(_short_z_1, _rows7)
             _certain_1 = _copy(_certain_1, _count6)
-            _doubt_1 = _copy(_doubt_1, _count6)
-            _flat_1 = _copy(_flat_1, _count6)
-            _searching_1 = _copy(_searching_1, _count6)
-            _t_1 = _copy(_t_1, _count6)
-            _tilt_1 = _copy(_tilt_1, _count6)
-            for _ in range(201):
+            _short_t_1 = _copy(_short_t_1, _count6)
+            for _ in range(24):
                 _room_2 = room(_count8)
-                _leaving_2, _margin_2 = nearby(_flat_2, 0.0, _last_2, _t_2, _tilt_2)
-                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = ring_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _steady_2, _swing_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
-                _rows9, _count10 = _rows(_vague_2, _count8)
-                if _count10:
-                    _far = _of(_rows7, _rows9)
-                    _doubt_3 = _take(_doubt_2, _rows9)
-                    _extent_3 = _take(_extent_1, _far)
-                    _latest_3 = _take(_latest_1, _far)
-                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows9)
-                    _p_gravity_3 = _take(_p_gravity_2, _rows9)
-                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows9)
-                    _p_wire_radius_3 = _take(_p_wire_radius_2, _rows9)
-                    _position_error_3 = _take(_position_error_1, _far)
-                    _share_3 = _take(_share_2, _rows9)
-                    _speed_3 = _take(_speed_1, _far)
-                    _t_3 = _take(_t_2, _rows9)
-                    _velocity_error_3 = _take(_velocity_error_1, _far)
-                    _room_3 = room(_count10)
-                    _share_3, = finer(_share_3)
-                    _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
-                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
-                    _doubt_3, = exceeded(_doubt_3, _excess_3, _t_3)
-                    _doubt_2 = _put(_doubt_2, _rows9, _doubt_3, _count8)
-                    _flat_2 = _put(_flat_2, _rows9, _flat_3, _count8)
-                    _rate_slack_2 = _put(_rate_slack_2, _rows9, _rate_slack_3, _count8)
-                    _share_2 = _put(_share_2, _rows9, _share_3, _count8)
-                    _tilt_2 = _put(_tilt_2, _rows9, _tilt_3, _count8)
-                _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
-                _rows11, _count12 = _rows(_exhausted_2, _count8)
-                if _count12:
-                    _far = _of(_rows7, _rows11)
-                    _end_3 = _take(_end_2, _rows11)
-                    _high0_3 = _take(_high0_1, _far)
-                    _high1_3 = _take(_high1_1, _far)
-                    _high2_3 = _take(_high2_1, _far)
-                    _low0_3 = _take(_low0_1, _far)
-                    _low1_3 = _take(_low1_1, _far)
-                    _low2_3 = _take(_low2_1, _far)
-                    _t_3 = _take(_t_2, _rows11)
-                    _t_3, _end_3, _searching_3 = ring_enter(_end_3, _end_3, _high0_3, _high1_3, _high2_3, _low0_3, _low1_3, _low2_3, _t_3)
-                    _end_2 = _put(_end_2, _rows11, _end_3, _count8)
-                    _searching_2 = _put(_searching_2, _rows11, _searching_3, _count8)
-                    _t_2 = _put(_t_2, _rows11, _t_3, _count8)
-                _going13 = _where_true(_searching_2)
-                if len(_going13) == _count8:
+                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_leaving_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _going9 = _where_true(_leaping_2)
+                if len(_going9) == _count8:
                     continue
-                _done = _where_true(_logical_not(_searching_2))
-                _store(_arrival_1, _of(_rows7, _done), _arrival_2, _done)
+                _done = _where_true(_logical_not(_leaping_2))
                 _store(_certain_1, _of(_rows7, _done), _certain_2, _done)
-                _store(_doubt_1, _of(_rows7, _done), _doubt_2, _done)
-                _store(_flat_1, _of(_rows7, _done), _flat_2, _done)
-                _store(_searching_1, _of(_rows7, _done), _searching_2, _done)
-                _store(_t_1, _of(_rows7, _done), _t_2, _done)
-                _store(_tilt_1, _of(_rows7, _done), _tilt_2, _done)
-                _rows7, _count8 = _of(_rows7, _going13), len(_going13)
+                _store(_short_t_1, _of(_rows7, _done), _short_t_2, _done)
+                _rows7, _count8 = _of(_rows7, _going9), len(_going9)
                 if not _count8:
                     break
-                _arrival_2 = _take(_arrival_2, _going13)
-                _ceiling_2 = _take(_ceiling_2, _going13)
-                _certain_2 = _take(_certain_2, _going13)
-                _doubt_2 = _take(_doubt_2, _going13)
-                _end_2 = _take(_end_2, _going13)
-                _flat_2 = _take(_flat_2, _going13)
-                _last_2 = _take(_last_2, _going13)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going13)
-                _p_gravity_2 = _take(_p_gravity_2, _going13)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going13)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going13)
-                _rate_slack_2 = _take(_rate_slack_2, _going13)
-                _rho_start_2 = _take(_rho_start_2, _going13)
-                _searching_2 = _take(_searching_2, _going13)
-                _share_2 = _take(_share_2, _going13)
-                _steady_2 = _take(_steady_2, _going13)
-                _swing_2 = _take(_swing_2, _going13)
-                _t_2 = _take(_t_2, _going13)
-                _tilt_2 = _take(_tilt_2, _going13)
-                _vx_2 = _take(_vx_2, _going13)
-                _vy_2 = _take(_vy_2, _going13)
-                _vz_2 = _take(_vz_2, _going13)
-                _x_2 = _take(_x_2, _going13)
-                _y_2 = _take(_y_2, _going13)
-                _z_2 = _take(_z_2, _going13)
+                _certain_2 = _take(_certain_2, _going9)
+                _leaping_2 = _take(_leaping_2, _going9)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going9)
+                _p_gravity_2 = _take(_p_gravity_2, _going9)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going9)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going9)
+                _short_ceiling_2 = _take(_short_ceiling_2, _going9)
+                _short_end_2 = _take(_short_end_2, _going9)
+                _short_flat_2 = _take(_short_flat_2, _going9)
+                _short_high1_2 = _take(_short_high1_2, _going9)
+                _short_high2_2 = _take(_short_high2_2, _going9)
+                _short_leaving_2 = _take(_short_leaving_2, _going9)
+                _short_low1_2 = _take(_short_low1_2, _going9)
+                _short_low2_2 = _take(_short_low2_2, _going9)
+                _short_rate_margin_2 = _take(_short_rate_margin_2, _going9)
+                _short_rho_start_2 = _take(_short_rho_start_2, _going9)
+                _short_steady_2 = _take(_short_steady_2, _going9)
+                _short_swing_2 = _take(_short_swing_2, _going9)
+                _short_t_2 = _take(_short_t_2, _going9)
+                _short_tilt_2 = _take(_short_tilt_2, _going9)
+                _short_vx_2 = _take(_short_vx_2, _going9)
+                _short_vy_2 = _take(_short_vy_2, _going9)
+                _short_vz_2 = _take(_short_vz_2, _going9)
+                _short_x_2 = _take(_short_x_2, _going9)
+                _short_y_2 = _take(_short_y_2, _going9)
+                _short_z_2 = _take(_short_z_2, _going9)
             else:
-                _store(_arrival_1, _rows7, _arrival_2, None)
                 _store(_certain_1, _rows7, _certain_2, None)
-                _store(_doubt_1, _rows7, _doubt_2, None)
-                _store(_flat_1, _rows7, _flat_2, None)
-                _store(_searching_1, _rows7, _searching_2, None)
-                _store(_t_1, _rows7, _t_2, None)
-                _store(_tilt_1, _rows7, _tilt_2, None)
-        _doubt_1, = questioned(_doubt_1, _t_1, _searching_1)
+                _store(_short_t_1, _rows7, _short_t_2, None)
+        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _t_1)
+        _rows10, _count11 = _rows(_searching_1, _count6)
+        if _count11:
+            _arrival_2 = _take(_arrival_1, _rows10)
+            _ceiling_2 = _take(_ceiling_1, _rows10)
+            _certain_2 = _take(_certain_1, _rows10)
+            _doubt_2 = _take(_doubt_1, _rows10)
+            _end_2 = _take(_end_1, _rows10)
+            _extent_2 = _take(_extent_1, _rows10)
+            _high0_2 = _take(_high0_1, _rows10)
+            _high1_2 = _take(_high1_1, _rows10)
+            _high2_2 = _take(_high2_1, _rows10)
+            _last_2 = _take(_last_1, _rows10)
+            _latest_2 = _take(_latest_1, _rows10)
+            _low0_2 = _take(_low0_1, _rows10)
+            _low1_2 = _take(_low1_1, _rows10)
+            _low2_2 = _take(_low2_1, _rows10)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows10)
+            _p_gravity_2 = _take(_p_gravity_1, _rows10)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows10)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows10)
+            _position_error_2 = _take(_position_error_1, _rows10)
+            _rho_start_2 = _take(_rho_start_1, _rows10)
+            _share_2 = _take(_share_1, _rows10)
+            _speed_2 = _take(_speed_1, _rows10)
+            _steady_2 = _take(_steady_1, _rows10)
+            _swing_2 = _take(_swing_1, _rows10)
+            _t_2 = _take(_t_1, _rows10)
+            _velocity_error_2 = _take(_velocity_error_1, _rows10)
+            _vx_2 = _take(_vx_1, _rows10)
+            _vy_2 = _take(_vy_1, _rows10)
+            _vz_2 = _take(_vz_1, _rows10)
+            _x_2 = _take(_x_1, _rows10)
+            _y_2 = _take(_y_1, _rows10)
+            _z_2 = _take(_z_1, _rows10)
+            _room_2 = room(_count11)
+            _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_gravity_2, _room_2)
+            _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _t_2, _end_2, _searching_2 = ring_enter(_t_2, _end_2, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
+            _rows12, _count13 = _rows(_searching_2, _count11)
+            if _count13:
+                _arrival_3 = _take(_arrival_2, _rows12)
+                _ceiling_3 = _take(_ceiling_2, _rows12)
+                _certain_3 = _take(_certain_2, _rows12)
+                _doubt_3 = _take(_doubt_2, _rows12)
+                _end_3 = _take(_end_2, _rows12)
+                _flat_3 = _take(_flat_2, _rows12)
+                _last_3 = _take(_last_2, _rows12)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows12)
+                _p_gravity_3 = _take(_p_gravity_2, _rows12)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows12)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows12)
+                _rate_slack_3 = _take(_rate_slack_2, _rows12)
+                _rho_start_3 = _take(_rho_start_2, _rows12)
+                _searching_3 = _take(_searching_2, _rows12)
+                _share_3 = _take(_share_2, _rows12)
+                _steady_3 = _take(_steady_2, _rows12)
+                _swing_3 = _take(_swing_2, _rows12)
+                _t_3 = _take(_t_2, _rows12)
+                _tilt_3 = _take(_tilt_2, _rows12)
+                _vx_3 = _take(_vx_2, _rows12)
+                _vy_3 = _take(_vy_2, _rows12)
+                _vz_3 = _take(_vz_2, _rows12)
+                _x_3 = _take(_x_2, _rows12)
+                _y_3 = _take(_y_2, _rows12)
+                _z_3 = _take(_z_2, _rows12)
+                _arrival_2 = _copy(_arrival_2, _count11)
+                _certain_2 = _copy(_certain_2, _count11)
+                _doubt_2 = _copy(_doubt_2, _count11)
+                _flat_2 = _copy(_flat_2, _count11)
+                _searching_2 = _copy(_searching_2, _count11)
+                _t_2 = _copy(_t_2, _count11)
+                _tilt_2 = _copy(_tilt_2, _count11)
+                for _ in range(201):
+                    _room_3 = room(_count13)
+                    _leaving_3, _margin_3 = nearby(_flat_3, 0.0, _last_3, _t_3, _tilt_3)
+                    _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _steady_3, _swing_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
+                    _hit_3, _sure_3, _vague_3 = struck(_bend_3, _clearance_3, _gap_3, _margin_3, _rate_3, _rate_slack_3, _share_3)
+                    _rows14, _count15 = _rows(_vague_3, _count13)
+                    if _count15:
+                        _far = _of(_rows12, _rows14)
+                        _doubt_4 = _take(_doubt_3, _rows14)
+                        _extent_4 = _take(_extent_2, _far)
+                        _latest_4 = _take(_latest_2, _far)
+                        _p_ball_radius_4 = _take(_p_ball_radius_3, _rows14)
+                        _p_gravity_4 = _take(_p_gravity_3, _rows14)
+                        _p_ring_radius_4 = _take(_p_ring_radius_3, _rows14)
+                        _p_wire_radius_4 = _take(_p_wire_radius_3, _rows14)
+                        _position_error_4 = _take(_position_error_2, _far)
+                        _share_4 = _take(_share_3, _rows14)
+                        _speed_4 = _take(_speed_2, _far)
+                        _t_4 = _take(_t_3, _rows14)
+                        _velocity_error_4 = _take(_velocity_error_2, _far)
+                        _room_4 = room(_count15)
+                        _share_4, = finer(_share_4)
+                        _position_level_4, _velocity_level_4, _excess_4 = allowance(_share_4, _latest_4, _extent_4, _speed_4, _position_error_4, _velocity_error_4, _p_gravity_4, _room_4)
+                        _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
+                        _doubt_4, = exceeded(_doubt_4, _excess_4, _t_4)
+                        _doubt_3 = _put(_doubt_3, _rows14, _doubt_4, _count13)
+                        _flat_3 = _put(_flat_3, _rows14, _flat_4, _count13)
+                        _rate_slack_3 = _put(_rate_slack_3, _rows14, _rate_slack_4, _count13)
+                        _share_3 = _put(_share_3, _rows14, _share_4, _count13)
+                        _tilt_3 = _put(_tilt_3, _rows14, _tilt_4, _count13)
+                    _arrival_3, _certain_3, _exhausted_3, _searching_3, _t_3 = advanced(_arrival_3, _certain_3, _end_3, _hit_3, _next_3, _step_3, _sure_3, _t_3, _vague_3)
+                    _rows16, _count17 = _rows(_exhausted_3, _count13)
+                    if _count17:
+                        _far = _of(_rows12, _rows16)
+                        _end_4 = _take(_end_3, _rows16)
+                        _high0_4 = _take(_high0_2, _far)
+                        _high1_4 = _take(_high1_2, _far)
+                        _high2_4 = _take(_high2_2, _far)
+                        _low0_4 = _take(_low0_2, _far)
+                        _low1_4 = _take(_low1_2, _far)
+                        _low2_4 = _take(_low2_2, _far)
+                        _t_4 = _take(_t_3, _rows16)
+                        _room_4 = room(_count17)
+                        _t_4, _end_4, _searching_4 = ring_enter(_end_4, _end_4, _high0_4, _high1_4, _high2_4, _low0_4, _low1_4, _low2_4, _t_4, _room_4)
+                        _end_3 = _put(_end_3, _rows16, _end_4, _count13)
+                        _searching_3 = _put(_searching_3, _rows16, _searching_4, _count13)
+                        _t_3 = _put(_t_3, _rows16, _t_4, _count13)
+                    _going18 = _where_true(_searching_3)
+                    if len(_going18) == _count13:
+                        continue
+                    _done = _where_true(_logical_not(_searching_3))
+                    _store(_arrival_2, _of(_rows12, _done), _arrival_3, _done)
+                    _store(_certain_2, _of(_rows12, _done), _certain_3, _done)
+                    _store(_doubt_2, _of(_rows12, _done), _doubt_3, _done)
+                    _store(_flat_2, _of(_rows12, _done), _flat_3, _done)
+                    _store(_searching_2, _of(_rows12, _done), _searching_3, _done)
+                    _store(_t_2, _of(_rows12, _done), _t_3, _done)
+                    _store(_tilt_2, _of(_rows12, _done), _tilt_3, _done)
+                    _rows12, _count13 = _of(_rows12, _going18), len(_going18)
+                    if not _count13:
+                        break
+                    _arrival_3 = _take(_arrival_3, _going18)
+                    _ceiling_3 = _take(_ceiling_3, _going18)
+                    _certain_3 = _take(_certain_3, _going18)
+                    _doubt_3 = _take(_doubt_3, _going18)
+                    _end_3 = _take(_end_3, _going18)
+                    _flat_3 = _take(_flat_3, _going18)
+                    _last_3 = _take(_last_3, _going18)
+                    _p_ball_radius_3 = _take(_p_ball_radius_3, _going18)
+                    _p_gravity_3 = _take(_p_gravity_3, _going18)
+                    _p_ring_radius_3 = _take(_p_ring_radius_3, _going18)
+                    _p_wire_radius_3 = _take(_p_wire_radius_3, _going18)
+                    _rate_slack_3 = _take(_rate_slack_3, _going18)
+                    _rho_start_3 = _take(_rho_start_3, _going18)
+                    _searching_3 = _take(_searching_3, _going18)
+                    _share_3 = _take(_share_3, _going18)
+                    _steady_3 = _take(_steady_3, _going18)
+                    _swing_3 = _take(_swing_3, _going18)
+                    _t_3 = _take(_t_3, _going18)
+                    _tilt_3 = _take(_tilt_3, _going18)
+                    _vx_3 = _take(_vx_3, _going18)
+                    _vy_3 = _take(_vy_3, _going18)
+                    _vz_3 = _take(_vz_3, _going18)
+                    _x_3 = _take(_x_3, _going18)
+                    _y_3 = _take(_y_3, _going18)
+                    _z_3 = _take(_z_3, _going18)
+                else:
+                    _store(_arrival_2, _rows12, _arrival_3, None)
+                    _store(_certain_2, _rows12, _certain_3, None)
+                    _store(_doubt_2, _rows12, _doubt_3, None)
+                    _store(_flat_2, _rows12, _flat_3, None)
+                    _store(_searching_2, _rows12, _searching_3, None)
+                    _store(_t_2, _rows12, _t_3, None)
+                    _store(_tilt_2, _rows12, _tilt_3, None)
+            _doubt_2, = questioned(_doubt_2, _t_2, _searching_2)
+            _arrival_1 = _put(_arrival_1, _rows10, _arrival_2, _count6)
+            _certain_1 = _put(_certain_1, _rows10, _certain_2, _count6)
+            _doubt_1 = _put(_doubt_1, _rows10, _doubt_2, _count6)
+            _flat_1 = _put(_flat_1, _rows10, _flat_2, _count6)
+            _tilt_1 = _put(_tilt_1, _rows10, _tilt_2, _count6)
         _arrives_1, = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
         _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
         _refined_1, _rate_1 = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
@@ -2948,22 +3366,22 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _late_0 = _put(_late_0, _rows5, _late_1, shots)
         _when_0 = _put(_when_0, _rows5, _when_1, shots)
         _which_0 = _put(_which_0, _rows5, _which_1, shots)
-    _rows14, _count15 = _rows(_limited_0, shots)
-    if _count15:
-        _clock_1 = _take(_clock_0, _rows14)
-        _doubt_1 = _take(_doubt_0, _rows14)
-        _late_1 = _take(_late_0, _rows14)
-        _time_error_1 = _take(_time_error_0, _rows14)
-        _time_limit_1 = _take(_time_limit_0, _rows14)
-        _when_1 = _take(_when_0, _rows14)
-        _which_1 = _take(_which_0, _rows14)
+    _rows19, _count20 = _rows(_limited_0, shots)
+    if _count20:
+        _clock_1 = _take(_clock_0, _rows19)
+        _doubt_1 = _take(_doubt_0, _rows19)
+        _late_1 = _take(_late_0, _rows19)
+        _time_error_1 = _take(_time_error_0, _rows19)
+        _time_limit_1 = _take(_time_limit_0, _rows19)
+        _when_1 = _take(_when_0, _rows19)
+        _which_1 = _take(_which_0, _rows19)
         _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_clock_1, _doubt_1, _late_1, _time_error_1, _time_limit_1, _when_1, _which_1)
         _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _doubt_0 = _put(_doubt_0, _rows14, _doubt_1, shots)
-        _late_0 = _put(_late_0, _rows14, _late_1, shots)
-        _when_0 = _put(_when_0, _rows14, _when_1, shots)
-        _which_0 = _put(_which_0, _rows14, _which_1, shots)
+        _doubt_0 = _put(_doubt_0, _rows19, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows19, _late_1, shots)
+        _when_0 = _put(_when_0, _rows19, _when_1, shots)
+        _which_0 = _put(_which_0, _rows19, _which_1, shots)
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
@@ -2975,19 +3393,19 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = _choose(_moves_0, _x_1, _x_0)
     _y_0 = _choose(_moves_0, _y_1, _y_0)
     _z_0 = _choose(_moves_0, _z_1, _z_0)
-    _rows16, _count17 = _rows(_limited_0, shots)
-    if _count17:
-        _body_1 = _take(_body_0, _rows16)
-        _clock_1 = _take(_clock_0, _rows16)
-        _ends_1 = _take(_ends_0, _rows16)
-        _reached_1 = _take(_reached_0, _rows16)
-        _time_limit_1 = _take(_time_limit_0, _rows16)
-        _which_1 = _take(_which_0, _rows16)
+    _rows21, _count22 = _rows(_limited_0, shots)
+    if _count22:
+        _body_1 = _take(_body_0, _rows21)
+        _clock_1 = _take(_clock_0, _rows21)
+        _ends_1 = _take(_ends_0, _rows21)
+        _reached_1 = _take(_reached_0, _rows21)
+        _time_limit_1 = _take(_time_limit_0, _rows21)
+        _which_1 = _take(_which_0, _rows21)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows16, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows16, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows16, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows16, _reached_1, shots)
+        _body_0 = _put(_body_0, _rows21, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows21, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows21, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows21, _reached_1, shots)
     _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from hoopgen.derive.ground.kernel import Kind
 from hoopgen.derive.ground.tree import Each, Group, Groups
 
 from .loop import CLoop
@@ -22,7 +23,7 @@ class Frame:
     """
 
     prefix: str
-    known: dict[str, bool]
+    known: dict[str, Kind]
     first: str = "0"
     blocks: tuple[str, str] = ("", "")
 

@@ -11,10 +11,34 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
+from hoopgen.derive.ground.kernel import Kind
 from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, live_before, walk, writes
 
 from .groups import CGroups, Frame
-from .loop import Apart, carried, scope
+from .loop import TYPES, Apart, carried, scope
+
+LOADED: dict[Kind, str] = {
+    "double": "lanes_load({})",
+    "single": "singles_load({})",
+    "truth": "lanes_less(K(0.0), lanes_load({}))",
+}
+STORED: dict[Kind, str] = {
+    "double": "lanes_store({}, {})",
+    "single": "singles_store({}, {})",
+    "truth": "lanes_store({}, lanes_select({}, K(1.0), K(0.0)))",
+}
+PACKED: dict[Kind, str] = {
+    "double": "lanes_pack({}, packed, {})",
+    "single": "singles_pack({}, packed, {})",
+    "truth": "lanes_pack({}, packed, lanes_select({}, K(1.0), K(0.0)))",
+}
+EXPANDED: dict[Kind, str] = {
+    "double": "lanes_expand({0}, idle, {1})",
+    "single": "singles_expand({0}, idle, {1})",
+    "truth": "lanes_less(K(0.0), lanes_expand({0}, idle, lanes_select({1}, K(1.0), K(0.0))))",
+}
+"""How columns of each kind are read and written: a truth is a number that is not zero."""
+NONE: dict[Kind, str] = {"double": "K(0.0)", "single": "KS(0.0)", "truth": "lanes_nowhere()"}
 
 _ROWS = re.compile(r"\brows\b")
 """Where the mask of a pass is used."""
@@ -22,12 +46,12 @@ _ROWS = re.compile(r"\brows\b")
 
 @dataclass(frozen=True)
 class Note:
-    """Lines that come before the node of an index: what they read, and which truths they give."""
+    """Lines that come before the node of an index: what they read, and what they give."""
 
     index: int
     lines: tuple[str, ...]
     reads: frozenset[str]
-    gives: dict[str, bool] = field(default_factory=dict)
+    gives: dict[str, Kind] = field(default_factory=dict)
 
 
 @dataclass
@@ -41,7 +65,7 @@ class CLists(CGroups):
     variant
         Of the loop, as its functions have it in their names.
     columns
-        By array, in order, whether it holds truths: what the struct of the lists has room for.
+        By array, in order, what it holds: what the struct of the lists has room for.
     apart
         The bodies that are functions, each after those that it calls.
     beside
@@ -54,7 +78,7 @@ class CLists(CGroups):
 
     job: Sequence[str] = ()
     variant: str = ""
-    columns: dict[str, bool] = field(default_factory=dict)
+    columns: dict[str, Kind] = field(default_factory=dict)
     apart: list[Apart] = field(default_factory=list)
     beside: str = ""
     frame: Frame = field(default_factory=lambda: Frame("", {}))
@@ -205,24 +229,21 @@ class CLists(CGroups):
         if self.beside:
             line(f"    {self.beside}")
             self.beside = ""
-        known = dict.fromkeys(self.job, False)
+        known: dict[str, Kind] = dict.fromkeys(self.job, "double")
         for name in sorted(need):
             if name in self.parameters:
                 line(f"    const V {name} = {self._parameter(frame, name)};")
             elif name in frame.known:
-                truth = frame.known[name]
-                column = f"lanes_load({frame.column(name)} + i)"
-                value = f"lanes_less(K(0.0), {column})" if truth else column
-                line(f"    {'M' if truth else 'V'} {name} = {value};")
-                known[name] = truth
+                known[name] = frame.known[name]
+                value = LOADED[known[name]].format(f"{frame.column(name)} + i")
+                line(f"    {TYPES[known[name]]} {name} = {value};")
         for name in self.parameters:
-            known[name] = False
+            known[name] = "double"
         self._noted(nodes, known, wanted, note)
-        for name, truth in stored.items():
-            self._column(frame, name, truth)
-            value = f"lanes_select({name}, K(1.0), K(0.0))" if truth else name
-            line(f"    lanes_store({frame.column(name)} + i, {value});")
-            frame.known[name] = truth
+        for name, kind in stored.items():
+            self._column(frame, name, kind)
+            line(f"    {STORED[kind].format(f'{frame.column(name)} + i', name)};")
+            frame.known[name] = kind
         if cut:
             self._pack(cut, own, takes, known)
         line("}")
@@ -231,7 +252,7 @@ class CLists(CGroups):
         return own
 
     def _noted(
-        self, nodes: Sequence[Node], known: dict[str, bool], wanted: set[str], note: Note | None
+        self, nodes: Sequence[Node], known: dict[str, Kind], wanted: set[str], note: Note | None
     ) -> None:
         if note is None:
             self._body(nodes, known, set(), "rows", "    ", wanted)
@@ -242,8 +263,8 @@ class CLists(CGroups):
         known |= note.gives
         self._body(nodes[note.index :], known, set(), "rows", "    ", wanted)
 
-    def _column(self, frame: Frame, name: str, truth: bool) -> None:
-        self.columns.setdefault(f"{frame.prefix}{name}", truth)
+    def _column(self, frame: Frame, name: str, kind: Kind) -> None:
+        self.columns.setdefault(f"{frame.prefix}{name}", kind)
 
     def _parameter(self, frame: Frame, name: str, row: str = "i") -> str:
         """A parameter's values for the rows from i on; one that all share has one row of lanes."""
@@ -253,7 +274,7 @@ class CLists(CGroups):
         return f"lanes_load(varying ? {frame.column(name)} + {row} : {shared})"
 
     def _pack(
-        self, cut: Guard | Repeat, own: Frame, takes: Iterable[str], known: dict[str, bool]
+        self, cut: Guard | Repeat, own: Frame, takes: Iterable[str], known: dict[str, Kind]
     ) -> None:
         line = self.lines.append
         line(f"    const M packed = lanes_both(rows, {cut.truth});")
@@ -262,7 +283,7 @@ class CLists(CGroups):
             f"        lanes_pack({own.column('row')} + {own.count}, packed, "
             "lanes_add(lanes_count_up(), K((double)i)));"
         )
-        self._column(own, "row", False)
+        self._column(own, "row", "double")
         for name in takes:
             if name in self.job:
                 continue
@@ -274,8 +295,7 @@ class CLists(CGroups):
             elif isinstance(cut, Repeat) and name == cut.truth:
                 continue
             else:
-                value = f"lanes_select({name}, K(1.0), K(0.0))" if known[name] else name
-                line(f"        lanes_pack({place}, packed, {value});")
+                line(f"        {PACKED[known[name]].format(place, name)};")
                 own.known[name] = known[name]
         line(f"        {own.count} += lanes_many(packed);")
         line("    }")
@@ -300,24 +320,16 @@ class CLists(CGroups):
         line("    V row = K(0.0), turns = K(0.0);")
         for name in parameters:
             line(f"    V {name} = lanes_load({self.bases.get(name, f'lists->{name}')});")
-        for name, truth in own.known.items():
-            line(
-                f"    {'M' if truth else 'V'} {name} = {'lanes_nowhere()' if truth else 'K(0.0)'};"
-            )
+        for name, kind in own.known.items():
+            line(f"    {TYPES[kind]} {name} = {NONE[kind]};")
         line("    for (;;) {")
         line(f"        if (taken < {own.count} && busy + LANES_SPARE <= LANES_WIDTH) {{")
         line("            const M idle = lanes_not(active);")
         line(f"            row = lanes_expand({own.column('row')} + taken, idle, row);")
         line("            turns = lanes_select(idle, K(0.0), turns);")
-        for name, truth in own.known.items():
-            column = f"{own.column(name)} + taken"
-            if truth:
-                old = f"lanes_select({name}, K(1.0), K(0.0))"
-                line(
-                    f"            {name} = lanes_less(K(0.0), lanes_expand({column}, idle, {old}));"
-                )
-            else:
-                line(f"            {name} = lanes_expand({column}, idle, {name});")
+        for name, kind in own.known.items():
+            value = EXPANDED[kind].format(f"{own.column(name)} + taken", name)
+            line(f"            {name} = {value};")
         if parameters:
             line("            if (varying) {")
             for name in parameters:
@@ -331,8 +343,9 @@ class CLists(CGroups):
         line("        }")
         line("        if (busy == 0)")
         line("            break;")
-        known = dict.fromkeys((*self.job, *self.parameters), False) | own.known
-        known[node.truth] = True
+        known: dict[str, Kind] = dict.fromkeys((*self.job, *self.parameters), "double")
+        known |= own.known
+        known[node.truth] = "truth"
         line(f"        M {node.truth} = active;")
         self._body(
             node.body,
@@ -351,10 +364,10 @@ class CLists(CGroups):
         line("            double ended_row[LANES_WIDTH];")
         line("            lanes_store(ended_row, row);")
         for name in scoped.gives:
-            truth = writes([node])[name]
-            value = f"lanes_select({name}, K(1.0), K(0.0))" if truth else name
-            line(f"            double ended_{name}[LANES_WIDTH];")
-            line(f"            lanes_store(ended_{name}, {value});")
+            kind = writes([node])[name]
+            number = "float" if kind == "single" else "double"
+            line(f"            {number} ended_{name}[LANES_WIDTH];")
+            line(f"            {STORED[kind].format(f'ended_{name}', name)};")
         line("            for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {")
         line("                const int lane = LANES_LOWEST(bits);")
         line("                const size_t k = (size_t)ended_row[lane];")

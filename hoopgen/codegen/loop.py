@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from hoopgen.derive.ground.kernel import Kind
 from hoopgen.derive.ground.tree import (
     Do,
     Each,
@@ -20,7 +21,10 @@ from hoopgen.derive.ground.tree import (
     writes,
 )
 
-from .printers import C, Spelling, constant
+from .printers import C, C_SINGLE, Spelling, constant
+
+TYPES: dict[Kind, str] = {"double": "V", "single": "S", "truth": "M"}
+"""What variables are in C."""
 
 CHEAP = 40
 """A body that costs no more is done for every lane or row: to skip it would cost as much."""
@@ -115,10 +119,10 @@ class CLoop(Printer):
     def stage(
         self,
         nodes: Sequence[Node],
-        known: Mapping[str, bool],
+        known: Mapping[str, Kind],
         mask: str,
         after: Iterable[str],
-    ) -> dict[str, bool]:
+    ) -> dict[str, Kind]:
         """Print a stage for the lanes of `mask`; return the variables known after it."""
         known = dict(known)
         self._body(nodes, known, set(), mask, "", set(after))
@@ -127,7 +131,7 @@ class CLoop(Printer):
     def _body(
         self,
         nodes: Sequence[Node],
-        known: dict[str, bool],
+        known: dict[str, Kind],
         outer: set[str],
         mask: str,
         indent: str,
@@ -169,7 +173,7 @@ class CLoop(Printer):
     def _each(
         self,
         node: Each,
-        known: dict[str, bool],
+        known: dict[str, Kind],
         outer: set[str],
         mask: str,
         indent: str,
@@ -182,7 +186,7 @@ class CLoop(Printer):
         self.lines.append(f"{indent}{{")
         for name, value in self.row(node, indent + "    ", mask).items():
             self.lines.append(f"{indent}        const V {name} = {value};")
-            inside[name] = False
+            inside[name] = "double"
         self._body(node.body, inside, outer, mask, indent + "        ", after)
         self.lines += [f"{indent}    }}"] * (1 if node.groups is None else 2)
         self.lines.append(f"{indent}}}")
@@ -195,33 +199,44 @@ class CLoop(Printer):
         raise NotImplementedError
 
     def _do(
-        self, node: Do, known: dict[str, bool], outer: set[str], mask: str, indent: str
+        self, node: Do, known: dict[str, Kind], outer: set[str], mask: str, indent: str
     ) -> None:
         name = f"LANES({self.prefix}_{node.kernel.name})"
-        given = ", ".join(self._value(value) for value in node.arguments)
+        single = node.kernel.single
+        given = ", ".join(self._given(value, known, single) for value in node.arguments)
         result = self.fresh("o")
         self.lines.append(f"{indent}const LANES({self.prefix}_{node.kernel.name}_out) {result} =")
         self.lines.append(f"{indent}    {name}({given});")
-        kinds = dict(zip(node.kernel.output_names, node.kernel.truths, strict=True))
+        kinds = dict(zip(node.kernel.output_names, node.kernel.kinds, strict=True))
         for output, variable in node.assigned.items():
             value = f"{result}.{output}"
             if variable not in known:
-                kind = "M" if kinds[output] else "V"
-                self.lines.append(f"{indent}{kind} {variable} = {value};")
+                self.lines.append(f"{indent}{TYPES[kinds[output]]} {variable} = {value};")
                 known[variable] = kinds[output]
-            elif variable not in outer:
-                self.lines.append(f"{indent}{variable} = {value};")
-            elif kinds[output]:
-                self.lines.append(
-                    f"{indent}{variable} = lanes_choose({mask}, {value}, {variable});"
-                )
-            else:
-                self.lines.append(
-                    f"{indent}{variable} = lanes_select({mask}, {value}, {variable});"
-                )
+                continue
+            if variable in outer:
+                value = CHOSEN[kinds[output]].format(mask, value, variable)
+            self.lines.append(f"{indent}{variable} = {value};")
+
+    def _given(self, value: str | float, known: Mapping[str, Kind], single: bool) -> str:
+        """Return what a kernel is given, in the precision that it has."""
+        if not isinstance(value, str):
+            return constant(float(value), C_SINGLE if single else C)
+        kind = known.get(value, "double")
+        if kind == "truth" or (kind == "single") == single:
+            return value
+        return f"lanes_narrow({value})" if single else f"lanes_wide({value})"
 
     def _value(self, value: str | float) -> str:
         return value if isinstance(value, str) else constant(float(value), C)
+
+
+CHOSEN: dict[Kind, str] = {
+    "double": "lanes_select({}, {}, {})",
+    "single": "singles_select(singles_of({}), {}, {})",
+    "truth": "lanes_choose({}, {}, {})",
+}
+"""How a variable takes a value in some lanes."""
 
 
 def weighted(cost: Mapping[str, int]) -> int:

@@ -12,6 +12,7 @@ from hoopgen.derive.ground.tree import (
     Guard,
     Node,
     Repeat,
+    Value,
     live_before,
     reads,
     writes,
@@ -32,10 +33,13 @@ class NumPyLoop(Printer):
     far
         Within a body that repeats, what only some of its shots need, never changed by it: its names
         outside. It is taken from there, rather than by all shots in each turn.
+    short
+        What is in single precision.
     """
 
     rows: Collection[str] = ()
     far: dict[str, str] = field(default_factory=dict)
+    short: set[str] = field(default_factory=set)
     turning: str = ""
 
     def stage(
@@ -103,13 +107,14 @@ class NumPyLoop(Printer):
     def _do(
         self, node: Do, names: dict[str, str], indent: str, depth: int, shots_depth: int
     ) -> None:
-        given = ", ".join(
-            names[v] if isinstance(v, str) else constant(float(v), NUMPY) for v in node.arguments
-        )
+        given = ", ".join(self._given(v, names, node.kernel.single) for v in node.arguments)
         if node.kernel.name in self.rows:
             given += f", {_room(shots_depth)}"
         for variable in node.assigned.values():
             names[variable] = local(variable, depth)
+        if node.kernel.single:
+            kinds = dict(zip(node.kernel.output_names, node.kernel.kinds, strict=True))
+            self.short |= {v for o, v in node.assigned.items() if kinds[o] == "single"}
         targets = [
             names[node.assigned[o]] if o in node.assigned else "_" for o in node.kernel.output_names
         ]
@@ -120,6 +125,12 @@ class NumPyLoop(Printer):
         self.lines.append(
             f"{indent}{', '.join(targets)}{',' * (len(targets) == 1)} = {node.kernel.name}({given})"
         )
+
+    def _given(self, value: Value, names: Mapping[str, str], single: bool) -> str:
+        """Return what a kernel is given; one in single precision rounds it itself."""
+        if not isinstance(value, str):
+            return constant(float(value), NUMPY)
+        return f"_double({names[value]})" if value in self.short and not single else names[value]
 
     def _each(
         self,

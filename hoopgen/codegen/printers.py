@@ -10,12 +10,23 @@ from .program import Program
 
 @dataclass(frozen=True)
 class Spelling:
-    """How a target writes the operations; `{0}` … are the operands, already printed."""
+    """How a target writes the operations; `{0}` … are the operands, already printed.
+
+    Attributes
+    ----------
+    number, truth
+        The types of what has a value, and of what holds or does not.
+    told
+        How a truth is given away.
+    """
 
     operations: dict[str, str]
     constant: str
     infinity: str
     assignment: str
+    number: str = ""
+    truth: str = ""
+    told: str = "{0}"
 
 
 _INFIX = {
@@ -70,6 +81,18 @@ C = Spelling(
     constant="K({0})",
     infinity="K(INFINITY)",
     assignment="const {type} {name} = {value};",
+    number="V",
+    truth="M",
+)
+
+C_SINGLE = Spelling(
+    operations={name: text.replace("lanes_", "singles_") for name, text in C.operations.items()},
+    constant="KS({0})",
+    infinity="KS(INFINITY)",
+    assignment=C.assignment,
+    number="S",
+    truth="Q",
+    told="singles_truth({0})",
 )
 
 
@@ -132,13 +155,18 @@ def print_program(program: Program, spelling: Spelling) -> Body:
             value = spelling.operations[operation.name].format(*operands)
             if index in named:
                 name = f"_s{len(statements)}"
-                kind = "M" if operation.is_truth else "V"
+                kind = spelling.truth if operation.is_truth else spelling.number
                 statements.append(
                     spelling.assignment.format(name=name, type=kind, value=bare(value))
                 )
                 value = name
             text.append(value)
-    return Body(statements, [bare(text[output]) for output in program.outputs])
+    outputs = []
+    for output in program.outputs:
+        value = bare(text[output])
+        truth = program.operations[output].is_truth
+        outputs.append(spelling.told.format(value) if truth else value)
+    return Body(statements, outputs)
 
 
 def bare(text: str) -> str:

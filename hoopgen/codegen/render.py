@@ -24,10 +24,10 @@ from hoopgen.derive.scenes.scene import Scene
 from hoopgen.outputs import write
 
 from .derivation import derivation_context
-from .loop import weighted
+from .loop import TYPES, weighted
 from .names import FILTERS, identifier
 from .numpy_loop import local
-from .printers import JS, NUMPY, Body, C, constant, print_program
+from .printers import C_SINGLE, JS, NUMPY, Body, C, constant, print_program
 from .program import Program, lower
 from .rows import print_in_rows
 from .view import loop_view
@@ -76,6 +76,7 @@ class KernelView:
     summary: str
     equation: str
     cost: str
+    single: bool
     numpy: Body
     c: Body
     js: Body
@@ -143,6 +144,7 @@ def describe_cost(program: Program) -> str:
 
 def _kernel_view(program: Program, in_loop: bool) -> KernelView:
     kernel: Kernel = program.kernel
+    spelling = C_SINGLE if kernel.single else C
     return KernelView(
         kernel.name,
         [identifier(symbol) for symbol in kernel.arguments],
@@ -150,18 +152,23 @@ def _kernel_view(program: Program, in_loop: bool) -> KernelView:
         kernel.summary,
         kernel.equation,
         describe_cost(program),
+        kernel.single,
         (print_in_rows(program) if in_loop else None) or print_program(program, NUMPY),
-        print_program(program, C),
+        print_program(program, spelling),
         print_program(program, JS),
-        [f"{'M' if isinstance(a, Truth) else 'V'} {identifier(a)}" for a in kernel.arguments],
-        [("M" if t else "V", n) for n, t in zip(kernel.output_names, kernel.truths, strict=True)],
+        [
+            f"{'M' if isinstance(a, Truth) else spelling.number} {identifier(a)}"
+            for a in kernel.arguments
+        ],
+        [(TYPES[kind], n) for n, kind in zip(kernel.output_names, kernel.kinds, strict=True)],
     )
 
 
 def derivation_hash(programs: list[Program]) -> str:
     """Return a hash of what the programs compute, the same on every machine."""
     lines = [
-        repr((p.kernel.name, p.kernel.output_names, p.operations, p.outputs)) for p in programs
+        repr((p.kernel.name, p.kernel.output_names, p.operations, p.outputs, p.kernel.single))
+        for p in programs
     ]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
 

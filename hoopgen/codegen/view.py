@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from hoopgen.derive.follow.fields import Field
 from hoopgen.derive.follow.loop import Loop
+from hoopgen.derive.ground.kernel import Kind
 from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.ground.tree import Do, Node, live_before, needed, reads, writes
 
@@ -32,7 +33,7 @@ class LoopView:
     c
         The lines of C: `permit`, `once` for a job, `admit`, and `follow`, what comes after those.
     c_columns
-        The columns that those need beside the fields.
+        The columns that those need beside the fields, and what each holds.
     c_apart
         What they do in functions of their own.
     numpy
@@ -45,7 +46,7 @@ class LoopView:
     bounds: bool
     fields: tuple[Field, ...]
     c: dict[str, list[str]]
-    c_columns: list[str]
+    c_columns: dict[str, Kind]
     c_apart: list[Apart]
     numpy: dict[str, list[str]]
     columns: dict[str, tuple[list[str], dict[str, str]]]
@@ -81,12 +82,12 @@ def loop_view(
 
 def _in_c(
     prefix: str, variant: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage]
-) -> tuple[dict[str, list[str]], list[str], list[Apart]]:
+) -> tuple[dict[str, list[str]], dict[str, Kind], list[Apart]]:
     """Return the lines of C, the columns that they need beside the fields, and functions."""
-    fields = dict.fromkeys((field.name for field in loop.fields), False)
+    fields: dict[str, Kind] = dict.fromkeys((field.name for field in loop.fields), "double")
     permit = CLoop(prefix, costs, C)
     permitting = needed(stages["permit"][0], {"permitted"})
-    permit.stage(permitting, dict.fromkeys(loop.parameters, False), "", {"permitted"})
+    permit.stage(permitting, dict.fromkeys(loop.parameters, "double"), "", {"permitted"})
     admit = CLists(prefix, costs, C, parameters=loop.parameters, job=loop.job)
     measuring = [node for node in stages["permit"][0] if "measured" in writes([node])]
     # Of many bodies the parameters are many: they are loaded where they are needed alone.
@@ -104,7 +105,7 @@ def _in_c(
             *(["}"] if measuring else []),
         ),
         frozenset() if measuring else frozenset(loop.parameters),
-        {"permitted": True} | ({"measured": False} if measuring else {}),
+        {"permitted": "truth", **({"measured": "double"} if measuring else {})},
     )
     admit.passes(stages["admit"][0], Frame("", dict(fields), "fresh"), fields, permitted)
     (reach, _), (meet, _) = stages["reach"], stages["meet"]
@@ -132,14 +133,15 @@ def _in_c(
     )
     follow.beside = f"LANES({prefix}_ahead)(job, begun + i);"
     follow.passes((*reach, *meet), Frame("", dict(fields)), set(fields), before)
-    columns = [name for name in (*admit.columns, *follow.columns) if name not in fields]
+    beside: dict[str, Kind] = {"body": "double", **admit.columns, **follow.columns}
+    columns = {name: kind for name, kind in beside.items() if name not in fields}
     lines = {
         "permit": permit.lines,
         "once": follow.once,
         "admit": admit.lines,
         "follow": follow.lines,
     }
-    return lines, ["body", *dict.fromkeys(columns)], follow.apart
+    return lines, columns, follow.apart
 
 
 def _measured(prefix: str, nodes: Iterable[Node], row: str) -> list[str]:

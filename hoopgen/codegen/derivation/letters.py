@@ -51,7 +51,8 @@ FLIGHTS = {
     "refined": Letter("t_R", "that root by one more step of Newton's method"),
     "candidate": Letter("t_?", "root that counts if it lies within the bounds"),
     "side": Letter(r"\pm", "1 outside the surface, -1 where its rest would be, beyond its bounds"),
-    "after": Letter("t_1", "time that a window begins no earlier than"),
+    "after": Letter("t_1", "time up to which a search has come"),
+    "lasting": Letter(r"\tau", "time since a search in single precision began"),
     "apex": Letter("t_a", "time at which a plane's gap is extreme"),
     "height": Letter("F_a", "the gap then"),
     "share": Letter(
@@ -143,6 +144,8 @@ LOOP = {
     "hit": Letter(r"\text{hit}", "the search has come to a root"),
     "sure": Letter(r"\text{sure}", "and that root is certain"),
     "met": Letter(r"\text{met}", "it is a root at which the ball comes in"),
+    "searching": Letter(r"\text{searching}", "there is a window to search"),
+    "fits": Letter(r"\text{fits}", "sizes are such that single precision serves"),
     "sunk": Letter(r"\text{sunk}", "the ball is on the other side than the search took it to be"),
     "vague": Letter(r"\text{vague}", "it is to be looked at with smaller errors allowed"),
     "certain": Letter(r"\text{certain}", "what was found is certain"),
