@@ -9,10 +9,11 @@ proves that there is none, and near a simple root the steps converge quadratical
 margin m in the parabola the same holds for the true F, of which only rounded values are known; the
 search ends where F <= 2 m, a distance that every step still makes headway in.
 
-It may end earlier. Where the slope r = -F' - m' fulfils r² > 8 C (2^5 (F - m) + m) with |F''| <= C,
-one root follows and is simple, also of the true F (Kantorovich, with h = C F / r²). Three steps of
-Newton's method reach it: F > 2 m means h < 2^-7, and the steps end within 2^-48 of the first of
-them; F <= 2 m means that the first is within the root's own error.
+It may end earlier. Where the slope r = -F' - m' fulfils r² > 8 C (2 (F - m) + m) with |F''| <= C,
+one root follows and is simple, also of the true F (Kantorovich, with h = C F / r²). Newton's method
+reaches it: F > 2 m means h < 2^-3, which each step squares and halves. The step after which h is at
+most 2^-49 is the last; F <= 2 m means that any is within the root's own error. Where a root may be
+out of bounds, which is asked after three steps, it is 2^5 in the place of 2.
 
 Where an approach says what single precision makes of its flights (`Coarse`), the search goes as far
 as it gets in single precision first, with margins that hold for that (`coarse.py`).
@@ -121,10 +122,10 @@ class Approach(ABC):
         return IfLess(0, leaving, hold(self.leaving_gap, r"F_\ell"), hold(self.gap, "F"))
 
     def refine(self) -> dict[str, sp.Expr]:
-        """Return Newton's next value of a root near t, and the rate there."""
+        """Return Newton's next value of a root near t, and gap and rate there."""
         gap = self._searched()
         rate_here = hold(self.rate, "F'")
-        return {"time": t - gap / rate_here, "rate": rate_here}
+        return {"time": t - gap / rate_here, "gap": gap, "rate": rate_here}
 
     def advance(self, side: sp.Expr = sp.Integer(1)) -> dict[str, sp.Expr]:
         """Return gap, rate, bend, a step without a root, where it ends, and the clearance.
@@ -154,7 +155,7 @@ class Approach(ABC):
         step = first_root(low_gap, slope, hold(curvature, "M"))
         stride = smallest(width, step)
         least_fall = hold(-rate - rate_margin)
-        enough = least_fall**2 - 8 * ceiling * hold(self.headroom(low_gap))
+        enough = least_fall**2 - 8 * ceiling * hold(self.headroom(low_gap, turned))
         return {
             "gap": gap,
             "rate": rate,
@@ -165,9 +166,13 @@ class Approach(ABC):
             "clearance": IfLess(0, least_fall, enough, least_fall),
         }
 
-    def headroom(self, low_gap: sp.Expr) -> sp.Expr:
-        """Return 2^5 (F - m) + m, of which a root that follows needs so much slope."""
-        return 2**5 * low_gap + self.allowed
+    def headroom(self, low_gap: sp.Expr, turned: bool) -> sp.Expr:
+        """Return k (F - m) + m, of which a root that follows needs so much slope.
+
+        With k = 2 Newton's method converges; with 2^5 three steps, of which the first is done here,
+        find the root.
+        """
+        return (2**5 if turned else 2) * low_gap + self.allowed
 
 
 def _positive(quantity: sp.Expr) -> sp.Expr:

@@ -6,11 +6,12 @@ goes no further than twice the annulus's outer radius A = R_H + R, and verticall
 3/2 g D² + 2 R. With v = 2^-24, the unit roundoff of single precision, the roundings of that place,
 of Eq. 3 and of the event condition come to less than
 
-    p = 2^-19 (A + g D²) = 32 v (A + g D²)
+    p = 2^-20 (A + g D²) = 16 v (A + g D²)
 
-if they are all counted as errors of the place, and 2^-22 of the speed as errors of the velocity:
-of Eq. 3 there are 13 v (A + g D²), and each rounding that `RingApproach.margins` names, with v in
-the place of u, is less than what those margins make of the rest of p. The margins of the search in
+if they are all counted as errors of the place, and 2^-22 of the speed as errors of the velocity: of
+the place there are 6 v A + 7/2 v g D², of the gap's formula what 5/2 v A would make, of time what
+3 v A + 3/2 v g D² would; and what is left of p makes more than the roundings of the rate, 32 v A
+times the speed, and of F/t, 24 v A times the speed and max(1, R/I). The margins of the search in
 double precision, given these as errors, are therefore those of the search in single precision.
 
 Of the bound on F'' the roundings stay below `ease`: rho' is off by v V (39 A/I + 5), which moves
@@ -19,8 +20,8 @@ rest is relative, 8 v. By so much time is rounded at the edges of windows, too, 
 begin: 2^-16 R and less, of the 2^-14 R that they are wider by.
 
 So a step is without a root for the true flight, too, and where the slope r fulfils
-r² > 8 C 2^5 (F - m + 2 m) there is one simple root, three steps of Newton's method away: F itself
-is at most F - m + 2 m, and so h < 2^-8. A search that gets no further, because F is within its
+r² > 16 C (F - m + 2 m) one simple root follows, to which Newton's method converges: F itself is at
+most F - m + 2 m, and so h < 2^-4. A search that gets no further, because F is within its
 margin or a step is none, goes on from there in double precision; so does one that is not of those
 sizes, or in which anything is not a number.
 """
@@ -64,9 +65,9 @@ class CoarseRing(RingApproach):
         """The windows after the first, which nothing is before."""
         return opening(len(self.windows))[1:]
 
-    def headroom(self, low_gap: sp.Expr) -> sp.Expr:
-        """Return 2^5 (F - m + 2 m), which F itself is less than 2^-5 of."""
-        return 2**5 * hold(low_gap + 2 * self.allowed)
+    def headroom(self, low_gap: sp.Expr, turned: bool) -> sp.Expr:
+        """Return 2 (F - m + 2 m), half of which F itself is at most."""
+        return 2 * hold(low_gap + 2 * self.allowed)
 
     @property
     def allowed(self) -> sp.Expr:
@@ -97,7 +98,7 @@ class CoarseRing(RingApproach):
             # F/t is of the place where the ball left.
             AtMost(leaving * t, 0),
         )
-        shift = sp.Rational(1, 2**19) * hold(outermost + dropped)
+        shift = sp.Rational(1, 2**20) * hold(outermost + dropped)
         blur = sp.Rational(1, 2**22) * fastest
         windows = {
             name: symbol - t
@@ -120,7 +121,7 @@ class CoarseRing(RingApproach):
     def leap(self) -> dict[str, sp.Basic]:
         """Return where the search is after a step, in which window, and how it stands.
 
-        `certain` where one simple root follows; it is then three steps of Newton's method from `t`.
+        `certain` where one simple root follows, to which Newton's method converges from `t`.
         `t` is infinite where no window is left.
         """
         said = self.advance()
@@ -133,7 +134,7 @@ class CoarseRing(RingApproach):
         entered = enter(len(self.windows), 1, end, sp.oo)
         more = entered["searching"]
         return {
-            "t": Choose(exhausted, entered["t"], Choose(some(sure, stuck), t, following)),
+            "t": Choose(exhausted, entered["t"], Choose(stuck, t, following)),
             "end": Choose(exhausted, entered["end"], end),
             "certain": sure,
             "leaping": every(Not(some(sure, stuck)), some(Not(exhausted), more)),

@@ -20,6 +20,9 @@ from .windows import enter
 STEP_LIMIT = 201
 """Steps after which a search gives up and the shot is uncertain; a search takes about five."""
 
+NEWTON_LIMIT = 8
+"""Steps of Newton's method at the most; from h < 2^-3 it takes four."""
+
 _BOUNDS = "bounds of the event condition"
 
 
@@ -72,7 +75,7 @@ class CurvedSearch(Search):
             ),
             "refine": (
                 approach.refine(),
-                "Newton's next value of a root near t, and the rate there.",
+                "Newton's next value of a root near t, and gap and rate there.",
                 "Newton's method",
             ),
             "advance": (
@@ -120,8 +123,7 @@ class CurvedSearch(Search):
         else:
             again = (*_allowing(common, own), Do(own["enter"], {"after": "t"}), *found)
             search = (*begun, *_leaping(common, own, index), Guard("searching", again))
-        newton = 2 if self.surface.bounds else 3
-        yield Guard("open", (*search, *_landing(common, own, index, newton), *proposed(index)))
+        yield Guard("open", (*search, *_landing(common, own, index), *proposed(index)))
 
 
 def _coarse(coarse: CoarseRing) -> dict[str, Formula]:
@@ -213,13 +215,15 @@ def _bounded_step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     yield Guard("exhausted", (Do(own["enter"], {"after": "end"}),))
 
 
-def _landing(common: Parts, own: Parts, index: Value, newton: int) -> Iterator[Node]:
-    """Refine what was found by so many steps, with the shot's own errors."""
+def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
+    """Refine what was found, with the shot's own errors."""
     yield Do(KERNELS["found"])
     yield Do(KERNELS["nearby"], {"index": index, "t": "arrival"})
-    for _ in range(newton):
-        yield Do(own["refine"], {"t": "arrival"}, {"time": "refined"})
-        yield Do(KERNELS["polished"])
+    newton = (
+        Do(own["refine"], {"t": "arrival"}, {"time": "refined"}),
+        Do(KERNELS["polished"]),
+    )
+    yield Repeat("refining", NEWTON_LIMIT, newton)
     yield Do(own["margins"], {"horizon": "latest"}, {"margin": "flat", "leaving_margin": "tilt"})
     yield Do(KERNELS["own_margin"])
     yield Do(common["crossing"])

@@ -22,7 +22,7 @@ from ..ground.choice import (
     some,
 )
 from ..ground.kernel import decision
-from .events import SHARES
+from .events import SHARES, ceiling
 
 when, which, last, index, time, doubt, delay = sp.symbols(
     "when which last index time doubt delay", real=True
@@ -56,6 +56,9 @@ def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
     """Return the earliest doubt, with one at a time where a condition holds."""
     return Choose(every(condition, Less(at, doubt)), at, doubt)
 
+
+CONVERGED = sp.Rational(1, 2**24)
+"""Newton's method from where h is less ends with h below 2^-49."""
 
 _sooner = every(arrives, Less(time, when))
 _tie = AtMost(size(time - when), delay + late)
@@ -177,7 +180,7 @@ KERNELS = {
         decision(
             "advanced",
             {
-                "arrival": Choose(hit, t, arrival),
+                "arrival": Choose(hit, Choose(sure, following, t), arrival),
                 "certain": Either(certain, every(hit, sure)),
                 "exhausted": _exhausted,
                 "searching": every(Not(hit), Not(_exhausted)),
@@ -187,13 +190,16 @@ KERNELS = {
         ),
         decision(
             "found",
-            {"arrives": Less(arrival, sp.oo)},
+            {"arrives": Less(arrival, sp.oo), "refining": Less(arrival, sp.oo), "rate": 0},
             "Whether a search found an arrival.",
         ),
         decision(
             "polished",
-            {"arrival": Choose(certain, refined, arrival)},
-            "A root that is certain, refined.",
+            {
+                "arrival": Choose(certain, refined, arrival),
+                "refining": every(certain, Less(CONVERGED * rate**2, ceiling * size(gap))),
+            },
+            "A root that is certain, refined, and whether h is above 2^-24: then it is again.",
         ),
         decision(
             "own_margin",

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation a21c6f9dd1a545a0,
+   Generated from templates/c/engine.h.j2, scene court, derivation 9a7e37915ce1ad85,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -272,6 +272,24 @@ typedef struct {
     LANES(court_column) open_searching_searching_x;
     LANES(court_column) open_searching_searching_y;
     LANES(court_column) open_searching_searching_z;
+    LANES(court_column) open_arrives;
+    LANES(court_column) open_refining_row;
+    LANES(court_column) open_refining_arrival;
+    LANES(court_column) open_refining_ceiling;
+    LANES(court_column) open_refining_certain;
+    LANES(court_column) open_refining_leaving;
+    LANES(court_column) open_refining_p_ball_radius;
+    LANES(court_column) open_refining_p_gravity;
+    LANES(court_column) open_refining_p_ring_radius;
+    LANES(court_column) open_refining_p_wire_radius;
+    LANES(court_column) open_refining_refining;
+    LANES(court_column) open_refining_rho_start;
+    LANES(court_column) open_refining_vx;
+    LANES(court_column) open_refining_vy;
+    LANES(court_column) open_refining_vz;
+    LANES(court_column) open_refining_x;
+    LANES(court_column) open_refining_y;
+    LANES(court_column) open_refining_z;
     LANES(court_column) open_p_board_bottom;
     LANES(court_column) open_p_board_distance;
     LANES(court_column) open_p_board_half_width;
@@ -284,10 +302,17 @@ typedef struct {
     LANES(court_column) open_searching_p_board_top;
     LANES(court_column) open_searching_rate_slack;
     LANES(court_column) open_searching_searching;
+    LANES(court_column) open_refining_p_board_bottom;
+    LANES(court_column) open_refining_p_board_distance;
+    LANES(court_column) open_refining_p_board_half_width;
+    LANES(court_column) open_refining_p_board_thickness;
+    LANES(court_column) open_refining_p_board_top;
     LANES(court_column) open_p_bridge_depth;
     LANES(court_column) open_p_bridge_half_width;
     LANES(court_column) open_searching_p_bridge_depth;
     LANES(court_column) open_searching_p_bridge_half_width;
+    LANES(court_column) open_refining_p_bridge_depth;
+    LANES(court_column) open_refining_p_bridge_half_width;
     LANES(court_column) kept_row;
     LANES(court_column) kept_circled;
     LANES(court_column) kept_clock;
@@ -770,114 +795,114 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o113 =
+        const LANES(court_resumed_out) _o101 =
             LANES(court_resumed)(clock, mode, K(0.0), K(0.0));
-        V which = _o113.which;
-        V began = _o113.began;
-        M begins = _o113.begins;
-        M rolling = _o113.rolling;
-        M leaves = _o113.leaves;
-        V nx = _o113.nx;
-        V ny = _o113.ny;
-        V nz = _o113.nz;
-        V gap = _o113.gap;
-        V bent_x = _o113.bent_x;
-        V bent_y = _o113.bent_y;
-        V bent_z = _o113.bent_z;
-        V lift = _o113.lift;
-        V surge = _o113.surge;
-        V snap = _o113.snap;
-        V per_reach = _o113.per_reach;
-        const M _m114 = lanes_both(rows, begins);
-        if (lanes_any(_m114)) {
-            const LANES(court_holding_out) _o115 =
+        V which = _o101.which;
+        V began = _o101.began;
+        M begins = _o101.begins;
+        M rolling = _o101.rolling;
+        M leaves = _o101.leaves;
+        V nx = _o101.nx;
+        V ny = _o101.ny;
+        V nz = _o101.nz;
+        V gap = _o101.gap;
+        V bent_x = _o101.bent_x;
+        V bent_y = _o101.bent_y;
+        V bent_z = _o101.bent_z;
+        V lift = _o101.lift;
+        V surge = _o101.surge;
+        V snap = _o101.snap;
+        V per_reach = _o101.per_reach;
+        const M _m102 = lanes_both(rows, begins);
+        if (lanes_any(_m102)) {
+            const LANES(court_holding_out) _o103 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o115.here;
-            const M _m116 = lanes_both(_m114, here);
+            M here = _o103.here;
+            const M _m104 = lanes_both(_m102, here);
             {
-                const LANES(court_ring_normal_out) _o117 =
+                const LANES(court_ring_normal_out) _o105 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m116, _o117.nx, nx);
-                ny = lanes_select(_m116, _o117.ny, ny);
-                nz = lanes_select(_m116, _o117.nz, nz);
+                nx = lanes_select(_m104, _o105.nx, nx);
+                ny = lanes_select(_m104, _o105.ny, ny);
+                nz = lanes_select(_m104, _o105.nz, nz);
             }
-            const LANES(court_holding_out) _o118 =
+            const LANES(court_holding_out) _o106 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o118.here;
-            const M _m119 = lanes_both(_m114, here);
+            here = _o106.here;
+            const M _m107 = lanes_both(_m102, here);
             {
-                const LANES(court_backboard_normal_out) _o120 =
+                const LANES(court_backboard_normal_out) _o108 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m119, _o120.nx, nx);
-                ny = lanes_select(_m119, _o120.ny, ny);
-                nz = lanes_select(_m119, _o120.nz, nz);
+                nx = lanes_select(_m107, _o108.nx, nx);
+                ny = lanes_select(_m107, _o108.ny, ny);
+                nz = lanes_select(_m107, _o108.nz, nz);
             }
-            const LANES(court_holding_out) _o121 =
+            const LANES(court_holding_out) _o109 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o121.here;
-            const M _m122 = lanes_both(_m114, here);
+            here = _o109.here;
+            const M _m110 = lanes_both(_m102, here);
             {
-                const LANES(court_bridge_normal_out) _o123 =
+                const LANES(court_bridge_normal_out) _o111 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m122, _o123.nx, nx);
-                ny = lanes_select(_m122, _o123.ny, ny);
-                nz = lanes_select(_m122, _o123.nz, nz);
+                nx = lanes_select(_m110, _o111.nx, nx);
+                ny = lanes_select(_m110, _o111.ny, ny);
+                nz = lanes_select(_m110, _o111.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o124 =
+            const LANES(court_roll_turn_rate_out) _o112 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o124.turn_rate;
-            const LANES(court_gripped_out) _o125 =
+            V turn_rate = _o112.turn_rate;
+            const LANES(court_gripped_out) _o113 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o125.rolled_x;
-            V rolled_y = _o125.rolled_y;
-            V rolled_z = _o125.rolled_z;
-            const LANES(court_holding_out) _o126 =
+            V rolled_x = _o113.rolled_x;
+            V rolled_y = _o113.rolled_y;
+            V rolled_z = _o113.rolled_z;
+            const LANES(court_holding_out) _o114 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o126.here;
-            const M _m127 = lanes_both(_m114, here);
+            here = _o114.here;
+            const M _m115 = lanes_both(_m102, here);
             {
-                const LANES(court_ring_off_out) _o128 =
+                const LANES(court_ring_off_out) _o116 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m127, _o128.gap, gap);
+                gap = lanes_select(_m115, _o116.gap, gap);
             }
-            const LANES(court_holding_out) _o129 =
+            const LANES(court_holding_out) _o117 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o129.here;
-            const M _m130 = lanes_both(_m114, here);
+            here = _o117.here;
+            const M _m118 = lanes_both(_m102, here);
             {
-                const LANES(court_backboard_off_out) _o131 =
+                const LANES(court_backboard_off_out) _o119 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m130, _o131.gap, gap);
+                gap = lanes_select(_m118, _o119.gap, gap);
             }
-            const LANES(court_holding_out) _o132 =
+            const LANES(court_holding_out) _o120 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o132.here;
-            const M _m133 = lanes_both(_m114, here);
+            here = _o120.here;
+            const M _m121 = lanes_both(_m102, here);
             {
-                const LANES(court_bridge_off_out) _o134 =
+                const LANES(court_bridge_off_out) _o122 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m133, _o134.gap, gap);
+                gap = lanes_select(_m121, _o122.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o135 =
+            const LANES(court_roll_placed_out) _o123 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m114, _o135.x, x);
-            y = lanes_select(_m114, _o135.y, y);
-            z = lanes_select(_m114, _o135.z, z);
-            vx = lanes_select(_m114, _o135.vx, vx);
-            vy = lanes_select(_m114, _o135.vy, vy);
-            vz = lanes_select(_m114, _o135.vz, vz);
-            wx = lanes_select(_m114, _o135.wx, wx);
-            wy = lanes_select(_m114, _o135.wy, wy);
-            wz = lanes_select(_m114, _o135.wz, wz);
-            const LANES(court_beginning_contact_out) _o136 =
+            x = lanes_select(_m102, _o123.x, x);
+            y = lanes_select(_m102, _o123.y, y);
+            z = lanes_select(_m102, _o123.z, z);
+            vx = lanes_select(_m102, _o123.vx, vx);
+            vy = lanes_select(_m102, _o123.vy, vy);
+            vz = lanes_select(_m102, _o123.vz, vz);
+            wx = lanes_select(_m102, _o123.wx, wx);
+            wy = lanes_select(_m102, _o123.wy, wy);
+            wz = lanes_select(_m102, _o123.wz, wz);
+            const LANES(court_beginning_contact_out) _o124 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m114, _o136.which, which);
-            circled = lanes_select(_m114, _o136.circled, circled);
+            which = lanes_select(_m102, _o124.which, which);
+            circled = lanes_select(_m102, _o124.circled, circled);
         }
-        const LANES(court_circles_out) _o137 =
+        const LANES(court_circles_out) _o125 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o137.circling;
-        rolling = _o137.rolling;
+        M circling = _o125.circling;
+        rolling = _o125.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -1030,388 +1055,388 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_holding_out) _o138 =
+            const LANES(court_holding_out) _o126 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o138.here;
-            const M _m139 = lanes_both(active, here);
-            if (lanes_any(_m139)) {
-                const LANES(court_backboard_normal_out) _o140 =
+            M here = _o126.here;
+            const M _m127 = lanes_both(active, here);
+            if (lanes_any(_m127)) {
+                const LANES(court_backboard_normal_out) _o128 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m139, _o140.nx, nx);
-                ny = lanes_select(_m139, _o140.ny, ny);
-                nz = lanes_select(_m139, _o140.nz, nz);
-                const LANES(court_backboard_tube_out) _o141 =
+                nx = lanes_select(_m127, _o128.nx, nx);
+                ny = lanes_select(_m127, _o128.ny, ny);
+                nz = lanes_select(_m127, _o128.nz, nz);
+                const LANES(court_backboard_tube_out) _o129 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m139, _o141.bent_x, bent_x);
-                bent_y = lanes_select(_m139, _o141.bent_y, bent_y);
-                bent_z = lanes_select(_m139, _o141.bent_z, bent_z);
-                per_reach = lanes_select(_m139, _o141.per_reach, per_reach);
+                bent_x = lanes_select(_m127, _o129.bent_x, bent_x);
+                bent_y = lanes_select(_m127, _o129.bent_y, bent_y);
+                bent_z = lanes_select(_m127, _o129.bent_z, bent_z);
+                per_reach = lanes_select(_m127, _o129.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o142 =
+            const LANES(court_holding_out) _o130 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o142.here;
-            const M _m143 = lanes_both(active, here);
-            if (lanes_any(_m143)) {
-                const LANES(court_bridge_normal_out) _o144 =
+            here = _o130.here;
+            const M _m131 = lanes_both(active, here);
+            if (lanes_any(_m131)) {
+                const LANES(court_bridge_normal_out) _o132 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m143, _o144.nx, nx);
-                ny = lanes_select(_m143, _o144.ny, ny);
-                nz = lanes_select(_m143, _o144.nz, nz);
-                const LANES(court_bridge_tube_out) _o145 =
+                nx = lanes_select(_m131, _o132.nx, nx);
+                ny = lanes_select(_m131, _o132.ny, ny);
+                nz = lanes_select(_m131, _o132.nz, nz);
+                const LANES(court_bridge_tube_out) _o133 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m143, _o145.bent_x, bent_x);
-                bent_y = lanes_select(_m143, _o145.bent_y, bent_y);
-                bent_z = lanes_select(_m143, _o145.bent_z, bent_z);
-                per_reach = lanes_select(_m143, _o145.per_reach, per_reach);
+                bent_x = lanes_select(_m131, _o133.bent_x, bent_x);
+                bent_y = lanes_select(_m131, _o133.bent_y, bent_y);
+                bent_z = lanes_select(_m131, _o133.bent_z, bent_z);
+                per_reach = lanes_select(_m131, _o133.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o146 =
+            const LANES(court_roll_start_out) _o134 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o146.vx_0;
-            V vy_0 = _o146.vy_0;
-            V vz_0 = _o146.vz_0;
-            V nx_0 = _o146.nx_0;
-            V ny_0 = _o146.ny_0;
-            V nz_0 = _o146.nz_0;
-            V turn_rate_0 = _o146.turn_rate_0;
-            const LANES(court_roll_0_out) _o147 =
+            V vx_0 = _o134.vx_0;
+            V vy_0 = _o134.vy_0;
+            V vz_0 = _o134.vz_0;
+            V nx_0 = _o134.nx_0;
+            V ny_0 = _o134.ny_0;
+            V nz_0 = _o134.nz_0;
+            V turn_rate_0 = _o134.turn_rate_0;
+            const LANES(court_roll_0_out) _o135 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o147.lift_0;
-            V tx_0 = _o147.tx_0;
-            V ty_0 = _o147.ty_0;
-            V tz_0 = _o147.tz_0;
-            V vx_1 = _o147.vx_1;
-            V vy_1 = _o147.vy_1;
-            V vz_1 = _o147.vz_1;
-            V nx_1 = _o147.nx_1;
-            V ny_1 = _o147.ny_1;
-            V nz_1 = _o147.nz_1;
-            V turn_rate_1 = _o147.turn_rate_1;
-            const LANES(court_roll_1_out) _o148 =
+            V lift_0 = _o135.lift_0;
+            V tx_0 = _o135.tx_0;
+            V ty_0 = _o135.ty_0;
+            V tz_0 = _o135.tz_0;
+            V vx_1 = _o135.vx_1;
+            V vy_1 = _o135.vy_1;
+            V vz_1 = _o135.vz_1;
+            V nx_1 = _o135.nx_1;
+            V ny_1 = _o135.ny_1;
+            V nz_1 = _o135.nz_1;
+            V turn_rate_1 = _o135.turn_rate_1;
+            const LANES(court_roll_1_out) _o136 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o148.lift_1;
-            V tx_1 = _o148.tx_1;
-            V ty_1 = _o148.ty_1;
-            V tz_1 = _o148.tz_1;
-            V vx_2 = _o148.vx_2;
-            V vy_2 = _o148.vy_2;
-            V vz_2 = _o148.vz_2;
-            V nx_2 = _o148.nx_2;
-            V ny_2 = _o148.ny_2;
-            V nz_2 = _o148.nz_2;
-            V turn_rate_2 = _o148.turn_rate_2;
-            const LANES(court_roll_2_out) _o149 =
+            V lift_1 = _o136.lift_1;
+            V tx_1 = _o136.tx_1;
+            V ty_1 = _o136.ty_1;
+            V tz_1 = _o136.tz_1;
+            V vx_2 = _o136.vx_2;
+            V vy_2 = _o136.vy_2;
+            V vz_2 = _o136.vz_2;
+            V nx_2 = _o136.nx_2;
+            V ny_2 = _o136.ny_2;
+            V nz_2 = _o136.nz_2;
+            V turn_rate_2 = _o136.turn_rate_2;
+            const LANES(court_roll_2_out) _o137 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o149.lift_2;
-            V tx_2 = _o149.tx_2;
-            V ty_2 = _o149.ty_2;
-            V tz_2 = _o149.tz_2;
-            V vx_3 = _o149.vx_3;
-            V vy_3 = _o149.vy_3;
-            V vz_3 = _o149.vz_3;
-            V nx_3 = _o149.nx_3;
-            V ny_3 = _o149.ny_3;
-            V nz_3 = _o149.nz_3;
-            V turn_rate_3 = _o149.turn_rate_3;
-            const LANES(court_roll_3_out) _o150 =
+            V lift_2 = _o137.lift_2;
+            V tx_2 = _o137.tx_2;
+            V ty_2 = _o137.ty_2;
+            V tz_2 = _o137.tz_2;
+            V vx_3 = _o137.vx_3;
+            V vy_3 = _o137.vy_3;
+            V vz_3 = _o137.vz_3;
+            V nx_3 = _o137.nx_3;
+            V ny_3 = _o137.ny_3;
+            V nz_3 = _o137.nz_3;
+            V turn_rate_3 = _o137.turn_rate_3;
+            const LANES(court_roll_3_out) _o138 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o150.lift_3;
-            V tx_3 = _o150.tx_3;
-            V ty_3 = _o150.ty_3;
-            V tz_3 = _o150.tz_3;
-            V vx_4 = _o150.vx_4;
-            V vy_4 = _o150.vy_4;
-            V vz_4 = _o150.vz_4;
-            V nx_4 = _o150.nx_4;
-            V ny_4 = _o150.ny_4;
-            V nz_4 = _o150.nz_4;
-            V turn_rate_4 = _o150.turn_rate_4;
-            const LANES(court_roll_4_out) _o151 =
+            V lift_3 = _o138.lift_3;
+            V tx_3 = _o138.tx_3;
+            V ty_3 = _o138.ty_3;
+            V tz_3 = _o138.tz_3;
+            V vx_4 = _o138.vx_4;
+            V vy_4 = _o138.vy_4;
+            V vz_4 = _o138.vz_4;
+            V nx_4 = _o138.nx_4;
+            V ny_4 = _o138.ny_4;
+            V nz_4 = _o138.nz_4;
+            V turn_rate_4 = _o138.turn_rate_4;
+            const LANES(court_roll_4_out) _o139 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o151.lift_4;
-            V tx_4 = _o151.tx_4;
-            V ty_4 = _o151.ty_4;
-            V tz_4 = _o151.tz_4;
-            V vx_5 = _o151.vx_5;
-            V vy_5 = _o151.vy_5;
-            V vz_5 = _o151.vz_5;
-            V nx_5 = _o151.nx_5;
-            V ny_5 = _o151.ny_5;
-            V nz_5 = _o151.nz_5;
-            V turn_rate_5 = _o151.turn_rate_5;
-            const LANES(court_roll_5_out) _o152 =
+            V lift_4 = _o139.lift_4;
+            V tx_4 = _o139.tx_4;
+            V ty_4 = _o139.ty_4;
+            V tz_4 = _o139.tz_4;
+            V vx_5 = _o139.vx_5;
+            V vy_5 = _o139.vy_5;
+            V vz_5 = _o139.vz_5;
+            V nx_5 = _o139.nx_5;
+            V ny_5 = _o139.ny_5;
+            V nz_5 = _o139.nz_5;
+            V turn_rate_5 = _o139.turn_rate_5;
+            const LANES(court_roll_5_out) _o140 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o152.lift_5;
-            V tx_5 = _o152.tx_5;
-            V ty_5 = _o152.ty_5;
-            V tz_5 = _o152.tz_5;
-            V vx_6 = _o152.vx_6;
-            V vy_6 = _o152.vy_6;
-            V vz_6 = _o152.vz_6;
-            V nx_6 = _o152.nx_6;
-            V ny_6 = _o152.ny_6;
-            V nz_6 = _o152.nz_6;
-            V turn_rate_6 = _o152.turn_rate_6;
-            const LANES(court_roll_6_out) _o153 =
+            V lift_5 = _o140.lift_5;
+            V tx_5 = _o140.tx_5;
+            V ty_5 = _o140.ty_5;
+            V tz_5 = _o140.tz_5;
+            V vx_6 = _o140.vx_6;
+            V vy_6 = _o140.vy_6;
+            V vz_6 = _o140.vz_6;
+            V nx_6 = _o140.nx_6;
+            V ny_6 = _o140.ny_6;
+            V nz_6 = _o140.nz_6;
+            V turn_rate_6 = _o140.turn_rate_6;
+            const LANES(court_roll_6_out) _o141 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o153.lift_6;
-            V tx_6 = _o153.tx_6;
-            V ty_6 = _o153.ty_6;
-            V tz_6 = _o153.tz_6;
-            V vx_7 = _o153.vx_7;
-            V vy_7 = _o153.vy_7;
-            V vz_7 = _o153.vz_7;
-            V nx_7 = _o153.nx_7;
-            V ny_7 = _o153.ny_7;
-            V nz_7 = _o153.nz_7;
-            V turn_rate_7 = _o153.turn_rate_7;
-            const LANES(court_roll_7_out) _o154 =
+            V lift_6 = _o141.lift_6;
+            V tx_6 = _o141.tx_6;
+            V ty_6 = _o141.ty_6;
+            V tz_6 = _o141.tz_6;
+            V vx_7 = _o141.vx_7;
+            V vy_7 = _o141.vy_7;
+            V vz_7 = _o141.vz_7;
+            V nx_7 = _o141.nx_7;
+            V ny_7 = _o141.ny_7;
+            V nz_7 = _o141.nz_7;
+            V turn_rate_7 = _o141.turn_rate_7;
+            const LANES(court_roll_7_out) _o142 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o154.lift_7;
-            V vx_8 = _o154.vx_8;
-            V vy_8 = _o154.vy_8;
-            V vz_8 = _o154.vz_8;
-            V nx_8 = _o154.nx_8;
-            V ny_8 = _o154.ny_8;
-            V nz_8 = _o154.nz_8;
-            V turn_rate_8 = _o154.turn_rate_8;
-            const LANES(court_roll_pace_out) _o155 =
+            V lift_7 = _o142.lift_7;
+            V vx_8 = _o142.vx_8;
+            V vy_8 = _o142.vy_8;
+            V vz_8 = _o142.vz_8;
+            V nx_8 = _o142.nx_8;
+            V ny_8 = _o142.ny_8;
+            V nz_8 = _o142.nz_8;
+            V turn_rate_8 = _o142.turn_rate_8;
+            const LANES(court_roll_pace_out) _o143 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o155.stride;
-            V strongest = _o155.strongest;
-            V fastest = _o155.fastest;
-            V force = _o155.force;
-            V force_rate = _o155.force_rate;
-            V force_bend = _o155.force_bend;
-            V brace = _o155.brace;
-            const LANES(court_leaving_force_out) _o156 =
+            V stride = _o143.stride;
+            V strongest = _o143.strongest;
+            V fastest = _o143.fastest;
+            V force = _o143.force;
+            V force_rate = _o143.force_rate;
+            V force_bend = _o143.force_bend;
+            V brace = _o143.brace;
+            const LANES(court_leaving_force_out) _o144 =
                 LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o156.stride;
-            which = _o156.which;
-            M rests = _o156.rests;
-            const LANES(court_beside_out) _o157 =
+            stride = _o144.stride;
+            which = _o144.which;
+            M rests = _o144.rests;
+            const LANES(court_beside_out) _o145 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o157.beside;
-            const M _m158 = lanes_both(active, beside);
-            if (lanes_any(_m158)) {
-                const LANES(court_ring_beside_out) _o159 =
+            M beside = _o145.beside;
+            const M _m146 = lanes_both(active, beside);
+            if (lanes_any(_m146)) {
+                const LANES(court_ring_beside_out) _o147 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o159.gap;
-                V nearing = _o159.nearing;
-                V dent = _o159.dent;
-                const LANES(court_beside_body_out) _o160 =
+                V gap = _o147.gap;
+                V nearing = _o147.nearing;
+                V dent = _o147.dent;
+                const LANES(court_beside_body_out) _o148 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(0.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m158, _o160.stride, stride);
-                which = lanes_select(_m158, _o160.which, which);
+                stride = lanes_select(_m146, _o148.stride, stride);
+                which = lanes_select(_m146, _o148.which, which);
             }
-            const LANES(court_beside_out) _o161 =
+            const LANES(court_beside_out) _o149 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o161.beside;
-            const M _m162 = lanes_both(active, beside);
-            if (lanes_any(_m162)) {
-                const LANES(court_backboard_beside_out) _o163 =
+            beside = _o149.beside;
+            const M _m150 = lanes_both(active, beside);
+            if (lanes_any(_m150)) {
+                const LANES(court_backboard_beside_out) _o151 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o163.gap;
-                V nearing = _o163.nearing;
-                V dent = _o163.dent;
-                const LANES(court_beside_body_out) _o164 =
+                V gap = _o151.gap;
+                V nearing = _o151.nearing;
+                V dent = _o151.dent;
+                const LANES(court_beside_body_out) _o152 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m162, _o164.stride, stride);
-                which = lanes_select(_m162, _o164.which, which);
+                stride = lanes_select(_m150, _o152.stride, stride);
+                which = lanes_select(_m150, _o152.which, which);
             }
-            const LANES(court_beside_out) _o165 =
+            const LANES(court_beside_out) _o153 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o165.beside;
-            const M _m166 = lanes_both(active, beside);
-            if (lanes_any(_m166)) {
-                const LANES(court_bridge_beside_out) _o167 =
+            beside = _o153.beside;
+            const M _m154 = lanes_both(active, beside);
+            if (lanes_any(_m154)) {
+                const LANES(court_bridge_beside_out) _o155 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o167.gap;
-                V nearing = _o167.nearing;
-                V dent = _o167.dent;
-                const LANES(court_beside_body_out) _o168 =
+                V gap = _o155.gap;
+                V nearing = _o155.nearing;
+                V dent = _o155.dent;
+                const LANES(court_beside_body_out) _o156 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m166, _o168.stride, stride);
-                which = lanes_select(_m166, _o168.which, which);
+                stride = lanes_select(_m154, _o156.stride, stride);
+                which = lanes_select(_m154, _o156.which, which);
             }
-            const LANES(court_end_beside_out) _o169 =
+            const LANES(court_end_beside_out) _o157 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o169.gap;
-            V nearing = _o169.nearing;
-            V dent = _o169.dent;
-            const LANES(court_beside_gate_out) _o170 =
+            V gap = _o157.gap;
+            V nearing = _o157.nearing;
+            V dent = _o157.dent;
+            const LANES(court_beside_gate_out) _o158 =
                 LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o170.stride;
-            which = _o170.which;
-            const LANES(court_holding_out) _o171 =
+            stride = _o158.stride;
+            which = _o158.which;
+            const LANES(court_holding_out) _o159 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o171.here;
-            const M _m172 = lanes_both(active, here);
-            if (lanes_any(_m172)) {
-                const LANES(court_backboard_seam0_out) _o173 =
+            here = _o159.here;
+            const M _m160 = lanes_both(active, here);
+            if (lanes_any(_m160)) {
+                const LANES(court_backboard_seam0_out) _o161 =
                     LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m172, _o173.gap, gap);
-                V nearing = _o173.nearing;
-                V near = _o173.near;
-                const LANES(court_beside_seam_out) _o174 =
+                gap = lanes_select(_m160, _o161.gap, gap);
+                V nearing = _o161.nearing;
+                V near = _o161.near;
+                const LANES(court_beside_seam_out) _o162 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m172, _o174.stride, stride);
-                const LANES(court_backboard_seam1_out) _o175 =
+                stride = lanes_select(_m160, _o162.stride, stride);
+                const LANES(court_backboard_seam1_out) _o163 =
                     LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m172, _o175.gap, gap);
-                nearing = _o175.nearing;
-                near = _o175.near;
+                gap = lanes_select(_m160, _o163.gap, gap);
+                nearing = _o163.nearing;
+                near = _o163.near;
+                const LANES(court_beside_seam_out) _o164 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m160, _o164.stride, stride);
+                const LANES(court_backboard_seam2_out) _o165 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m160, _o165.gap, gap);
+                nearing = _o165.nearing;
+                near = _o165.near;
+                const LANES(court_beside_seam_out) _o166 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m160, _o166.stride, stride);
+                const LANES(court_backboard_seam3_out) _o167 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m160, _o167.gap, gap);
+                nearing = _o167.nearing;
+                near = _o167.near;
+                const LANES(court_beside_seam_out) _o168 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m160, _o168.stride, stride);
+                const LANES(court_backboard_seam4_out) _o169 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m160, _o169.gap, gap);
+                nearing = _o169.nearing;
+                near = _o169.near;
+                const LANES(court_beside_seam_out) _o170 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m160, _o170.stride, stride);
+                const LANES(court_backboard_seam5_out) _o171 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m160, _o171.gap, gap);
+                nearing = _o171.nearing;
+                near = _o171.near;
+                const LANES(court_beside_seam_out) _o172 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m160, _o172.stride, stride);
+            }
+            const LANES(court_holding_out) _o173 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o173.here;
+            const M _m174 = lanes_both(active, here);
+            if (lanes_any(_m174)) {
+                const LANES(court_bridge_seam0_out) _o175 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m174, _o175.gap, gap);
+                V nearing = _o175.nearing;
+                V near = _o175.near;
                 const LANES(court_beside_seam_out) _o176 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m172, _o176.stride, stride);
-                const LANES(court_backboard_seam2_out) _o177 =
-                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m172, _o177.gap, gap);
+                stride = lanes_select(_m174, _o176.stride, stride);
+                const LANES(court_bridge_seam1_out) _o177 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m174, _o177.gap, gap);
                 nearing = _o177.nearing;
                 near = _o177.near;
                 const LANES(court_beside_seam_out) _o178 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m172, _o178.stride, stride);
-                const LANES(court_backboard_seam3_out) _o179 =
-                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m172, _o179.gap, gap);
+                stride = lanes_select(_m174, _o178.stride, stride);
+                const LANES(court_bridge_seam2_out) _o179 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m174, _o179.gap, gap);
                 nearing = _o179.nearing;
                 near = _o179.near;
                 const LANES(court_beside_seam_out) _o180 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m172, _o180.stride, stride);
-                const LANES(court_backboard_seam4_out) _o181 =
-                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m172, _o181.gap, gap);
+                stride = lanes_select(_m174, _o180.stride, stride);
+                const LANES(court_bridge_seam3_out) _o181 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m174, _o181.gap, gap);
                 nearing = _o181.nearing;
                 near = _o181.near;
                 const LANES(court_beside_seam_out) _o182 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m172, _o182.stride, stride);
-                const LANES(court_backboard_seam5_out) _o183 =
-                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m172, _o183.gap, gap);
+                stride = lanes_select(_m174, _o182.stride, stride);
+                const LANES(court_bridge_seam4_out) _o183 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m174, _o183.gap, gap);
                 nearing = _o183.nearing;
                 near = _o183.near;
                 const LANES(court_beside_seam_out) _o184 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m172, _o184.stride, stride);
-            }
-            const LANES(court_holding_out) _o185 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o185.here;
-            const M _m186 = lanes_both(active, here);
-            if (lanes_any(_m186)) {
-                const LANES(court_bridge_seam0_out) _o187 =
-                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m186, _o187.gap, gap);
-                V nearing = _o187.nearing;
-                V near = _o187.near;
-                const LANES(court_beside_seam_out) _o188 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m186, _o188.stride, stride);
-                const LANES(court_bridge_seam1_out) _o189 =
-                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m186, _o189.gap, gap);
-                nearing = _o189.nearing;
-                near = _o189.near;
-                const LANES(court_beside_seam_out) _o190 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m186, _o190.stride, stride);
-                const LANES(court_bridge_seam2_out) _o191 =
-                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m186, _o191.gap, gap);
-                nearing = _o191.nearing;
-                near = _o191.near;
-                const LANES(court_beside_seam_out) _o192 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m186, _o192.stride, stride);
-                const LANES(court_bridge_seam3_out) _o193 =
-                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m186, _o193.gap, gap);
-                nearing = _o193.nearing;
-                near = _o193.near;
-                const LANES(court_beside_seam_out) _o194 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m186, _o194.stride, stride);
-                const LANES(court_bridge_seam4_out) _o195 =
-                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m186, _o195.gap, gap);
-                nearing = _o195.nearing;
-                near = _o195.near;
-                const LANES(court_beside_seam_out) _o196 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m186, _o196.stride, stride);
-                const LANES(court_bridge_seam5_out) _o197 =
+                stride = lanes_select(_m174, _o184.stride, stride);
+                const LANES(court_bridge_seam5_out) _o185 =
                     LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m186, _o197.gap, gap);
-                nearing = _o197.nearing;
-                near = _o197.near;
-                const LANES(court_beside_seam_out) _o198 =
+                gap = lanes_select(_m174, _o185.gap, gap);
+                nearing = _o185.nearing;
+                near = _o185.near;
+                const LANES(court_beside_seam_out) _o186 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m186, _o198.stride, stride);
+                stride = lanes_select(_m174, _o186.stride, stride);
             }
-            const LANES(court_beside_time_out) _o199 =
+            const LANES(court_beside_time_out) _o187 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o199.stride;
-            which = _o199.which;
-            const LANES(court_passing_from_out) _o200 =
+            stride = _o187.stride;
+            which = _o187.which;
+            const LANES(court_passing_from_out) _o188 =
                 LANES(court_passing_from)(z);
-            M over = _o200.over;
-            const LANES(court_roll_moved_out) _o201 =
+            M over = _o188.over;
+            const LANES(court_roll_moved_out) _o189 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o201.x;
-            vx = _o201.vx;
-            y = _o201.y;
-            vy = _o201.vy;
-            z = _o201.z;
-            vz = _o201.vz;
-            V turn_rate = _o201.turn_rate;
-            const LANES(court_holding_out) _o202 =
+            x = _o189.x;
+            vx = _o189.vx;
+            y = _o189.y;
+            vy = _o189.vy;
+            z = _o189.z;
+            vz = _o189.vz;
+            V turn_rate = _o189.turn_rate;
+            const LANES(court_holding_out) _o190 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o202.here;
-            const M _m203 = lanes_both(active, here);
-            if (lanes_any(_m203)) {
-                const LANES(court_backboard_normal_out) _o204 =
+            here = _o190.here;
+            const M _m191 = lanes_both(active, here);
+            if (lanes_any(_m191)) {
+                const LANES(court_backboard_normal_out) _o192 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m203, _o204.nx, nx);
-                ny = lanes_select(_m203, _o204.ny, ny);
-                nz = lanes_select(_m203, _o204.nz, nz);
-                const LANES(court_backboard_off_out) _o205 =
+                nx = lanes_select(_m191, _o192.nx, nx);
+                ny = lanes_select(_m191, _o192.ny, ny);
+                nz = lanes_select(_m191, _o192.nz, nz);
+                const LANES(court_backboard_off_out) _o193 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m203, _o205.gap, gap);
+                gap = lanes_select(_m191, _o193.gap, gap);
             }
-            const LANES(court_holding_out) _o206 =
+            const LANES(court_holding_out) _o194 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o206.here;
-            const M _m207 = lanes_both(active, here);
-            if (lanes_any(_m207)) {
-                const LANES(court_bridge_normal_out) _o208 =
+            here = _o194.here;
+            const M _m195 = lanes_both(active, here);
+            if (lanes_any(_m195)) {
+                const LANES(court_bridge_normal_out) _o196 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m207, _o208.nx, nx);
-                ny = lanes_select(_m207, _o208.ny, ny);
-                nz = lanes_select(_m207, _o208.nz, nz);
-                const LANES(court_bridge_off_out) _o209 =
+                nx = lanes_select(_m195, _o196.nx, nx);
+                ny = lanes_select(_m195, _o196.ny, ny);
+                nz = lanes_select(_m195, _o196.nz, nz);
+                const LANES(court_bridge_off_out) _o197 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m207, _o209.gap, gap);
+                gap = lanes_select(_m195, _o197.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o210 =
+            const LANES(court_roll_placed_out) _o198 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o210.x;
-            y = _o210.y;
-            z = _o210.z;
-            vx = _o210.vx;
-            vy = _o210.vy;
-            vz = _o210.vz;
-            wx = _o210.wx;
-            wy = _o210.wy;
-            wz = _o210.wz;
-            const LANES(court_passing_in_contact_out) _o211 =
+            x = _o198.x;
+            y = _o198.y;
+            z = _o198.z;
+            vx = _o198.vx;
+            vy = _o198.vy;
+            vz = _o198.vz;
+            wx = _o198.wx;
+            wy = _o198.wy;
+            wz = _o198.wz;
+            const LANES(court_passing_in_contact_out) _o199 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o211.through;
-            const LANES(court_rolled_on_out) _o212 =
+            through = _o199.through;
+            const LANES(court_rolled_on_out) _o200 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o212.clock;
-            rolling = _o212.rolling;
+            clock = _o200.clock;
+            rolling = _o200.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -1614,320 +1639,320 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_ring_tube_out) _o213 =
+            const LANES(court_ring_tube_out) _o201 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o213.per_reach;
-            const LANES(court_ring_round_start_out) _o214 =
+            V per_reach = _o201.per_reach;
+            const LANES(court_ring_round_start_out) _o202 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o214.cosine_0;
-            V sine_0 = _o214.sine_0;
-            V climb_0 = _o214.climb_0;
-            V along_0 = _o214.along_0;
-            V turn_rate_0 = _o214.turn_rate_0;
-            V cos_0 = _o214.cos_0;
-            V sin_0 = _o214.sin_0;
-            V near_0 = _o214.near_0;
-            const LANES(court_ring_round_0_out) _o215 =
+            V cosine_0 = _o202.cosine_0;
+            V sine_0 = _o202.sine_0;
+            V climb_0 = _o202.climb_0;
+            V along_0 = _o202.along_0;
+            V turn_rate_0 = _o202.turn_rate_0;
+            V cos_0 = _o202.cos_0;
+            V sin_0 = _o202.sin_0;
+            V near_0 = _o202.near_0;
+            const LANES(court_ring_round_0_out) _o203 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o215.omega_0;
-            V around_0 = _o215.around_0;
-            V tilted_0 = _o215.tilted_0;
-            V pressed_0 = _o215.pressed_0;
-            V force_0 = _o215.force_0;
-            V cosine_1 = _o215.cosine_1;
-            V sine_1 = _o215.sine_1;
-            V climb_1 = _o215.climb_1;
-            V along_1 = _o215.along_1;
-            V turn_rate_1 = _o215.turn_rate_1;
-            V cos_1 = _o215.cos_1;
-            V sin_1 = _o215.sin_1;
-            const LANES(court_ring_round_1_out) _o216 =
+            V omega_0 = _o203.omega_0;
+            V around_0 = _o203.around_0;
+            V tilted_0 = _o203.tilted_0;
+            V pressed_0 = _o203.pressed_0;
+            V force_0 = _o203.force_0;
+            V cosine_1 = _o203.cosine_1;
+            V sine_1 = _o203.sine_1;
+            V climb_1 = _o203.climb_1;
+            V along_1 = _o203.along_1;
+            V turn_rate_1 = _o203.turn_rate_1;
+            V cos_1 = _o203.cos_1;
+            V sin_1 = _o203.sin_1;
+            const LANES(court_ring_round_1_out) _o204 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o216.near_1;
-            V omega_1 = _o216.omega_1;
-            V around_1 = _o216.around_1;
-            V tilted_1 = _o216.tilted_1;
-            V pressed_1 = _o216.pressed_1;
-            V force_1 = _o216.force_1;
-            V cosine_2 = _o216.cosine_2;
-            V sine_2 = _o216.sine_2;
-            V climb_2 = _o216.climb_2;
-            V along_2 = _o216.along_2;
-            V turn_rate_2 = _o216.turn_rate_2;
-            V cos_2 = _o216.cos_2;
-            V sin_2 = _o216.sin_2;
-            const LANES(court_ring_round_2_out) _o217 =
+            V near_1 = _o204.near_1;
+            V omega_1 = _o204.omega_1;
+            V around_1 = _o204.around_1;
+            V tilted_1 = _o204.tilted_1;
+            V pressed_1 = _o204.pressed_1;
+            V force_1 = _o204.force_1;
+            V cosine_2 = _o204.cosine_2;
+            V sine_2 = _o204.sine_2;
+            V climb_2 = _o204.climb_2;
+            V along_2 = _o204.along_2;
+            V turn_rate_2 = _o204.turn_rate_2;
+            V cos_2 = _o204.cos_2;
+            V sin_2 = _o204.sin_2;
+            const LANES(court_ring_round_2_out) _o205 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o217.near_2;
-            V omega_2 = _o217.omega_2;
-            V around_2 = _o217.around_2;
-            V tilted_2 = _o217.tilted_2;
-            V pressed_2 = _o217.pressed_2;
-            V force_2 = _o217.force_2;
-            V cosine_3 = _o217.cosine_3;
-            V sine_3 = _o217.sine_3;
-            V climb_3 = _o217.climb_3;
-            V along_3 = _o217.along_3;
-            V turn_rate_3 = _o217.turn_rate_3;
-            V cos_3 = _o217.cos_3;
-            V sin_3 = _o217.sin_3;
-            const LANES(court_ring_round_3_out) _o218 =
+            V near_2 = _o205.near_2;
+            V omega_2 = _o205.omega_2;
+            V around_2 = _o205.around_2;
+            V tilted_2 = _o205.tilted_2;
+            V pressed_2 = _o205.pressed_2;
+            V force_2 = _o205.force_2;
+            V cosine_3 = _o205.cosine_3;
+            V sine_3 = _o205.sine_3;
+            V climb_3 = _o205.climb_3;
+            V along_3 = _o205.along_3;
+            V turn_rate_3 = _o205.turn_rate_3;
+            V cos_3 = _o205.cos_3;
+            V sin_3 = _o205.sin_3;
+            const LANES(court_ring_round_3_out) _o206 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o218.near_3;
-            V omega_3 = _o218.omega_3;
-            V around_3 = _o218.around_3;
-            V tilted_3 = _o218.tilted_3;
-            V pressed_3 = _o218.pressed_3;
-            V force_3 = _o218.force_3;
-            V cosine_4 = _o218.cosine_4;
-            V sine_4 = _o218.sine_4;
-            V climb_4 = _o218.climb_4;
-            V along_4 = _o218.along_4;
-            V turn_rate_4 = _o218.turn_rate_4;
-            V cos_4 = _o218.cos_4;
-            V sin_4 = _o218.sin_4;
-            const LANES(court_ring_round_4_out) _o219 =
+            V near_3 = _o206.near_3;
+            V omega_3 = _o206.omega_3;
+            V around_3 = _o206.around_3;
+            V tilted_3 = _o206.tilted_3;
+            V pressed_3 = _o206.pressed_3;
+            V force_3 = _o206.force_3;
+            V cosine_4 = _o206.cosine_4;
+            V sine_4 = _o206.sine_4;
+            V climb_4 = _o206.climb_4;
+            V along_4 = _o206.along_4;
+            V turn_rate_4 = _o206.turn_rate_4;
+            V cos_4 = _o206.cos_4;
+            V sin_4 = _o206.sin_4;
+            const LANES(court_ring_round_4_out) _o207 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o219.near_4;
-            V omega_4 = _o219.omega_4;
-            V around_4 = _o219.around_4;
-            V tilted_4 = _o219.tilted_4;
-            V pressed_4 = _o219.pressed_4;
-            V force_4 = _o219.force_4;
-            V cosine_5 = _o219.cosine_5;
-            V sine_5 = _o219.sine_5;
-            V climb_5 = _o219.climb_5;
-            V along_5 = _o219.along_5;
-            V turn_rate_5 = _o219.turn_rate_5;
-            V cos_5 = _o219.cos_5;
-            V sin_5 = _o219.sin_5;
-            const LANES(court_ring_round_5_out) _o220 =
+            V near_4 = _o207.near_4;
+            V omega_4 = _o207.omega_4;
+            V around_4 = _o207.around_4;
+            V tilted_4 = _o207.tilted_4;
+            V pressed_4 = _o207.pressed_4;
+            V force_4 = _o207.force_4;
+            V cosine_5 = _o207.cosine_5;
+            V sine_5 = _o207.sine_5;
+            V climb_5 = _o207.climb_5;
+            V along_5 = _o207.along_5;
+            V turn_rate_5 = _o207.turn_rate_5;
+            V cos_5 = _o207.cos_5;
+            V sin_5 = _o207.sin_5;
+            const LANES(court_ring_round_5_out) _o208 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o220.near_5;
-            V omega_5 = _o220.omega_5;
-            V around_5 = _o220.around_5;
-            V tilted_5 = _o220.tilted_5;
-            V pressed_5 = _o220.pressed_5;
-            V force_5 = _o220.force_5;
-            V cosine_6 = _o220.cosine_6;
-            V sine_6 = _o220.sine_6;
-            V climb_6 = _o220.climb_6;
-            V along_6 = _o220.along_6;
-            V turn_rate_6 = _o220.turn_rate_6;
-            V cos_6 = _o220.cos_6;
-            V sin_6 = _o220.sin_6;
-            const LANES(court_ring_round_6_out) _o221 =
+            V near_5 = _o208.near_5;
+            V omega_5 = _o208.omega_5;
+            V around_5 = _o208.around_5;
+            V tilted_5 = _o208.tilted_5;
+            V pressed_5 = _o208.pressed_5;
+            V force_5 = _o208.force_5;
+            V cosine_6 = _o208.cosine_6;
+            V sine_6 = _o208.sine_6;
+            V climb_6 = _o208.climb_6;
+            V along_6 = _o208.along_6;
+            V turn_rate_6 = _o208.turn_rate_6;
+            V cos_6 = _o208.cos_6;
+            V sin_6 = _o208.sin_6;
+            const LANES(court_ring_round_6_out) _o209 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o221.near_6;
-            V omega_6 = _o221.omega_6;
-            V around_6 = _o221.around_6;
-            V tilted_6 = _o221.tilted_6;
-            V pressed_6 = _o221.pressed_6;
-            V force_6 = _o221.force_6;
-            V cosine_7 = _o221.cosine_7;
-            V sine_7 = _o221.sine_7;
-            V climb_7 = _o221.climb_7;
-            V along_7 = _o221.along_7;
-            V turn_rate_7 = _o221.turn_rate_7;
-            V cos_7 = _o221.cos_7;
-            V sin_7 = _o221.sin_7;
-            const LANES(court_ring_round_7_out) _o222 =
+            V near_6 = _o209.near_6;
+            V omega_6 = _o209.omega_6;
+            V around_6 = _o209.around_6;
+            V tilted_6 = _o209.tilted_6;
+            V pressed_6 = _o209.pressed_6;
+            V force_6 = _o209.force_6;
+            V cosine_7 = _o209.cosine_7;
+            V sine_7 = _o209.sine_7;
+            V climb_7 = _o209.climb_7;
+            V along_7 = _o209.along_7;
+            V turn_rate_7 = _o209.turn_rate_7;
+            V cos_7 = _o209.cos_7;
+            V sin_7 = _o209.sin_7;
+            const LANES(court_ring_round_7_out) _o210 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o222.near_7;
-            V omega_7 = _o222.omega_7;
-            V around_7 = _o222.around_7;
-            V tilted_7 = _o222.tilted_7;
-            V pressed_7 = _o222.pressed_7;
-            V force_7 = _o222.force_7;
-            V cosine_8 = _o222.cosine_8;
-            V sine_8 = _o222.sine_8;
-            V climb_8 = _o222.climb_8;
-            V along_8 = _o222.along_8;
-            V turn_rate_8 = _o222.turn_rate_8;
-            V cos_8 = _o222.cos_8;
-            V sin_8 = _o222.sin_8;
-            const LANES(court_ring_round_8_out) _o223 =
+            V near_7 = _o210.near_7;
+            V omega_7 = _o210.omega_7;
+            V around_7 = _o210.around_7;
+            V tilted_7 = _o210.tilted_7;
+            V pressed_7 = _o210.pressed_7;
+            V force_7 = _o210.force_7;
+            V cosine_8 = _o210.cosine_8;
+            V sine_8 = _o210.sine_8;
+            V climb_8 = _o210.climb_8;
+            V along_8 = _o210.along_8;
+            V turn_rate_8 = _o210.turn_rate_8;
+            V cos_8 = _o210.cos_8;
+            V sin_8 = _o210.sin_8;
+            const LANES(court_ring_round_8_out) _o211 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o223.near_8;
-            V omega_8 = _o223.omega_8;
-            V around_8 = _o223.around_8;
-            V tilted_8 = _o223.tilted_8;
-            V pressed_8 = _o223.pressed_8;
-            V force_8 = _o223.force_8;
-            V cosine_9 = _o223.cosine_9;
-            V sine_9 = _o223.sine_9;
-            V climb_9 = _o223.climb_9;
-            V along_9 = _o223.along_9;
-            V turn_rate_9 = _o223.turn_rate_9;
-            V cos_9 = _o223.cos_9;
-            V sin_9 = _o223.sin_9;
-            const LANES(court_ring_round_9_out) _o224 =
+            V near_8 = _o211.near_8;
+            V omega_8 = _o211.omega_8;
+            V around_8 = _o211.around_8;
+            V tilted_8 = _o211.tilted_8;
+            V pressed_8 = _o211.pressed_8;
+            V force_8 = _o211.force_8;
+            V cosine_9 = _o211.cosine_9;
+            V sine_9 = _o211.sine_9;
+            V climb_9 = _o211.climb_9;
+            V along_9 = _o211.along_9;
+            V turn_rate_9 = _o211.turn_rate_9;
+            V cos_9 = _o211.cos_9;
+            V sin_9 = _o211.sin_9;
+            const LANES(court_ring_round_9_out) _o212 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o224.near_9;
-            V omega_9 = _o224.omega_9;
-            V around_9 = _o224.around_9;
-            V tilted_9 = _o224.tilted_9;
-            V pressed_9 = _o224.pressed_9;
-            V force_9 = _o224.force_9;
-            V cosine_10 = _o224.cosine_10;
-            V sine_10 = _o224.sine_10;
-            V climb_10 = _o224.climb_10;
-            V along_10 = _o224.along_10;
-            V turn_rate_10 = _o224.turn_rate_10;
-            V cos_10 = _o224.cos_10;
-            V sin_10 = _o224.sin_10;
-            const LANES(court_ring_round_10_out) _o225 =
+            V near_9 = _o212.near_9;
+            V omega_9 = _o212.omega_9;
+            V around_9 = _o212.around_9;
+            V tilted_9 = _o212.tilted_9;
+            V pressed_9 = _o212.pressed_9;
+            V force_9 = _o212.force_9;
+            V cosine_10 = _o212.cosine_10;
+            V sine_10 = _o212.sine_10;
+            V climb_10 = _o212.climb_10;
+            V along_10 = _o212.along_10;
+            V turn_rate_10 = _o212.turn_rate_10;
+            V cos_10 = _o212.cos_10;
+            V sin_10 = _o212.sin_10;
+            const LANES(court_ring_round_10_out) _o213 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o225.near_10;
-            V omega_10 = _o225.omega_10;
-            V around_10 = _o225.around_10;
-            V tilted_10 = _o225.tilted_10;
-            V pressed_10 = _o225.pressed_10;
-            V force_10 = _o225.force_10;
-            V cosine_11 = _o225.cosine_11;
-            V sine_11 = _o225.sine_11;
-            V climb_11 = _o225.climb_11;
-            V along_11 = _o225.along_11;
-            V turn_rate_11 = _o225.turn_rate_11;
-            V cos_11 = _o225.cos_11;
-            V sin_11 = _o225.sin_11;
-            const LANES(court_ring_round_11_out) _o226 =
+            V near_10 = _o213.near_10;
+            V omega_10 = _o213.omega_10;
+            V around_10 = _o213.around_10;
+            V tilted_10 = _o213.tilted_10;
+            V pressed_10 = _o213.pressed_10;
+            V force_10 = _o213.force_10;
+            V cosine_11 = _o213.cosine_11;
+            V sine_11 = _o213.sine_11;
+            V climb_11 = _o213.climb_11;
+            V along_11 = _o213.along_11;
+            V turn_rate_11 = _o213.turn_rate_11;
+            V cos_11 = _o213.cos_11;
+            V sin_11 = _o213.sin_11;
+            const LANES(court_ring_round_11_out) _o214 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o226.force_11;
-            V cosine_12 = _o226.cosine_12;
-            V sine_12 = _o226.sine_12;
-            V climb_12 = _o226.climb_12;
-            V along_12 = _o226.along_12;
-            V turn_rate_12 = _o226.turn_rate_12;
-            V cos_12 = _o226.cos_12;
-            V sin_12 = _o226.sin_12;
-            const LANES(court_ring_round_pace_out) _o227 =
+            V force_11 = _o214.force_11;
+            V cosine_12 = _o214.cosine_12;
+            V sine_12 = _o214.sine_12;
+            V climb_12 = _o214.climb_12;
+            V along_12 = _o214.along_12;
+            V turn_rate_12 = _o214.turn_rate_12;
+            V cos_12 = _o214.cos_12;
+            V sin_12 = _o214.sin_12;
+            const LANES(court_ring_round_pace_out) _o215 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V stride = _o227.stride;
-            V strongest = _o227.strongest;
-            V fastest = _o227.fastest;
-            V sway = _o227.sway;
-            V force = _o227.force;
-            V force_rate = _o227.force_rate;
-            V force_bend = _o227.force_bend;
-            V brace = _o227.brace;
-            V vx_1 = _o227.vx_1;
-            V vy_1 = _o227.vy_1;
-            V vz_1 = _o227.vz_1;
-            const LANES(court_leaving_force_out) _o228 =
+            V stride = _o215.stride;
+            V strongest = _o215.strongest;
+            V fastest = _o215.fastest;
+            V sway = _o215.sway;
+            V force = _o215.force;
+            V force_rate = _o215.force_rate;
+            V force_bend = _o215.force_bend;
+            V brace = _o215.brace;
+            V vx_1 = _o215.vx_1;
+            V vy_1 = _o215.vy_1;
+            V vz_1 = _o215.vz_1;
+            const LANES(court_leaving_force_out) _o216 =
                 LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o228.stride;
-            which = _o228.which;
-            M rests = _o228.rests;
-            const LANES(court_backboard_beside_out) _o229 =
+            stride = _o216.stride;
+            which = _o216.which;
+            M rests = _o216.rests;
+            const LANES(court_backboard_beside_out) _o217 =
                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o229.gap;
-            V nearing = _o229.nearing;
-            V dent = _o229.dent;
-            const LANES(court_beside_body_out) _o230 =
+            V gap = _o217.gap;
+            V nearing = _o217.nearing;
+            V dent = _o217.dent;
+            const LANES(court_beside_body_out) _o218 =
                 LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o230.stride;
-            which = _o230.which;
-            const LANES(court_bridge_beside_out) _o231 =
+            stride = _o218.stride;
+            which = _o218.which;
+            const LANES(court_bridge_beside_out) _o219 =
                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o219.gap;
+            nearing = _o219.nearing;
+            dent = _o219.dent;
+            const LANES(court_beside_body_out) _o220 =
+                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o220.stride;
+            which = _o220.which;
+            const LANES(court_end_beside_out) _o221 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o221.gap;
+            nearing = _o221.nearing;
+            dent = _o221.dent;
+            const LANES(court_beside_gate_out) _o222 =
+                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o222.stride;
+            which = _o222.which;
+            const LANES(court_beside_time_out) _o223 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o223.stride;
+            which = _o223.which;
+            const LANES(court_passing_from_out) _o224 =
+                LANES(court_passing_from)(z);
+            M over = _o224.over;
+            const LANES(court_alone_out) _o225 =
+                LANES(court_alone)();
+            V berth = _o225.nearest;
+            const LANES(court_leaps_out) _o226 =
+                LANES(court_leaps)(stride);
+            V forth = _o226.forth;
+            V back = _o226.back;
+            const LANES(court_backboard_around_out) _o227 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o227.gap;
+            nearing = _o227.nearing;
+            const LANES(court_cleared_out) _o228 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o228.berth;
+            const LANES(court_bridge_around_out) _o229 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o229.gap;
+            nearing = _o229.nearing;
+            const LANES(court_cleared_out) _o230 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o230.berth;
+            const LANES(court_end_around_out) _o231 =
+                LANES(court_end_around)(p_end_depth, vz, z);
             gap = _o231.gap;
             nearing = _o231.nearing;
-            dent = _o231.dent;
-            const LANES(court_beside_body_out) _o232 =
-                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o232.stride;
-            which = _o232.which;
-            const LANES(court_end_beside_out) _o233 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o233.gap;
-            nearing = _o233.nearing;
-            dent = _o233.dent;
-            const LANES(court_beside_gate_out) _o234 =
-                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o234.stride;
-            which = _o234.which;
-            const LANES(court_beside_time_out) _o235 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o235.stride;
-            which = _o235.which;
-            const LANES(court_passing_from_out) _o236 =
-                LANES(court_passing_from)(z);
-            M over = _o236.over;
-            const LANES(court_alone_out) _o237 =
-                LANES(court_alone)();
-            V berth = _o237.nearest;
-            const LANES(court_leaps_out) _o238 =
-                LANES(court_leaps)(stride);
-            V forth = _o238.forth;
-            V back = _o238.back;
-            const LANES(court_backboard_around_out) _o239 =
+            const LANES(court_cleared_out) _o232 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o232.berth;
+            const LANES(court_ring_round_moved_out) _o233 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            x = _o233.x;
+            y = _o233.y;
+            z = _o233.z;
+            vx = _o233.vx;
+            vy = _o233.vy;
+            vz = _o233.vz;
+            wx = _o233.wx;
+            wy = _o233.wy;
+            wz = _o233.wz;
+            V climb = _o233.climb;
+            const LANES(court_passing_in_contact_out) _o234 =
+                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
+            through = _o234.through;
+            const LANES(court_backboard_around_out) _o235 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o235.gap;
+            nearing = _o235.nearing;
+            const LANES(court_cleared_out) _o236 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o236.berth;
+            const LANES(court_bridge_around_out) _o237 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o237.gap;
+            nearing = _o237.nearing;
+            const LANES(court_cleared_out) _o238 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o238.berth;
+            const LANES(court_end_around_out) _o239 =
+                LANES(court_end_around)(p_end_depth, vz, z);
             gap = _o239.gap;
             nearing = _o239.nearing;
             const LANES(court_cleared_out) _o240 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
+                LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o240.berth;
-            const LANES(court_bridge_around_out) _o241 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o241.gap;
-            nearing = _o241.nearing;
-            const LANES(court_cleared_out) _o242 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o242.berth;
-            const LANES(court_end_around_out) _o243 =
-                LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o243.gap;
-            nearing = _o243.nearing;
-            const LANES(court_cleared_out) _o244 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o244.berth;
-            const LANES(court_ring_round_moved_out) _o245 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o245.x;
-            y = _o245.y;
-            z = _o245.z;
-            vx = _o245.vx;
-            vy = _o245.vy;
-            vz = _o245.vz;
-            wx = _o245.wx;
-            wy = _o245.wy;
-            wz = _o245.wz;
-            V climb = _o245.climb;
-            const LANES(court_passing_in_contact_out) _o246 =
-                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o246.through;
-            const LANES(court_backboard_around_out) _o247 =
-                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o247.gap;
-            nearing = _o247.nearing;
-            const LANES(court_cleared_out) _o248 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o248.berth;
-            const LANES(court_bridge_around_out) _o249 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o249.gap;
-            nearing = _o249.nearing;
-            const LANES(court_cleared_out) _o250 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o250.berth;
-            const LANES(court_end_around_out) _o251 =
-                LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o251.gap;
-            nearing = _o251.nearing;
-            const LANES(court_cleared_out) _o252 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o252.berth;
-            const LANES(court_ring_swung_out) _o253 =
+            const LANES(court_ring_swung_out) _o241 =
                 LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, K(0.0), stride, sway, K(0.0), which, p_wire_radius);
-            circled = _o253.circled;
-            M endless = _o253.endless;
-            const LANES(court_for_ever_out) _o254 =
+            circled = _o241.circled;
+            M endless = _o241.endless;
+            const LANES(court_for_ever_out) _o242 =
                 LANES(court_for_ever)(endless, which);
-            which = _o254.which;
-            const LANES(court_rolled_on_out) _o255 =
+            which = _o242.which;
+            const LANES(court_rolled_on_out) _o243 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o255.clock;
-            circling = _o255.rolling;
+            clock = _o243.clock;
+            circling = _o243.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -2021,110 +2046,110 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o256 =
+        const LANES(court_rejoined_out) _o244 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o256.rolling;
-        const M _m257 = lanes_both(rows, leaves);
-        if (lanes_any(_m257)) {
-            const LANES(court_holding_out) _o258 =
+        rolling = _o244.rolling;
+        const M _m245 = lanes_both(rows, leaves);
+        if (lanes_any(_m245)) {
+            const LANES(court_holding_out) _o246 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o258.here;
-            const M _m259 = lanes_both(_m257, here);
-            if (lanes_any(_m259)) {
-                const LANES(court_ring_tube_out) _o260 =
+            M here = _o246.here;
+            const M _m247 = lanes_both(_m245, here);
+            if (lanes_any(_m247)) {
+                const LANES(court_ring_tube_out) _o248 =
                     LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-                per_reach = lanes_select(_m259, _o260.per_reach, per_reach);
-                const LANES(court_ring_parting_out) _o261 =
+                per_reach = lanes_select(_m247, _o248.per_reach, per_reach);
+                const LANES(court_ring_parting_out) _o249 =
                     LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m259, _o261.lift, lift);
-                surge = lanes_select(_m259, _o261.surge, surge);
-                snap = lanes_select(_m259, _o261.snap, snap);
+                lift = lanes_select(_m247, _o249.lift, lift);
+                surge = lanes_select(_m247, _o249.surge, surge);
+                snap = lanes_select(_m247, _o249.snap, snap);
             }
-            const LANES(court_holding_out) _o262 =
+            const LANES(court_holding_out) _o250 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o262.here;
-            const M _m263 = lanes_both(_m257, here);
-            if (lanes_any(_m263)) {
-                const LANES(court_backboard_tube_out) _o264 =
+            here = _o250.here;
+            const M _m251 = lanes_both(_m245, here);
+            if (lanes_any(_m251)) {
+                const LANES(court_backboard_tube_out) _o252 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                per_reach = lanes_select(_m263, _o264.per_reach, per_reach);
-                const LANES(court_backboard_parting_out) _o265 =
+                per_reach = lanes_select(_m251, _o252.per_reach, per_reach);
+                const LANES(court_backboard_parting_out) _o253 =
                     LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m263, _o265.lift, lift);
-                surge = lanes_select(_m263, _o265.surge, surge);
-                snap = lanes_select(_m263, _o265.snap, snap);
+                lift = lanes_select(_m251, _o253.lift, lift);
+                surge = lanes_select(_m251, _o253.surge, surge);
+                snap = lanes_select(_m251, _o253.snap, snap);
             }
-            const LANES(court_holding_out) _o266 =
+            const LANES(court_holding_out) _o254 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o266.here;
-            const M _m267 = lanes_both(_m257, here);
-            if (lanes_any(_m267)) {
-                const LANES(court_bridge_tube_out) _o268 =
+            here = _o254.here;
+            const M _m255 = lanes_both(_m245, here);
+            if (lanes_any(_m255)) {
+                const LANES(court_bridge_tube_out) _o256 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                per_reach = lanes_select(_m267, _o268.per_reach, per_reach);
-                const LANES(court_bridge_parting_out) _o269 =
+                per_reach = lanes_select(_m255, _o256.per_reach, per_reach);
+                const LANES(court_bridge_parting_out) _o257 =
                     LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                lift = lanes_select(_m267, _o269.lift, lift);
-                surge = lanes_select(_m267, _o269.surge, surge);
-                snap = lanes_select(_m267, _o269.snap, snap);
+                lift = lanes_select(_m255, _o257.lift, lift);
+                surge = lanes_select(_m255, _o257.surge, surge);
+                snap = lanes_select(_m255, _o257.snap, snap);
             }
-            const LANES(court_alone_out) _o270 =
+            const LANES(court_alone_out) _o258 =
                 LANES(court_alone)();
-            V nearest = _o270.nearest;
-            const LANES(court_beside_out) _o271 =
+            V nearest = _o258.nearest;
+            const LANES(court_beside_out) _o259 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o271.beside;
-            const M _m272 = lanes_both(_m257, beside);
-            if (lanes_any(_m272)) {
-                const LANES(court_ring_beside_out) _o273 =
+            M beside = _o259.beside;
+            const M _m260 = lanes_both(_m245, beside);
+            if (lanes_any(_m260)) {
+                const LANES(court_ring_beside_out) _o261 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o261.gap;
+                const LANES(court_neared_out) _o262 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m260, _o262.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o263 =
+                LANES(court_beside)(held, K(1.0));
+            beside = _o263.beside;
+            const M _m264 = lanes_both(_m245, beside);
+            if (lanes_any(_m264)) {
+                const LANES(court_backboard_beside_out) _o265 =
+                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                V gap = _o265.gap;
+                const LANES(court_neared_out) _o266 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m264, _o266.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o267 =
+                LANES(court_beside)(held, K(2.0));
+            beside = _o267.beside;
+            const M _m268 = lanes_both(_m245, beside);
+            if (lanes_any(_m268)) {
+                const LANES(court_bridge_beside_out) _o269 =
+                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o269.gap;
+                const LANES(court_neared_out) _o270 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m268, _o270.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o271 =
+                LANES(court_beside)(held, K(3.0));
+            beside = _o271.beside;
+            const M _m272 = lanes_both(_m245, beside);
+            {
+                const LANES(court_end_beside_out) _o273 =
+                    LANES(court_end_beside)(p_end_depth, vz, z);
                 V gap = _o273.gap;
                 const LANES(court_neared_out) _o274 =
                     LANES(court_neared)(gap, nearest);
                 nearest = lanes_select(_m272, _o274.nearest, nearest);
             }
-            const LANES(court_beside_out) _o275 =
-                LANES(court_beside)(held, K(1.0));
-            beside = _o275.beside;
-            const M _m276 = lanes_both(_m257, beside);
-            if (lanes_any(_m276)) {
-                const LANES(court_backboard_beside_out) _o277 =
-                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o277.gap;
-                const LANES(court_neared_out) _o278 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m276, _o278.nearest, nearest);
-            }
-            const LANES(court_beside_out) _o279 =
-                LANES(court_beside)(held, K(2.0));
-            beside = _o279.beside;
-            const M _m280 = lanes_both(_m257, beside);
-            if (lanes_any(_m280)) {
-                const LANES(court_bridge_beside_out) _o281 =
-                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o281.gap;
-                const LANES(court_neared_out) _o282 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m280, _o282.nearest, nearest);
-            }
-            const LANES(court_beside_out) _o283 =
-                LANES(court_beside)(held, K(3.0));
-            beside = _o283.beside;
-            const M _m284 = lanes_both(_m257, beside);
-            {
-                const LANES(court_end_beside_out) _o285 =
-                    LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o285.gap;
-                const LANES(court_neared_out) _o286 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m284, _o286.nearest, nearest);
-            }
-            const LANES(court_parted_out) _o287 =
+            const LANES(court_parted_out) _o275 =
                 LANES(court_parted)(K(INFINITY), p_gravity, lift, nearest, per_reach, K(0.0), snap, surge, K(0.0), vx, vy, vz);
-            when = lanes_select(_m257, _o287.when, when);
-            const LANES(court_hopping_out) _o288 =
+            when = lanes_select(_m245, _o275.when, when);
+            const LANES(court_hopping_out) _o276 =
                 LANES(court_hopping)();
-            which = lanes_select(_m257, _o288.which, which);
+            which = lanes_select(_m245, _o276.which, which);
         }
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         lanes_store(lists->kept_when + i, when);
@@ -2931,8 +2956,12 @@ static void LANES(court_plain)(const court_job *job)
             lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
+        {
+        size_t open_refining_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
+            V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V flat = lanes_load(lists->open_flat + i);
             V last = lanes_load(lists->open_last + i);
@@ -2945,42 +2974,130 @@ static void LANES(court_plain)(const court_job *job)
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
-            V when = lanes_load(lists->open_when + i);
-            V which = lanes_load(lists->open_which + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(court_found_out) _o44 =
                 LANES(court_found)(arrival);
             M arrives = _o44.arrives;
+            M refining = _o44.refining;
             const LANES(court_nearby_out) _o45 =
                 LANES(court_nearby)(flat, K(0.0), last, arrival, tilt);
             V leaving = _o45.leaving;
-            const LANES(court_ring_refine_out) _o46 =
-                LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V refined = _o46.time;
-            const LANES(court_polished_out) _o47 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o47.arrival;
-            const LANES(court_ring_refine_out) _o48 =
-                LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o48.time;
-            const LANES(court_polished_out) _o49 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o49.arrival;
-            const LANES(court_ring_refine_out) _o50 =
-                LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o50.time;
-            const LANES(court_polished_out) _o51 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o51.arrival;
-            const LANES(court_landed_out) _o52 =
+            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            const M packed = lanes_both(rows, refining);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
+                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
+                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_refining_rho_start + open_refining_shots, packed, rho_start);
+                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
+                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
+                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
+                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
+                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
+                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
+                open_refining_shots += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_radius = lanes_load(lists->p_ring_radius);
+            V p_wire_radius = lanes_load(lists->p_wire_radius);
+            V arrival = K(0.0);
+            V ceiling = K(0.0);
+            M certain = lanes_nowhere();
+            V leaving = K(0.0);
+            V rho_start = K(0.0);
+            V vx = K(0.0);
+            V vy = K(0.0);
+            V vz = K(0.0);
+            V x = K(0.0);
+            V y = K(0.0);
+            V z = K(0.0);
+            for (;;) {
+                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
+                    rho_start = lanes_expand(lists->open_refining_rho_start + taken, idle, rho_start);
+                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, p_wire_radius);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M refining = active;
+                const LANES(court_ring_refine_out) _o46 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o46.time;
+                V gap = _o46.gap;
+                V rate = _o46.rate;
+                const LANES(court_polished_out) _o47 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = _o47.arrival;
+                refining = _o47.refining;
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_arrival[LANES_WIDTH];
+                    lanes_store(ended_arrival, arrival);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_arrival[k] = ended_arrival[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        }
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->open_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
+            V when = lanes_load(lists->open_when + i);
+            V which = lanes_load(lists->open_which + i);
+            const LANES(court_landed_out) _o48 =
                 LANES(court_landed)(arrival);
-            V time = _o52.time;
-            const LANES(court_sooner_out) _o53 =
+            V time = _o48.time;
+            const LANES(court_sooner_out) _o49 =
                 LANES(court_sooner)(arrives, K(0.0), time, when, which);
-            when = _o53.when;
-            which = _o53.which;
+            when = _o49.when;
+            which = _o49.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -3013,15 +3130,15 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o54 =
+            const LANES(court_horizon_out) _o50 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o54.horizon;
-            const LANES(court_backboard_clear_out) _o55 =
+            V until = _o50.horizon;
+            const LANES(court_backboard_clear_out) _o51 =
                 LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V clear = _o55.clear;
-            const LANES(court_opens_in_flight_out) _o56 =
+            V clear = _o51.clear;
+            const LANES(court_opens_in_flight_out) _o52 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o56.open;
+            M open = _o52.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -3075,34 +3192,35 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_backboard_prepare_out) _o57 =
+            const LANES(court_backboard_prepare_out) _o53 =
                 LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V low0 = _o57.low0;
-            V high0 = _o57.high0;
-            V low1 = _o57.low1;
-            V high1 = _o57.high1;
-            V ceiling = _o57.ceiling;
-            V latest = _o57.latest;
-            const LANES(court_beginning_out) _o58 =
+            V low0 = _o53.low0;
+            V high0 = _o53.high0;
+            V low1 = _o53.low1;
+            V high1 = _o53.high1;
+            V ceiling = _o53.ceiling;
+            V latest = _o53.latest;
+            const LANES(court_beginning_out) _o54 =
                 LANES(court_beginning)();
-            V share = _o58.share;
-            V arrival = _o58.arrival;
-            M certain = _o58.certain;
-            const LANES(court_backboard_enter_out) _o59 =
+            V share = _o54.share;
+            V arrival = _o54.arrival;
+            M certain = _o54.certain;
+            const LANES(court_backboard_enter_out) _o55 =
                 LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o59.t;
-            V end = _o59.end;
-            M searching = _o59.searching;
-            const LANES(court_allowance_out) _o60 =
+            V t = _o55.t;
+            V end = _o55.end;
+            M searching = _o55.searching;
+            const LANES(court_allowance_out) _o56 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o60.position_level;
-            V velocity_level = _o60.velocity_level;
-            const LANES(court_backboard_margins_out) _o61 =
+            V position_level = _o56.position_level;
+            V velocity_level = _o56.velocity_level;
+            const LANES(court_backboard_margins_out) _o57 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o61.margin;
-            V tilt = _o61.leaving_margin;
-            V rate_slack = _o61.rate_margin;
+            V flat = _o57.margin;
+            V tilt = _o57.leaving_margin;
+            V rate_slack = _o57.rate_margin;
             lanes_store(lists->open_arrival + i, arrival);
+            lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
             lanes_store(lists->open_tilt + i, tilt);
@@ -3228,52 +3346,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o62 =
+                const LANES(court_nearby_out) _o58 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o62.leaving;
-                V margin = _o62.margin;
-                const LANES(court_backboard_advance_out) _o63 =
+                V leaving = _o58.leaving;
+                V margin = _o58.margin;
+                const LANES(court_backboard_advance_out) _o59 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V gap = _o63.gap;
-                V rate = _o63.rate;
-                V bend = _o63.bend;
-                V step = _o63.step;
-                V next = _o63.next;
-                V clearance = _o63.clearance;
-                const LANES(court_struck_out) _o64 =
+                V gap = _o59.gap;
+                V rate = _o59.rate;
+                V bend = _o59.bend;
+                V step = _o59.step;
+                V next = _o59.next;
+                V clearance = _o59.clearance;
+                const LANES(court_struck_out) _o60 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o64.hit;
-                M sure = _o64.sure;
-                M vague = _o64.vague;
-                const M _m65 = lanes_both(active, vague);
-                if (lanes_any(_m65)) {
-                    const LANES(court_finer_out) _o66 =
+                M hit = _o60.hit;
+                M sure = _o60.sure;
+                M vague = _o60.vague;
+                const M _m61 = lanes_both(active, vague);
+                if (lanes_any(_m61)) {
+                    const LANES(court_finer_out) _o62 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m65, _o66.share, share);
-                    const LANES(court_allowance_out) _o67 =
+                    share = lanes_select(_m61, _o62.share, share);
+                    const LANES(court_allowance_out) _o63 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o67.position_level;
-                    V velocity_level = _o67.velocity_level;
-                    const LANES(court_backboard_margins_out) _o68 =
+                    V position_level = _o63.position_level;
+                    V velocity_level = _o63.velocity_level;
+                    const LANES(court_backboard_margins_out) _o64 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = lanes_select(_m65, _o68.margin, flat);
-                    tilt = lanes_select(_m65, _o68.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m65, _o68.rate_margin, rate_slack);
+                    flat = lanes_select(_m61, _o64.margin, flat);
+                    tilt = lanes_select(_m61, _o64.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m61, _o64.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o69 =
+                const LANES(court_advanced_out) _o65 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o69.arrival;
-                certain = _o69.certain;
-                M exhausted = _o69.exhausted;
-                searching = _o69.searching;
-                t = _o69.t;
-                const M _m70 = lanes_both(active, exhausted);
+                arrival = _o65.arrival;
+                certain = _o65.certain;
+                M exhausted = _o65.exhausted;
+                searching = _o65.searching;
+                t = _o65.t;
+                const M _m66 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o71 =
+                    const LANES(court_backboard_enter_out) _o67 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m70, _o71.t, t);
-                    end = lanes_select(_m70, _o71.end, end);
-                    searching = lanes_choose(_m70, _o71.searching, searching);
+                    t = lanes_select(_m66, _o67.t, t);
+                    end = lanes_select(_m66, _o67.end, end);
+                    searching = lanes_choose(_m66, _o67.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3302,8 +3420,12 @@ static void LANES(court_plain)(const court_job *job)
             }
         }
         }
+        {
+        size_t open_refining_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
+            V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V flat = lanes_load(lists->open_flat + i);
             V last = lanes_load(lists->open_last + i);
@@ -3318,42 +3440,139 @@ static void LANES(court_plain)(const court_job *job)
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
-            V when = lanes_load(lists->open_when + i);
-            V which = lanes_load(lists->open_which + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o72 =
+            const LANES(court_found_out) _o68 =
                 LANES(court_found)(arrival);
-            M arrives = _o72.arrives;
-            const LANES(court_nearby_out) _o73 =
+            M arrives = _o68.arrives;
+            M refining = _o68.refining;
+            const LANES(court_nearby_out) _o69 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o73.leaving;
-            const LANES(court_backboard_refine_out) _o74 =
-                LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V refined = _o74.time;
-            const LANES(court_polished_out) _o75 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o75.arrival;
-            const LANES(court_backboard_refine_out) _o76 =
-                LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            refined = _o76.time;
-            const LANES(court_polished_out) _o77 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o77.arrival;
-            const LANES(court_backboard_refine_out) _o78 =
-                LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            refined = _o78.time;
-            const LANES(court_polished_out) _o79 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o79.arrival;
-            const LANES(court_landed_out) _o80 =
+            V leaving = _o69.leaving;
+            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            const M packed = lanes_both(rows, refining);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
+                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
+                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_bottom + open_refining_shots, packed, p_board_bottom);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_distance + open_refining_shots, packed, p_board_distance);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_half_width + open_refining_shots, packed, p_board_half_width);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_thickness + open_refining_shots, packed, p_board_thickness);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_top + open_refining_shots, packed, p_board_top);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
+                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
+                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
+                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
+                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
+                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
+                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
+                open_refining_shots += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_board_bottom = lanes_load(lists->p_board_bottom);
+            V p_board_distance = lanes_load(lists->p_board_distance);
+            V p_board_half_width = lanes_load(lists->p_board_half_width);
+            V p_board_thickness = lanes_load(lists->p_board_thickness);
+            V p_board_top = lanes_load(lists->p_board_top);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V arrival = K(0.0);
+            V ceiling = K(0.0);
+            M certain = lanes_nowhere();
+            V leaving = K(0.0);
+            V vx = K(0.0);
+            V vy = K(0.0);
+            V vz = K(0.0);
+            V x = K(0.0);
+            V y = K(0.0);
+            V z = K(0.0);
+            for (;;) {
+                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
+                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_bottom = lanes_expand(lists->open_refining_p_board_bottom + taken, idle, p_board_bottom);
+                        p_board_distance = lanes_expand(lists->open_refining_p_board_distance + taken, idle, p_board_distance);
+                        p_board_half_width = lanes_expand(lists->open_refining_p_board_half_width + taken, idle, p_board_half_width);
+                        p_board_thickness = lanes_expand(lists->open_refining_p_board_thickness + taken, idle, p_board_thickness);
+                        p_board_top = lanes_expand(lists->open_refining_p_board_top + taken, idle, p_board_top);
+                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M refining = active;
+                const LANES(court_backboard_refine_out) _o70 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                V refined = _o70.time;
+                V gap = _o70.gap;
+                V rate = _o70.rate;
+                const LANES(court_polished_out) _o71 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = _o71.arrival;
+                refining = _o71.refining;
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_arrival[LANES_WIDTH];
+                    lanes_store(ended_arrival, arrival);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_arrival[k] = ended_arrival[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        }
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->open_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
+            V when = lanes_load(lists->open_when + i);
+            V which = lanes_load(lists->open_which + i);
+            const LANES(court_landed_out) _o72 =
                 LANES(court_landed)(arrival);
-            V time = _o80.time;
-            const LANES(court_sooner_out) _o81 =
+            V time = _o72.time;
+            const LANES(court_sooner_out) _o73 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o81.when;
-            which = _o81.which;
+            when = _o73.when;
+            which = _o73.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -3386,15 +3605,15 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o82 =
+            const LANES(court_horizon_out) _o74 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o82.horizon;
-            const LANES(court_bridge_clear_out) _o83 =
+            V until = _o74.horizon;
+            const LANES(court_bridge_clear_out) _o75 =
                 LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V clear = _o83.clear;
-            const LANES(court_opens_in_flight_out) _o84 =
+            V clear = _o75.clear;
+            const LANES(court_opens_in_flight_out) _o76 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o84.open;
+            M open = _o76.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -3448,34 +3667,35 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_bridge_prepare_out) _o85 =
+            const LANES(court_bridge_prepare_out) _o77 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o85.low0;
-            V high0 = _o85.high0;
-            V low1 = _o85.low1;
-            V high1 = _o85.high1;
-            V ceiling = _o85.ceiling;
-            V latest = _o85.latest;
-            const LANES(court_beginning_out) _o86 =
+            V low0 = _o77.low0;
+            V high0 = _o77.high0;
+            V low1 = _o77.low1;
+            V high1 = _o77.high1;
+            V ceiling = _o77.ceiling;
+            V latest = _o77.latest;
+            const LANES(court_beginning_out) _o78 =
                 LANES(court_beginning)();
-            V share = _o86.share;
-            V arrival = _o86.arrival;
-            M certain = _o86.certain;
-            const LANES(court_bridge_enter_out) _o87 =
+            V share = _o78.share;
+            V arrival = _o78.arrival;
+            M certain = _o78.certain;
+            const LANES(court_bridge_enter_out) _o79 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o87.t;
-            V end = _o87.end;
-            M searching = _o87.searching;
-            const LANES(court_allowance_out) _o88 =
+            V t = _o79.t;
+            V end = _o79.end;
+            M searching = _o79.searching;
+            const LANES(court_allowance_out) _o80 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o88.position_level;
-            V velocity_level = _o88.velocity_level;
-            const LANES(court_bridge_margins_out) _o89 =
+            V position_level = _o80.position_level;
+            V velocity_level = _o80.velocity_level;
+            const LANES(court_bridge_margins_out) _o81 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o89.margin;
-            V tilt = _o89.leaving_margin;
-            V rate_slack = _o89.rate_margin;
+            V flat = _o81.margin;
+            V tilt = _o81.leaving_margin;
+            V rate_slack = _o81.rate_margin;
             lanes_store(lists->open_arrival + i, arrival);
+            lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
             lanes_store(lists->open_tilt + i, tilt);
@@ -3601,52 +3821,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o90 =
+                const LANES(court_nearby_out) _o82 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o90.leaving;
-                V margin = _o90.margin;
-                const LANES(court_bridge_advance_out) _o91 =
+                V leaving = _o82.leaving;
+                V margin = _o82.margin;
+                const LANES(court_bridge_advance_out) _o83 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o91.gap;
-                V rate = _o91.rate;
-                V bend = _o91.bend;
-                V step = _o91.step;
-                V next = _o91.next;
-                V clearance = _o91.clearance;
-                const LANES(court_struck_out) _o92 =
+                V gap = _o83.gap;
+                V rate = _o83.rate;
+                V bend = _o83.bend;
+                V step = _o83.step;
+                V next = _o83.next;
+                V clearance = _o83.clearance;
+                const LANES(court_struck_out) _o84 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o92.hit;
-                M sure = _o92.sure;
-                M vague = _o92.vague;
-                const M _m93 = lanes_both(active, vague);
-                if (lanes_any(_m93)) {
-                    const LANES(court_finer_out) _o94 =
+                M hit = _o84.hit;
+                M sure = _o84.sure;
+                M vague = _o84.vague;
+                const M _m85 = lanes_both(active, vague);
+                if (lanes_any(_m85)) {
+                    const LANES(court_finer_out) _o86 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m93, _o94.share, share);
-                    const LANES(court_allowance_out) _o95 =
+                    share = lanes_select(_m85, _o86.share, share);
+                    const LANES(court_allowance_out) _o87 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o95.position_level;
-                    V velocity_level = _o95.velocity_level;
-                    const LANES(court_bridge_margins_out) _o96 =
+                    V position_level = _o87.position_level;
+                    V velocity_level = _o87.velocity_level;
+                    const LANES(court_bridge_margins_out) _o88 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m93, _o96.margin, flat);
-                    tilt = lanes_select(_m93, _o96.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m93, _o96.rate_margin, rate_slack);
+                    flat = lanes_select(_m85, _o88.margin, flat);
+                    tilt = lanes_select(_m85, _o88.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m85, _o88.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o97 =
+                const LANES(court_advanced_out) _o89 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o97.arrival;
-                certain = _o97.certain;
-                M exhausted = _o97.exhausted;
-                searching = _o97.searching;
-                t = _o97.t;
-                const M _m98 = lanes_both(active, exhausted);
+                arrival = _o89.arrival;
+                certain = _o89.certain;
+                M exhausted = _o89.exhausted;
+                searching = _o89.searching;
+                t = _o89.t;
+                const M _m90 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o99 =
+                    const LANES(court_bridge_enter_out) _o91 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m98, _o99.t, t);
-                    end = lanes_select(_m98, _o99.end, end);
-                    searching = lanes_choose(_m98, _o99.searching, searching);
+                    t = lanes_select(_m90, _o91.t, t);
+                    end = lanes_select(_m90, _o91.end, end);
+                    searching = lanes_choose(_m90, _o91.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3675,8 +3895,12 @@ static void LANES(court_plain)(const court_job *job)
             }
         }
         }
+        {
+        size_t open_refining_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
+            V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V flat = lanes_load(lists->open_flat + i);
             V last = lanes_load(lists->open_last + i);
@@ -3691,42 +3915,139 @@ static void LANES(court_plain)(const court_job *job)
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
-            V when = lanes_load(lists->open_when + i);
-            V which = lanes_load(lists->open_which + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o100 =
+            const LANES(court_found_out) _o92 =
                 LANES(court_found)(arrival);
-            M arrives = _o100.arrives;
-            const LANES(court_nearby_out) _o101 =
+            M arrives = _o92.arrives;
+            M refining = _o92.refining;
+            const LANES(court_nearby_out) _o93 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o101.leaving;
-            const LANES(court_bridge_refine_out) _o102 =
-                LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V refined = _o102.time;
-            const LANES(court_polished_out) _o103 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o103.arrival;
-            const LANES(court_bridge_refine_out) _o104 =
-                LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            refined = _o104.time;
-            const LANES(court_polished_out) _o105 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o105.arrival;
-            const LANES(court_bridge_refine_out) _o106 =
-                LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            refined = _o106.time;
-            const LANES(court_polished_out) _o107 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o107.arrival;
-            const LANES(court_landed_out) _o108 =
+            V leaving = _o93.leaving;
+            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            const M packed = lanes_both(rows, refining);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
+                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
+                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_distance + open_refining_shots, packed, p_board_distance);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_bridge_depth + open_refining_shots, packed, p_bridge_depth);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_bridge_half_width + open_refining_shots, packed, p_bridge_half_width);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
+                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
+                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
+                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
+                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
+                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
+                open_refining_shots += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_board_distance = lanes_load(lists->p_board_distance);
+            V p_bridge_depth = lanes_load(lists->p_bridge_depth);
+            V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_radius = lanes_load(lists->p_ring_radius);
+            V p_wire_radius = lanes_load(lists->p_wire_radius);
+            V arrival = K(0.0);
+            V ceiling = K(0.0);
+            M certain = lanes_nowhere();
+            V leaving = K(0.0);
+            V vx = K(0.0);
+            V vy = K(0.0);
+            V vz = K(0.0);
+            V x = K(0.0);
+            V y = K(0.0);
+            V z = K(0.0);
+            for (;;) {
+                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
+                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_distance = lanes_expand(lists->open_refining_p_board_distance + taken, idle, p_board_distance);
+                        p_bridge_depth = lanes_expand(lists->open_refining_p_bridge_depth + taken, idle, p_bridge_depth);
+                        p_bridge_half_width = lanes_expand(lists->open_refining_p_bridge_half_width + taken, idle, p_bridge_half_width);
+                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, p_wire_radius);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M refining = active;
+                const LANES(court_bridge_refine_out) _o94 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                V refined = _o94.time;
+                V gap = _o94.gap;
+                V rate = _o94.rate;
+                const LANES(court_polished_out) _o95 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = _o95.arrival;
+                refining = _o95.refining;
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_arrival[LANES_WIDTH];
+                    lanes_store(ended_arrival, arrival);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_arrival[k] = ended_arrival[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        }
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->open_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
+            V when = lanes_load(lists->open_when + i);
+            V which = lanes_load(lists->open_which + i);
+            const LANES(court_landed_out) _o96 =
                 LANES(court_landed)(arrival);
-            V time = _o108.time;
-            const LANES(court_sooner_out) _o109 =
+            V time = _o96.time;
+            const LANES(court_sooner_out) _o97 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o109.when;
-            which = _o109.which;
+            when = _o97.when;
+            which = _o97.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -3772,16 +4093,16 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m110 = lanes_both(rows, limited);
-            if (lanes_any(_m110)) {
-                const LANES(court_expiry_out) _o111 =
+            const M _m98 = lanes_both(rows, limited);
+            if (lanes_any(_m98)) {
+                const LANES(court_expiry_out) _o99 =
                     LANES(court_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o111.time;
-                M arrives = _o111.arrives;
-                const LANES(court_sooner_out) _o112 =
+                V time = _o99.time;
+                M arrives = _o99.arrives;
+                const LANES(court_sooner_out) _o100 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m110, _o112.when, when);
-                which = lanes_select(_m110, _o112.which, which);
+                when = lanes_select(_m98, _o100.when, when);
+                which = lanes_select(_m98, _o100.which, which);
             }
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
@@ -3904,69 +4225,69 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o289 =
+            const LANES(court_departed_out) _o277 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o289.moves;
-            M ends = _o289.ends;
-            M touches = _o289.touches;
-            V reached = _o289.reached;
-            const LANES(court_body_of_out) _o290 =
+            M moves = _o277.moves;
+            M ends = _o277.ends;
+            M touches = _o277.touches;
+            V reached = _o277.reached;
+            const LANES(court_body_of_out) _o278 =
                 LANES(court_body_of)(which);
-            V body = _o290.body;
-            const M _m291 = lanes_both(rows, moves);
-            if (lanes_any(_m291)) {
-                const LANES(court_passing_out) _o292 =
+            V body = _o278.body;
+            const M _m279 = lanes_both(rows, moves);
+            if (lanes_any(_m279)) {
+                const LANES(court_passing_out) _o280 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m291, _o292.through, through);
-                const LANES(court_flight_out) _o293 =
+                through = lanes_select(_m279, _o280.through, through);
+                const LANES(court_flight_out) _o281 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m291, _o293.x, x);
-                y = lanes_select(_m291, _o293.y, y);
-                z = lanes_select(_m291, _o293.z, z);
-                vx = lanes_select(_m291, _o293.vx, vx);
-                vy = lanes_select(_m291, _o293.vy, vy);
-                vz = lanes_select(_m291, _o293.vz, vz);
-                const LANES(court_ticked_out) _o294 =
+                x = lanes_select(_m279, _o281.x, x);
+                y = lanes_select(_m279, _o281.y, y);
+                z = lanes_select(_m279, _o281.z, z);
+                vx = lanes_select(_m279, _o281.vx, vx);
+                vy = lanes_select(_m279, _o281.vy, vy);
+                vz = lanes_select(_m279, _o281.vz, vz);
+                const LANES(court_ticked_out) _o282 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m291, _o294.clock, clock);
+                clock = lanes_select(_m279, _o282.clock, clock);
             }
-            const M _m295 = lanes_both(rows, limited);
-            if (lanes_any(_m295)) {
-                const LANES(court_expired_out) _o296 =
+            const M _m283 = lanes_both(rows, limited);
+            if (lanes_any(_m283)) {
+                const LANES(court_expired_out) _o284 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m295, _o296.clock, clock);
-                body = lanes_select(_m295, _o296.body, body);
-                reached = lanes_select(_m295, _o296.reached, reached);
-                ends = lanes_choose(_m295, _o296.ends, ends);
+                clock = lanes_select(_m283, _o284.clock, clock);
+                body = lanes_select(_m283, _o284.body, body);
+                reached = lanes_select(_m283, _o284.reached, reached);
+                ends = lanes_choose(_m283, _o284.ends, ends);
             }
-            const M _m297 = lanes_both(rows, kept);
-            if (lanes_any(_m297)) {
-                const LANES(court_kept_on_out) _o298 =
+            const M _m285 = lanes_both(rows, kept);
+            if (lanes_any(_m285)) {
+                const LANES(court_kept_on_out) _o286 =
                     LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m297, _o298.body, body);
-                reached = lanes_select(_m297, _o298.reached, reached);
-                ends = lanes_choose(_m297, _o298.ends, ends);
-                last = lanes_select(_m297, _o298.last, last);
-                mode = lanes_select(_m297, _o298.mode, mode);
-                held = lanes_select(_m297, _o298.held, held);
-                rolls = lanes_select(_m297, _o298.rolls, rolls);
+                body = lanes_select(_m285, _o286.body, body);
+                reached = lanes_select(_m285, _o286.reached, reached);
+                ends = lanes_choose(_m285, _o286.ends, ends);
+                last = lanes_select(_m285, _o286.last, last);
+                mode = lanes_select(_m285, _o286.mode, mode);
+                held = lanes_select(_m285, _o286.held, held);
+                rolls = lanes_select(_m285, _o286.rolls, rolls);
             }
-            const LANES(court_here_out) _o299 =
+            const LANES(court_here_out) _o287 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o299.here;
-            const M _m300 = lanes_both(rows, here);
+            M here = _o287.here;
+            const M _m288 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o301 =
+                const LANES(court_end_bounds_out) _o289 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o301.g0;
-                const LANES(court_end_reached_out) _o302 =
+                V g0 = _o289.g0;
+                const LANES(court_end_reached_out) _o290 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m300, _o302.reached, reached);
+                reached = lanes_select(_m288, _o290.reached, reached);
             }
-            const LANES(court_accounted_out) _o303 =
+            const LANES(court_accounted_out) _o291 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o303.contacts;
-            V outcome = _o303.outcome;
+            contacts = _o291.contacts;
+            V outcome = _o291.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -3979,304 +4300,304 @@ static void LANES(court_plain)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o304 =
+            const LANES(court_meeting_out) _o292 =
                 LANES(court_meeting)(K(0.0), ends, touches);
-            M meeting = _o304.meeting;
-            const M _m305 = lanes_both(rows, meeting);
-            if (lanes_any(_m305)) {
-                const LANES(court_end_normal_out) _o306 =
+            M meeting = _o292.meeting;
+            const M _m293 = lanes_both(rows, meeting);
+            if (lanes_any(_m293)) {
+                const LANES(court_end_normal_out) _o294 =
                     LANES(court_end_normal)();
-                V nx = _o306.nx;
-                V ny = _o306.ny;
-                V nz = _o306.nz;
-                const LANES(court_here_out) _o307 =
+                V nx = _o294.nx;
+                V ny = _o294.ny;
+                V nz = _o294.nz;
+                const LANES(court_here_out) _o295 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o307.here;
-                const M _m308 = lanes_both(_m305, here);
+                M here = _o295.here;
+                const M _m296 = lanes_both(_m293, here);
                 {
-                    const LANES(court_ring_normal_out) _o309 =
+                    const LANES(court_ring_normal_out) _o297 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m308, _o309.nx, nx);
-                    ny = lanes_select(_m308, _o309.ny, ny);
-                    nz = lanes_select(_m308, _o309.nz, nz);
-                    const LANES(court_counted_out) _o310 =
+                    nx = lanes_select(_m296, _o297.nx, nx);
+                    ny = lanes_select(_m296, _o297.ny, ny);
+                    nz = lanes_select(_m296, _o297.nz, nz);
+                    const LANES(court_counted_out) _o298 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m308, _o310.count, count_0);
+                    count_0 = lanes_select(_m296, _o298.count, count_0);
                 }
-                const LANES(court_here_out) _o311 =
+                const LANES(court_here_out) _o299 =
                     LANES(court_here)(K(1.0), which);
-                here = _o311.here;
-                const M _m312 = lanes_both(_m305, here);
+                here = _o299.here;
+                const M _m300 = lanes_both(_m293, here);
                 {
-                    const LANES(court_backboard_normal_out) _o313 =
+                    const LANES(court_backboard_normal_out) _o301 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m312, _o313.nx, nx);
-                    ny = lanes_select(_m312, _o313.ny, ny);
-                    nz = lanes_select(_m312, _o313.nz, nz);
-                    const LANES(court_counted_out) _o314 =
+                    nx = lanes_select(_m300, _o301.nx, nx);
+                    ny = lanes_select(_m300, _o301.ny, ny);
+                    nz = lanes_select(_m300, _o301.nz, nz);
+                    const LANES(court_counted_out) _o302 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m312, _o314.count, count_1);
+                    count_1 = lanes_select(_m300, _o302.count, count_1);
                 }
-                const LANES(court_here_out) _o315 =
+                const LANES(court_here_out) _o303 =
                     LANES(court_here)(K(2.0), which);
-                here = _o315.here;
-                const M _m316 = lanes_both(_m305, here);
+                here = _o303.here;
+                const M _m304 = lanes_both(_m293, here);
                 {
-                    const LANES(court_bridge_normal_out) _o317 =
+                    const LANES(court_bridge_normal_out) _o305 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m316, _o317.nx, nx);
-                    ny = lanes_select(_m316, _o317.ny, ny);
-                    nz = lanes_select(_m316, _o317.nz, nz);
-                    const LANES(court_counted_out) _o318 =
+                    nx = lanes_select(_m304, _o305.nx, nx);
+                    ny = lanes_select(_m304, _o305.ny, ny);
+                    nz = lanes_select(_m304, _o305.nz, nz);
+                    const LANES(court_counted_out) _o306 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m316, _o318.count, count_2);
+                    count_2 = lanes_select(_m304, _o306.count, count_2);
                 }
                 {
-                    const double *const _t320[][2] = {
+                    const double *const _t308[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t321[][1] = {
+                    static const double _t309[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k319 = 0; _k319 < 3; _k319++) {
-                        const V own_1 = lanes_load(_t320[_k319][0] + (i & varying));
-                        const V own_2 = lanes_load(_t320[_k319][1] + (i & varying));
-                        const V own_index = K(_t321[_k319][0]);
-                        const LANES(court_here_out) _o322 =
+                    for (size_t _k307 = 0; _k307 < 3; _k307++) {
+                        const V own_1 = lanes_load(_t308[_k307][0] + (i & varying));
+                        const V own_2 = lanes_load(_t308[_k307][1] + (i & varying));
+                        const V own_index = K(_t309[_k307][0]);
+                        const LANES(court_here_out) _o310 =
                             LANES(court_here)(own_index, which);
-                        M here = _o322.here;
-                        const M _m323 = lanes_both(_m305, here);
-                        if (lanes_any(_m323)) {
-                            const LANES(court_ring_impact_out) _o324 =
+                        M here = _o310.here;
+                        const M _m311 = lanes_both(_m293, here);
+                        if (lanes_any(_m311)) {
+                            const LANES(court_ring_impact_out) _o312 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m323, _o324.vx, vx);
-                            vy = lanes_select(_m323, _o324.vy, vy);
-                            vz = lanes_select(_m323, _o324.vz, vz);
-                            wx = lanes_select(_m323, _o324.wx, wx);
-                            wy = lanes_select(_m323, _o324.wy, wy);
-                            wz = lanes_select(_m323, _o324.wz, wz);
+                            vx = lanes_select(_m311, _o312.vx, vx);
+                            vy = lanes_select(_m311, _o312.vy, vy);
+                            vz = lanes_select(_m311, _o312.vz, vz);
+                            wx = lanes_select(_m311, _o312.wx, wx);
+                            wy = lanes_select(_m311, _o312.wy, wy);
+                            wz = lanes_select(_m311, _o312.wz, wz);
                         }
                     }
                 }
-                const M _m325 = lanes_both(_m305, touches);
+                const M _m313 = lanes_both(_m293, touches);
                 {
-                    const LANES(court_touched_out) _o326 =
+                    const LANES(court_touched_out) _o314 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m325, _o326.first, first);
-                    last = lanes_select(_m325, _o326.last, last);
+                    first = lanes_select(_m313, _o314.first, first);
+                    last = lanes_select(_m313, _o314.last, last);
                 }
-                const M _m327 = lanes_both(_m305, touches);
-                if (lanes_any(_m327)) {
-                    const LANES(court_slowed_out) _o328 =
+                const M _m315 = lanes_both(_m293, touches);
+                if (lanes_any(_m315)) {
+                    const LANES(court_slowed_out) _o316 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o328.slow;
-                    const M _m329 = lanes_both(_m327, slow);
-                    if (lanes_any(_m329)) {
-                        const LANES(court_gripped_out) _o330 =
+                    M slow = _o316.slow;
+                    const M _m317 = lanes_both(_m315, slow);
+                    if (lanes_any(_m317)) {
+                        const LANES(court_gripped_out) _o318 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o330.rolled_x;
-                        V rolled_y = _o330.rolled_y;
-                        V rolled_z = _o330.rolled_z;
-                        V slip = _o330.slip;
-                        V bounce = _o330.bounce;
-                        const LANES(court_here_out) _o331 =
+                        V rolled_x = _o318.rolled_x;
+                        V rolled_y = _o318.rolled_y;
+                        V rolled_z = _o318.rolled_z;
+                        V slip = _o318.slip;
+                        V bounce = _o318.bounce;
+                        const LANES(court_here_out) _o319 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o331.here;
-                        const M _m332 = lanes_both(_m329, here);
-                        if (lanes_any(_m332)) {
-                            const LANES(court_ring_turning_out) _o333 =
+                        M here = _o319.here;
+                        const M _m320 = lanes_both(_m317, here);
+                        if (lanes_any(_m320)) {
+                            const LANES(court_ring_turning_out) _o321 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o333.turning_x;
-                            V turning_y = _o333.turning_y;
-                            V turning_z = _o333.turning_z;
-                            const LANES(court_pressed_on_out) _o334 =
+                            V turning_x = _o321.turning_x;
+                            V turning_y = _o321.turning_y;
+                            V turning_z = _o321.turning_z;
+                            const LANES(court_pressed_on_out) _o322 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o334.press;
-                            V weight = _o334.weight;
-                            V drag = _o334.drag;
-                            V thrust_x = _o334.thrust_x;
-                            V thrust_y = _o334.thrust_y;
-                            V thrust_z = _o334.thrust_z;
-                            const LANES(court_alone_out) _o335 =
+                            V press = _o322.press;
+                            V weight = _o322.weight;
+                            V drag = _o322.drag;
+                            V thrust_x = _o322.thrust_x;
+                            V thrust_y = _o322.thrust_y;
+                            V thrust_z = _o322.thrust_z;
+                            const LANES(court_alone_out) _o323 =
                                 LANES(court_alone)();
-                            V nearest = _o335.nearest;
-                            V wedge = _o335.wedge;
-                            const LANES(court_backboard_closing_out) _o336 =
+                            V nearest = _o323.nearest;
+                            V wedge = _o323.wedge;
+                            const LANES(court_backboard_closing_out) _o324 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o336.gap;
-                            V nearing = _o336.nearing;
-                            V swerve = _o336.swerve;
-                            V facing = _o336.facing;
-                            const LANES(court_neared_body_out) _o337 =
+                            V gap = _o324.gap;
+                            V nearing = _o324.nearing;
+                            V swerve = _o324.swerve;
+                            V facing = _o324.facing;
+                            const LANES(court_neared_body_out) _o325 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o337.nearest;
-                            wedge = _o337.wedge;
-                            const LANES(court_bridge_closing_out) _o338 =
+                            nearest = _o325.nearest;
+                            wedge = _o325.wedge;
+                            const LANES(court_bridge_closing_out) _o326 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o338.gap;
-                            nearing = _o338.nearing;
-                            swerve = _o338.swerve;
-                            facing = _o338.facing;
+                            gap = _o326.gap;
+                            nearing = _o326.nearing;
+                            swerve = _o326.swerve;
+                            facing = _o326.facing;
+                            const LANES(court_neared_body_out) _o327 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o327.nearest;
+                            wedge = _o327.wedge;
+                            const LANES(court_end_beside_out) _o328 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o328.gap;
+                            const LANES(court_neared_out) _o329 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o329.nearest;
+                            const LANES(court_ring_parting_out) _o330 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+                            V lift = _o330.lift;
+                            const LANES(court_ring_impact_settling_out) _o331 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o331.settles;
+                            M lodges = _o331.lodges;
+                            M slides = _o331.slides;
+                            M parts = _o331.parts;
+                            M unsure = _o331.unsure;
+                            const LANES(court_settled_out) _o332 =
+                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m320, _o332.mode, mode);
+                            held = lanes_select(_m320, _o332.held, held);
+                            outcome = lanes_select(_m320, _o332.outcome, outcome);
+                            slip_left = lanes_select(_m320, _o332.slip_left, slip_left);
+                        }
+                        const LANES(court_here_out) _o333 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o333.here;
+                        const M _m334 = lanes_both(_m317, here);
+                        if (lanes_any(_m334)) {
+                            const LANES(court_backboard_turning_out) _o335 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o335.turning_x;
+                            V turning_y = _o335.turning_y;
+                            V turning_z = _o335.turning_z;
+                            const LANES(court_pressed_on_out) _o336 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o336.press;
+                            V weight = _o336.weight;
+                            V drag = _o336.drag;
+                            V thrust_x = _o336.thrust_x;
+                            V thrust_y = _o336.thrust_y;
+                            V thrust_z = _o336.thrust_z;
+                            const LANES(court_alone_out) _o337 =
+                                LANES(court_alone)();
+                            V nearest = _o337.nearest;
+                            V wedge = _o337.wedge;
+                            const LANES(court_ring_closing_out) _o338 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o338.gap;
+                            V nearing = _o338.nearing;
+                            V swerve = _o338.swerve;
+                            V facing = _o338.facing;
                             const LANES(court_neared_body_out) _o339 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o339.nearest;
                             wedge = _o339.wedge;
-                            const LANES(court_end_beside_out) _o340 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o340.gap;
-                            const LANES(court_neared_out) _o341 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o341.nearest;
-                            const LANES(court_ring_parting_out) _o342 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o342.lift;
-                            const LANES(court_ring_impact_settling_out) _o343 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o343.settles;
-                            M lodges = _o343.lodges;
-                            M slides = _o343.slides;
-                            M parts = _o343.parts;
-                            M unsure = _o343.unsure;
-                            const LANES(court_settled_out) _o344 =
-                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m332, _o344.mode, mode);
-                            held = lanes_select(_m332, _o344.held, held);
-                            outcome = lanes_select(_m332, _o344.outcome, outcome);
-                            slip_left = lanes_select(_m332, _o344.slip_left, slip_left);
-                        }
-                        const LANES(court_here_out) _o345 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o345.here;
-                        const M _m346 = lanes_both(_m329, here);
-                        if (lanes_any(_m346)) {
-                            const LANES(court_backboard_turning_out) _o347 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o347.turning_x;
-                            V turning_y = _o347.turning_y;
-                            V turning_z = _o347.turning_z;
-                            const LANES(court_pressed_on_out) _o348 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o348.press;
-                            V weight = _o348.weight;
-                            V drag = _o348.drag;
-                            V thrust_x = _o348.thrust_x;
-                            V thrust_y = _o348.thrust_y;
-                            V thrust_z = _o348.thrust_z;
-                            const LANES(court_alone_out) _o349 =
-                                LANES(court_alone)();
-                            V nearest = _o349.nearest;
-                            V wedge = _o349.wedge;
-                            const LANES(court_ring_closing_out) _o350 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o350.gap;
-                            V nearing = _o350.nearing;
-                            V swerve = _o350.swerve;
-                            V facing = _o350.facing;
-                            const LANES(court_neared_body_out) _o351 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o351.nearest;
-                            wedge = _o351.wedge;
-                            const LANES(court_bridge_closing_out) _o352 =
+                            const LANES(court_bridge_closing_out) _o340 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o352.gap;
-                            nearing = _o352.nearing;
-                            swerve = _o352.swerve;
-                            facing = _o352.facing;
+                            gap = _o340.gap;
+                            nearing = _o340.nearing;
+                            swerve = _o340.swerve;
+                            facing = _o340.facing;
+                            const LANES(court_neared_body_out) _o341 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o341.nearest;
+                            wedge = _o341.wedge;
+                            const LANES(court_end_beside_out) _o342 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o342.gap;
+                            const LANES(court_neared_out) _o343 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o343.nearest;
+                            const LANES(court_backboard_parting_out) _o344 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o344.lift;
+                            const LANES(court_ring_impact_settling_out) _o345 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o345.settles;
+                            M lodges = _o345.lodges;
+                            M slides = _o345.slides;
+                            M parts = _o345.parts;
+                            M unsure = _o345.unsure;
+                            const LANES(court_settled_out) _o346 =
+                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m334, _o346.mode, mode);
+                            held = lanes_select(_m334, _o346.held, held);
+                            outcome = lanes_select(_m334, _o346.outcome, outcome);
+                            slip_left = lanes_select(_m334, _o346.slip_left, slip_left);
+                        }
+                        const LANES(court_here_out) _o347 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o347.here;
+                        const M _m348 = lanes_both(_m317, here);
+                        if (lanes_any(_m348)) {
+                            const LANES(court_bridge_turning_out) _o349 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o349.turning_x;
+                            V turning_y = _o349.turning_y;
+                            V turning_z = _o349.turning_z;
+                            const LANES(court_pressed_on_out) _o350 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o350.press;
+                            V weight = _o350.weight;
+                            V drag = _o350.drag;
+                            V thrust_x = _o350.thrust_x;
+                            V thrust_y = _o350.thrust_y;
+                            V thrust_z = _o350.thrust_z;
+                            const LANES(court_alone_out) _o351 =
+                                LANES(court_alone)();
+                            V nearest = _o351.nearest;
+                            V wedge = _o351.wedge;
+                            const LANES(court_ring_closing_out) _o352 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o352.gap;
+                            V nearing = _o352.nearing;
+                            V swerve = _o352.swerve;
+                            V facing = _o352.facing;
                             const LANES(court_neared_body_out) _o353 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o353.nearest;
                             wedge = _o353.wedge;
-                            const LANES(court_end_beside_out) _o354 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o354.gap;
-                            const LANES(court_neared_out) _o355 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o355.nearest;
-                            const LANES(court_backboard_parting_out) _o356 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o356.lift;
-                            const LANES(court_ring_impact_settling_out) _o357 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o357.settles;
-                            M lodges = _o357.lodges;
-                            M slides = _o357.slides;
-                            M parts = _o357.parts;
-                            M unsure = _o357.unsure;
-                            const LANES(court_settled_out) _o358 =
-                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m346, _o358.mode, mode);
-                            held = lanes_select(_m346, _o358.held, held);
-                            outcome = lanes_select(_m346, _o358.outcome, outcome);
-                            slip_left = lanes_select(_m346, _o358.slip_left, slip_left);
-                        }
-                        const LANES(court_here_out) _o359 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o359.here;
-                        const M _m360 = lanes_both(_m329, here);
-                        if (lanes_any(_m360)) {
-                            const LANES(court_bridge_turning_out) _o361 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o361.turning_x;
-                            V turning_y = _o361.turning_y;
-                            V turning_z = _o361.turning_z;
-                            const LANES(court_pressed_on_out) _o362 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o362.press;
-                            V weight = _o362.weight;
-                            V drag = _o362.drag;
-                            V thrust_x = _o362.thrust_x;
-                            V thrust_y = _o362.thrust_y;
-                            V thrust_z = _o362.thrust_z;
-                            const LANES(court_alone_out) _o363 =
-                                LANES(court_alone)();
-                            V nearest = _o363.nearest;
-                            V wedge = _o363.wedge;
-                            const LANES(court_ring_closing_out) _o364 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o364.gap;
-                            V nearing = _o364.nearing;
-                            V swerve = _o364.swerve;
-                            V facing = _o364.facing;
-                            const LANES(court_neared_body_out) _o365 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o365.nearest;
-                            wedge = _o365.wedge;
-                            const LANES(court_backboard_closing_out) _o366 =
+                            const LANES(court_backboard_closing_out) _o354 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o366.gap;
-                            nearing = _o366.nearing;
-                            swerve = _o366.swerve;
-                            facing = _o366.facing;
-                            const LANES(court_neared_body_out) _o367 =
+                            gap = _o354.gap;
+                            nearing = _o354.nearing;
+                            swerve = _o354.swerve;
+                            facing = _o354.facing;
+                            const LANES(court_neared_body_out) _o355 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o367.nearest;
-                            wedge = _o367.wedge;
-                            const LANES(court_end_beside_out) _o368 =
+                            nearest = _o355.nearest;
+                            wedge = _o355.wedge;
+                            const LANES(court_end_beside_out) _o356 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o368.gap;
-                            const LANES(court_neared_out) _o369 =
+                            gap = _o356.gap;
+                            const LANES(court_neared_out) _o357 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o369.nearest;
-                            const LANES(court_bridge_parting_out) _o370 =
+                            nearest = _o357.nearest;
+                            const LANES(court_bridge_parting_out) _o358 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o370.lift;
-                            const LANES(court_ring_impact_settling_out) _o371 =
+                            V lift = _o358.lift;
+                            const LANES(court_ring_impact_settling_out) _o359 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o371.settles;
-                            M lodges = _o371.lodges;
-                            M slides = _o371.slides;
-                            M parts = _o371.parts;
-                            M unsure = _o371.unsure;
-                            const LANES(court_settled_out) _o372 =
+                            M settles = _o359.settles;
+                            M lodges = _o359.lodges;
+                            M slides = _o359.slides;
+                            M parts = _o359.parts;
+                            M unsure = _o359.unsure;
+                            const LANES(court_settled_out) _o360 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m360, _o372.mode, mode);
-                            held = lanes_select(_m360, _o372.held, held);
-                            outcome = lanes_select(_m360, _o372.outcome, outcome);
-                            slip_left = lanes_select(_m360, _o372.slip_left, slip_left);
+                            mode = lanes_select(_m348, _o360.mode, mode);
+                            held = lanes_select(_m348, _o360.held, held);
+                            outcome = lanes_select(_m348, _o360.outcome, outcome);
+                            slip_left = lanes_select(_m348, _o360.slip_left, slip_left);
                         }
                     }
                 }
@@ -4600,6 +4921,26 @@ typedef struct {
     LANES(court_column) open_searching_searching_x;
     LANES(court_column) open_searching_searching_y;
     LANES(court_column) open_searching_searching_z;
+    LANES(court_column) open_arrives;
+    LANES(court_column) open_leaving;
+    LANES(court_column) open_rate;
+    LANES(court_column) open_refining_row;
+    LANES(court_column) open_refining_arrival;
+    LANES(court_column) open_refining_ceiling;
+    LANES(court_column) open_refining_certain;
+    LANES(court_column) open_refining_leaving;
+    LANES(court_column) open_refining_p_ball_radius;
+    LANES(court_column) open_refining_p_gravity;
+    LANES(court_column) open_refining_p_ring_radius;
+    LANES(court_column) open_refining_p_wire_radius;
+    LANES(court_column) open_refining_refining;
+    LANES(court_column) open_refining_rho_start;
+    LANES(court_column) open_refining_vx;
+    LANES(court_column) open_refining_vy;
+    LANES(court_column) open_refining_vz;
+    LANES(court_column) open_refining_x;
+    LANES(court_column) open_refining_y;
+    LANES(court_column) open_refining_z;
     LANES(court_column) open_p_board_bottom;
     LANES(court_column) open_p_board_distance;
     LANES(court_column) open_p_board_half_width;
@@ -4611,10 +4952,17 @@ typedef struct {
     LANES(court_column) open_searching_p_board_thickness;
     LANES(court_column) open_searching_p_board_top;
     LANES(court_column) open_searching_rate_slack;
+    LANES(court_column) open_refining_p_board_bottom;
+    LANES(court_column) open_refining_p_board_distance;
+    LANES(court_column) open_refining_p_board_half_width;
+    LANES(court_column) open_refining_p_board_thickness;
+    LANES(court_column) open_refining_p_board_top;
     LANES(court_column) open_p_bridge_depth;
     LANES(court_column) open_p_bridge_half_width;
     LANES(court_column) open_searching_p_bridge_depth;
     LANES(court_column) open_searching_p_bridge_half_width;
+    LANES(court_column) open_refining_p_bridge_depth;
+    LANES(court_column) open_refining_p_bridge_half_width;
     LANES(court_column) kept_row;
     LANES(court_column) kept_circled;
     LANES(court_column) kept_clock;
@@ -5283,130 +5631,130 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o144 =
+        const LANES(court_resumed_out) _o132 =
             LANES(court_resumed)(clock, mode, position_error, velocity_error);
-        V which = _o144.which;
-        V late = _o144.late;
-        V began = _o144.began;
-        V doubt = _o144.doubt;
-        M begins = _o144.begins;
-        M rolling = _o144.rolling;
-        M leaves = _o144.leaves;
-        V nx = _o144.nx;
-        V ny = _o144.ny;
-        V nz = _o144.nz;
-        V gap = _o144.gap;
-        V bent_x = _o144.bent_x;
-        V bent_y = _o144.bent_y;
-        V bent_z = _o144.bent_z;
-        V lift = _o144.lift;
-        V surge = _o144.surge;
-        V snap = _o144.snap;
-        V per_reach = _o144.per_reach;
-        const M _m145 = lanes_both(rows, begins);
-        if (lanes_any(_m145)) {
-            const LANES(court_holding_out) _o146 =
+        V which = _o132.which;
+        V late = _o132.late;
+        V began = _o132.began;
+        V doubt = _o132.doubt;
+        M begins = _o132.begins;
+        M rolling = _o132.rolling;
+        M leaves = _o132.leaves;
+        V nx = _o132.nx;
+        V ny = _o132.ny;
+        V nz = _o132.nz;
+        V gap = _o132.gap;
+        V bent_x = _o132.bent_x;
+        V bent_y = _o132.bent_y;
+        V bent_z = _o132.bent_z;
+        V lift = _o132.lift;
+        V surge = _o132.surge;
+        V snap = _o132.snap;
+        V per_reach = _o132.per_reach;
+        const M _m133 = lanes_both(rows, begins);
+        if (lanes_any(_m133)) {
+            const LANES(court_holding_out) _o134 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o146.here;
-            const M _m147 = lanes_both(_m145, here);
+            M here = _o134.here;
+            const M _m135 = lanes_both(_m133, here);
             {
-                const LANES(court_ring_normal_out) _o148 =
+                const LANES(court_ring_normal_out) _o136 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m147, _o148.nx, nx);
-                ny = lanes_select(_m147, _o148.ny, ny);
-                nz = lanes_select(_m147, _o148.nz, nz);
+                nx = lanes_select(_m135, _o136.nx, nx);
+                ny = lanes_select(_m135, _o136.ny, ny);
+                nz = lanes_select(_m135, _o136.nz, nz);
             }
-            const LANES(court_holding_out) _o149 =
+            const LANES(court_holding_out) _o137 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o149.here;
-            const M _m150 = lanes_both(_m145, here);
+            here = _o137.here;
+            const M _m138 = lanes_both(_m133, here);
             {
-                const LANES(court_backboard_normal_out) _o151 =
+                const LANES(court_backboard_normal_out) _o139 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m150, _o151.nx, nx);
-                ny = lanes_select(_m150, _o151.ny, ny);
-                nz = lanes_select(_m150, _o151.nz, nz);
+                nx = lanes_select(_m138, _o139.nx, nx);
+                ny = lanes_select(_m138, _o139.ny, ny);
+                nz = lanes_select(_m138, _o139.nz, nz);
             }
-            const LANES(court_holding_out) _o152 =
+            const LANES(court_holding_out) _o140 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o152.here;
-            const M _m153 = lanes_both(_m145, here);
+            here = _o140.here;
+            const M _m141 = lanes_both(_m133, here);
             {
-                const LANES(court_bridge_normal_out) _o154 =
+                const LANES(court_bridge_normal_out) _o142 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m153, _o154.nx, nx);
-                ny = lanes_select(_m153, _o154.ny, ny);
-                nz = lanes_select(_m153, _o154.nz, nz);
+                nx = lanes_select(_m141, _o142.nx, nx);
+                ny = lanes_select(_m141, _o142.ny, ny);
+                nz = lanes_select(_m141, _o142.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o155 =
+            const LANES(court_roll_turn_rate_out) _o143 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o155.turn_rate;
-            const LANES(court_gripped_out) _o156 =
+            V turn_rate = _o143.turn_rate;
+            const LANES(court_gripped_out) _o144 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o156.rolled_x;
-            V rolled_y = _o156.rolled_y;
-            V rolled_z = _o156.rolled_z;
-            const LANES(court_holding_out) _o157 =
+            V rolled_x = _o144.rolled_x;
+            V rolled_y = _o144.rolled_y;
+            V rolled_z = _o144.rolled_z;
+            const LANES(court_holding_out) _o145 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o157.here;
-            const M _m158 = lanes_both(_m145, here);
+            here = _o145.here;
+            const M _m146 = lanes_both(_m133, here);
             {
-                const LANES(court_ring_off_out) _o159 =
+                const LANES(court_ring_off_out) _o147 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m158, _o159.gap, gap);
+                gap = lanes_select(_m146, _o147.gap, gap);
             }
-            const LANES(court_holding_out) _o160 =
+            const LANES(court_holding_out) _o148 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o160.here;
-            const M _m161 = lanes_both(_m145, here);
+            here = _o148.here;
+            const M _m149 = lanes_both(_m133, here);
             {
-                const LANES(court_backboard_off_out) _o162 =
+                const LANES(court_backboard_off_out) _o150 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m161, _o162.gap, gap);
+                gap = lanes_select(_m149, _o150.gap, gap);
             }
-            const LANES(court_holding_out) _o163 =
+            const LANES(court_holding_out) _o151 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o163.here;
-            const M _m164 = lanes_both(_m145, here);
+            here = _o151.here;
+            const M _m152 = lanes_both(_m133, here);
             {
-                const LANES(court_bridge_off_out) _o165 =
+                const LANES(court_bridge_off_out) _o153 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m164, _o165.gap, gap);
+                gap = lanes_select(_m152, _o153.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o166 =
+            const LANES(court_roll_placed_out) _o154 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m145, _o166.x, x);
-            y = lanes_select(_m145, _o166.y, y);
-            z = lanes_select(_m145, _o166.z, z);
-            vx = lanes_select(_m145, _o166.vx, vx);
-            vy = lanes_select(_m145, _o166.vy, vy);
-            vz = lanes_select(_m145, _o166.vz, vz);
-            wx = lanes_select(_m145, _o166.wx, wx);
-            wy = lanes_select(_m145, _o166.wy, wy);
-            wz = lanes_select(_m145, _o166.wz, wz);
-            const LANES(court_begun_errors_out) _o167 =
+            x = lanes_select(_m133, _o154.x, x);
+            y = lanes_select(_m133, _o154.y, y);
+            z = lanes_select(_m133, _o154.z, z);
+            vx = lanes_select(_m133, _o154.vx, vx);
+            vy = lanes_select(_m133, _o154.vy, vy);
+            vz = lanes_select(_m133, _o154.vz, vz);
+            wx = lanes_select(_m133, _o154.wx, wx);
+            wy = lanes_select(_m133, _o154.wy, wy);
+            wz = lanes_select(_m133, _o154.wz, wz);
+            const LANES(court_begun_errors_out) _o155 =
                 LANES(court_begun_errors)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz);
-            dx = lanes_select(_m145, _o167.dx, dx);
-            dy = lanes_select(_m145, _o167.dy, dy);
-            dz = lanes_select(_m145, _o167.dz, dz);
-            dvx = lanes_select(_m145, _o167.dvx, dvx);
-            dvy = lanes_select(_m145, _o167.dvy, dvy);
-            dvz = lanes_select(_m145, _o167.dvz, dvz);
-            dwx = lanes_select(_m145, _o167.dwx, dwx);
-            dwy = lanes_select(_m145, _o167.dwy, dwy);
-            dwz = lanes_select(_m145, _o167.dwz, dwz);
-            const LANES(court_untaut_out) _o168 =
+            dx = lanes_select(_m133, _o155.dx, dx);
+            dy = lanes_select(_m133, _o155.dy, dy);
+            dz = lanes_select(_m133, _o155.dz, dz);
+            dvx = lanes_select(_m133, _o155.dvx, dvx);
+            dvy = lanes_select(_m133, _o155.dvy, dvy);
+            dvz = lanes_select(_m133, _o155.dvz, dvz);
+            dwx = lanes_select(_m133, _o155.dwx, dwx);
+            dwy = lanes_select(_m133, _o155.dwy, dwy);
+            dwz = lanes_select(_m133, _o155.dwz, dwz);
+            const LANES(court_untaut_out) _o156 =
                 LANES(court_untaut)();
-            taut = lanes_select(_m145, _o168.taut, taut);
-            const LANES(court_beginning_contact_out) _o169 =
+            taut = lanes_select(_m133, _o156.taut, taut);
+            const LANES(court_beginning_contact_out) _o157 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m145, _o169.which, which);
-            circled = lanes_select(_m145, _o169.circled, circled);
+            which = lanes_select(_m133, _o157.which, which);
+            circled = lanes_select(_m133, _o157.circled, circled);
         }
-        const LANES(court_circles_out) _o170 =
+        const LANES(court_circles_out) _o158 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o170.circling;
-        rolling = _o170.rolling;
+        M circling = _o158.circling;
+        rolling = _o158.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -5627,688 +5975,688 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_error_bounds_out) _o171 =
+            const LANES(court_error_bounds_out) _o159 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o171.position_error;
-            V velocity_error = _o171.velocity_error;
-            const LANES(court_holding_out) _o172 =
+            V position_error = _o159.position_error;
+            V velocity_error = _o159.velocity_error;
+            const LANES(court_holding_out) _o160 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o172.here;
-            const M _m173 = lanes_both(active, here);
-            if (lanes_any(_m173)) {
-                const LANES(court_backboard_normal_out) _o174 =
+            M here = _o160.here;
+            const M _m161 = lanes_both(active, here);
+            if (lanes_any(_m161)) {
+                const LANES(court_backboard_normal_out) _o162 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m173, _o174.nx, nx);
-                ny = lanes_select(_m173, _o174.ny, ny);
-                nz = lanes_select(_m173, _o174.nz, nz);
-                const LANES(court_backboard_tube_out) _o175 =
+                nx = lanes_select(_m161, _o162.nx, nx);
+                ny = lanes_select(_m161, _o162.ny, ny);
+                nz = lanes_select(_m161, _o162.nz, nz);
+                const LANES(court_backboard_tube_out) _o163 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m173, _o175.bent_x, bent_x);
-                bent_y = lanes_select(_m173, _o175.bent_y, bent_y);
-                bent_z = lanes_select(_m173, _o175.bent_z, bent_z);
-                per_reach = lanes_select(_m173, _o175.per_reach, per_reach);
+                bent_x = lanes_select(_m161, _o163.bent_x, bent_x);
+                bent_y = lanes_select(_m161, _o163.bent_y, bent_y);
+                bent_z = lanes_select(_m161, _o163.bent_z, bent_z);
+                per_reach = lanes_select(_m161, _o163.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o176 =
+            const LANES(court_holding_out) _o164 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o176.here;
-            const M _m177 = lanes_both(active, here);
-            if (lanes_any(_m177)) {
-                const LANES(court_bridge_normal_out) _o178 =
+            here = _o164.here;
+            const M _m165 = lanes_both(active, here);
+            if (lanes_any(_m165)) {
+                const LANES(court_bridge_normal_out) _o166 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m177, _o178.nx, nx);
-                ny = lanes_select(_m177, _o178.ny, ny);
-                nz = lanes_select(_m177, _o178.nz, nz);
-                const LANES(court_bridge_tube_out) _o179 =
+                nx = lanes_select(_m165, _o166.nx, nx);
+                ny = lanes_select(_m165, _o166.ny, ny);
+                nz = lanes_select(_m165, _o166.nz, nz);
+                const LANES(court_bridge_tube_out) _o167 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m177, _o179.bent_x, bent_x);
-                bent_y = lanes_select(_m177, _o179.bent_y, bent_y);
-                bent_z = lanes_select(_m177, _o179.bent_z, bent_z);
-                per_reach = lanes_select(_m177, _o179.per_reach, per_reach);
+                bent_x = lanes_select(_m165, _o167.bent_x, bent_x);
+                bent_y = lanes_select(_m165, _o167.bent_y, bent_y);
+                bent_z = lanes_select(_m165, _o167.bent_z, bent_z);
+                per_reach = lanes_select(_m165, _o167.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o180 =
+            const LANES(court_roll_start_out) _o168 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o180.vx_0;
-            V vy_0 = _o180.vy_0;
-            V vz_0 = _o180.vz_0;
-            V nx_0 = _o180.nx_0;
-            V ny_0 = _o180.ny_0;
-            V nz_0 = _o180.nz_0;
-            V turn_rate_0 = _o180.turn_rate_0;
-            const LANES(court_roll_0_out) _o181 =
+            V vx_0 = _o168.vx_0;
+            V vy_0 = _o168.vy_0;
+            V vz_0 = _o168.vz_0;
+            V nx_0 = _o168.nx_0;
+            V ny_0 = _o168.ny_0;
+            V nz_0 = _o168.nz_0;
+            V turn_rate_0 = _o168.turn_rate_0;
+            const LANES(court_roll_0_out) _o169 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o181.lift_0;
-            V tx_0 = _o181.tx_0;
-            V ty_0 = _o181.ty_0;
-            V tz_0 = _o181.tz_0;
-            V vx_1 = _o181.vx_1;
-            V vy_1 = _o181.vy_1;
-            V vz_1 = _o181.vz_1;
-            V nx_1 = _o181.nx_1;
-            V ny_1 = _o181.ny_1;
-            V nz_1 = _o181.nz_1;
-            V turn_rate_1 = _o181.turn_rate_1;
-            const LANES(court_roll_1_out) _o182 =
+            V lift_0 = _o169.lift_0;
+            V tx_0 = _o169.tx_0;
+            V ty_0 = _o169.ty_0;
+            V tz_0 = _o169.tz_0;
+            V vx_1 = _o169.vx_1;
+            V vy_1 = _o169.vy_1;
+            V vz_1 = _o169.vz_1;
+            V nx_1 = _o169.nx_1;
+            V ny_1 = _o169.ny_1;
+            V nz_1 = _o169.nz_1;
+            V turn_rate_1 = _o169.turn_rate_1;
+            const LANES(court_roll_1_out) _o170 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o182.lift_1;
-            V tx_1 = _o182.tx_1;
-            V ty_1 = _o182.ty_1;
-            V tz_1 = _o182.tz_1;
-            V vx_2 = _o182.vx_2;
-            V vy_2 = _o182.vy_2;
-            V vz_2 = _o182.vz_2;
-            V nx_2 = _o182.nx_2;
-            V ny_2 = _o182.ny_2;
-            V nz_2 = _o182.nz_2;
-            V turn_rate_2 = _o182.turn_rate_2;
-            const LANES(court_roll_2_out) _o183 =
+            V lift_1 = _o170.lift_1;
+            V tx_1 = _o170.tx_1;
+            V ty_1 = _o170.ty_1;
+            V tz_1 = _o170.tz_1;
+            V vx_2 = _o170.vx_2;
+            V vy_2 = _o170.vy_2;
+            V vz_2 = _o170.vz_2;
+            V nx_2 = _o170.nx_2;
+            V ny_2 = _o170.ny_2;
+            V nz_2 = _o170.nz_2;
+            V turn_rate_2 = _o170.turn_rate_2;
+            const LANES(court_roll_2_out) _o171 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o183.lift_2;
-            V tx_2 = _o183.tx_2;
-            V ty_2 = _o183.ty_2;
-            V tz_2 = _o183.tz_2;
-            V vx_3 = _o183.vx_3;
-            V vy_3 = _o183.vy_3;
-            V vz_3 = _o183.vz_3;
-            V nx_3 = _o183.nx_3;
-            V ny_3 = _o183.ny_3;
-            V nz_3 = _o183.nz_3;
-            V turn_rate_3 = _o183.turn_rate_3;
-            const LANES(court_roll_3_out) _o184 =
+            V lift_2 = _o171.lift_2;
+            V tx_2 = _o171.tx_2;
+            V ty_2 = _o171.ty_2;
+            V tz_2 = _o171.tz_2;
+            V vx_3 = _o171.vx_3;
+            V vy_3 = _o171.vy_3;
+            V vz_3 = _o171.vz_3;
+            V nx_3 = _o171.nx_3;
+            V ny_3 = _o171.ny_3;
+            V nz_3 = _o171.nz_3;
+            V turn_rate_3 = _o171.turn_rate_3;
+            const LANES(court_roll_3_out) _o172 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o184.lift_3;
-            V tx_3 = _o184.tx_3;
-            V ty_3 = _o184.ty_3;
-            V tz_3 = _o184.tz_3;
-            V vx_4 = _o184.vx_4;
-            V vy_4 = _o184.vy_4;
-            V vz_4 = _o184.vz_4;
-            V nx_4 = _o184.nx_4;
-            V ny_4 = _o184.ny_4;
-            V nz_4 = _o184.nz_4;
-            V turn_rate_4 = _o184.turn_rate_4;
-            const LANES(court_roll_4_out) _o185 =
+            V lift_3 = _o172.lift_3;
+            V tx_3 = _o172.tx_3;
+            V ty_3 = _o172.ty_3;
+            V tz_3 = _o172.tz_3;
+            V vx_4 = _o172.vx_4;
+            V vy_4 = _o172.vy_4;
+            V vz_4 = _o172.vz_4;
+            V nx_4 = _o172.nx_4;
+            V ny_4 = _o172.ny_4;
+            V nz_4 = _o172.nz_4;
+            V turn_rate_4 = _o172.turn_rate_4;
+            const LANES(court_roll_4_out) _o173 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o185.lift_4;
-            V tx_4 = _o185.tx_4;
-            V ty_4 = _o185.ty_4;
-            V tz_4 = _o185.tz_4;
-            V vx_5 = _o185.vx_5;
-            V vy_5 = _o185.vy_5;
-            V vz_5 = _o185.vz_5;
-            V nx_5 = _o185.nx_5;
-            V ny_5 = _o185.ny_5;
-            V nz_5 = _o185.nz_5;
-            V turn_rate_5 = _o185.turn_rate_5;
-            const LANES(court_roll_5_out) _o186 =
+            V lift_4 = _o173.lift_4;
+            V tx_4 = _o173.tx_4;
+            V ty_4 = _o173.ty_4;
+            V tz_4 = _o173.tz_4;
+            V vx_5 = _o173.vx_5;
+            V vy_5 = _o173.vy_5;
+            V vz_5 = _o173.vz_5;
+            V nx_5 = _o173.nx_5;
+            V ny_5 = _o173.ny_5;
+            V nz_5 = _o173.nz_5;
+            V turn_rate_5 = _o173.turn_rate_5;
+            const LANES(court_roll_5_out) _o174 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o186.lift_5;
-            V tx_5 = _o186.tx_5;
-            V ty_5 = _o186.ty_5;
-            V tz_5 = _o186.tz_5;
-            V vx_6 = _o186.vx_6;
-            V vy_6 = _o186.vy_6;
-            V vz_6 = _o186.vz_6;
-            V nx_6 = _o186.nx_6;
-            V ny_6 = _o186.ny_6;
-            V nz_6 = _o186.nz_6;
-            V turn_rate_6 = _o186.turn_rate_6;
-            const LANES(court_roll_6_out) _o187 =
+            V lift_5 = _o174.lift_5;
+            V tx_5 = _o174.tx_5;
+            V ty_5 = _o174.ty_5;
+            V tz_5 = _o174.tz_5;
+            V vx_6 = _o174.vx_6;
+            V vy_6 = _o174.vy_6;
+            V vz_6 = _o174.vz_6;
+            V nx_6 = _o174.nx_6;
+            V ny_6 = _o174.ny_6;
+            V nz_6 = _o174.nz_6;
+            V turn_rate_6 = _o174.turn_rate_6;
+            const LANES(court_roll_6_out) _o175 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o187.lift_6;
-            V tx_6 = _o187.tx_6;
-            V ty_6 = _o187.ty_6;
-            V tz_6 = _o187.tz_6;
-            V vx_7 = _o187.vx_7;
-            V vy_7 = _o187.vy_7;
-            V vz_7 = _o187.vz_7;
-            V nx_7 = _o187.nx_7;
-            V ny_7 = _o187.ny_7;
-            V nz_7 = _o187.nz_7;
-            V turn_rate_7 = _o187.turn_rate_7;
-            const LANES(court_roll_7_out) _o188 =
+            V lift_6 = _o175.lift_6;
+            V tx_6 = _o175.tx_6;
+            V ty_6 = _o175.ty_6;
+            V tz_6 = _o175.tz_6;
+            V vx_7 = _o175.vx_7;
+            V vy_7 = _o175.vy_7;
+            V vz_7 = _o175.vz_7;
+            V nx_7 = _o175.nx_7;
+            V ny_7 = _o175.ny_7;
+            V nz_7 = _o175.nz_7;
+            V turn_rate_7 = _o175.turn_rate_7;
+            const LANES(court_roll_7_out) _o176 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o188.lift_7;
-            V vx_8 = _o188.vx_8;
-            V vy_8 = _o188.vy_8;
-            V vz_8 = _o188.vz_8;
-            V nx_8 = _o188.nx_8;
-            V ny_8 = _o188.ny_8;
-            V nz_8 = _o188.nz_8;
-            V turn_rate_8 = _o188.turn_rate_8;
-            const LANES(court_roll_pace_out) _o189 =
+            V lift_7 = _o176.lift_7;
+            V vx_8 = _o176.vx_8;
+            V vy_8 = _o176.vy_8;
+            V vz_8 = _o176.vz_8;
+            V nx_8 = _o176.nx_8;
+            V ny_8 = _o176.ny_8;
+            V nz_8 = _o176.nz_8;
+            V turn_rate_8 = _o176.turn_rate_8;
+            const LANES(court_roll_pace_out) _o177 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o189.stride;
-            V strongest = _o189.strongest;
-            V fastest = _o189.fastest;
-            V force = _o189.force;
-            V force_rate = _o189.force_rate;
-            V force_bend = _o189.force_bend;
-            V brace = _o189.brace;
-            const LANES(court_pulled_out) _o190 =
+            V stride = _o177.stride;
+            V strongest = _o177.strongest;
+            V fastest = _o177.fastest;
+            V force = _o177.force;
+            V force_rate = _o177.force_rate;
+            V force_bend = _o177.force_bend;
+            V brace = _o177.brace;
+            const LANES(court_pulled_out) _o178 =
                 LANES(court_pulled)(p_gravity, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-            V drag = _o190.drag;
-            V drag_rate = _o190.drag_rate;
-            V strain = _o190.strain;
-            V strain_rate = _o190.strain_rate;
-            const LANES(court_holding_out) _o191 =
+            V drag = _o178.drag;
+            V drag_rate = _o178.drag_rate;
+            V strain = _o178.strain;
+            V strain_rate = _o178.strain_rate;
+            const LANES(court_holding_out) _o179 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o191.here;
-            const M _m192 = lanes_both(active, here);
+            here = _o179.here;
+            const M _m180 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o193 =
+                const LANES(court_ring_impact_strained_out) _o181 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_backboard_friction);
-                strain = lanes_select(_m192, _o193.strain, strain);
-                strain_rate = lanes_select(_m192, _o193.strain_rate, strain_rate);
+                strain = lanes_select(_m180, _o181.strain, strain);
+                strain_rate = lanes_select(_m180, _o181.strain_rate, strain_rate);
             }
-            const LANES(court_holding_out) _o194 =
+            const LANES(court_holding_out) _o182 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o194.here;
-            const M _m195 = lanes_both(active, here);
+            here = _o182.here;
+            const M _m183 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o196 =
+                const LANES(court_ring_impact_strained_out) _o184 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_bridge_friction);
-                strain = lanes_select(_m195, _o196.strain, strain);
-                strain_rate = lanes_select(_m195, _o196.strain_rate, strain_rate);
+                strain = lanes_select(_m183, _o184.strain, strain);
+                strain_rate = lanes_select(_m183, _o184.strain_rate, strain_rate);
             }
-            const LANES(court_losing_out) _o197 =
+            const LANES(court_losing_out) _o185 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o197.loses;
-            const M _m198 = lanes_both(active, loses);
-            if (lanes_any(_m198)) {
-                const LANES(court_lost_grip_out) _o199 =
+            M loses = _o185.loses;
+            const M _m186 = lanes_both(active, loses);
+            if (lanes_any(_m186)) {
+                const LANES(court_lost_grip_out) _o187 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m198, _o199.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m186, _o187.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o200 =
+            const LANES(court_tightened_out) _o188 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o200.taut;
-            taut_rate = _o200.taut_rate;
-            taut_clock = _o200.taut_clock;
-            const LANES(court_leaving_force_out) _o201 =
+            taut = _o188.taut;
+            taut_rate = _o188.taut_rate;
+            taut_clock = _o188.taut_clock;
+            const LANES(court_leaving_force_out) _o189 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o201.stride;
-            which = _o201.which;
-            M rests = _o201.rests;
-            doubt = _o201.doubt;
-            const LANES(court_beside_out) _o202 =
+            stride = _o189.stride;
+            which = _o189.which;
+            M rests = _o189.rests;
+            doubt = _o189.doubt;
+            const LANES(court_beside_out) _o190 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o202.beside;
-            const M _m203 = lanes_both(active, beside);
-            if (lanes_any(_m203)) {
-                const LANES(court_ring_beside_out) _o204 =
+            M beside = _o190.beside;
+            const M _m191 = lanes_both(active, beside);
+            if (lanes_any(_m191)) {
+                const LANES(court_ring_beside_out) _o192 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o204.gap;
-                V nearing = _o204.nearing;
-                V dent = _o204.dent;
-                const LANES(court_beside_body_out) _o205 =
+                V gap = _o192.gap;
+                V nearing = _o192.nearing;
+                V dent = _o192.dent;
+                const LANES(court_beside_body_out) _o193 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m203, _o205.stride, stride);
-                which = lanes_select(_m203, _o205.which, which);
-                doubt = lanes_select(_m203, _o205.doubt, doubt);
-                late = lanes_select(_m203, _o205.late, late);
+                stride = lanes_select(_m191, _o193.stride, stride);
+                which = lanes_select(_m191, _o193.which, which);
+                doubt = lanes_select(_m191, _o193.doubt, doubt);
+                late = lanes_select(_m191, _o193.late, late);
             }
-            const LANES(court_beside_out) _o206 =
+            const LANES(court_beside_out) _o194 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o206.beside;
-            const M _m207 = lanes_both(active, beside);
-            if (lanes_any(_m207)) {
-                const LANES(court_backboard_beside_out) _o208 =
+            beside = _o194.beside;
+            const M _m195 = lanes_both(active, beside);
+            if (lanes_any(_m195)) {
+                const LANES(court_backboard_beside_out) _o196 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o208.gap;
-                V nearing = _o208.nearing;
-                V dent = _o208.dent;
-                const LANES(court_beside_body_out) _o209 =
+                V gap = _o196.gap;
+                V nearing = _o196.nearing;
+                V dent = _o196.dent;
+                const LANES(court_beside_body_out) _o197 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m207, _o209.stride, stride);
-                which = lanes_select(_m207, _o209.which, which);
-                doubt = lanes_select(_m207, _o209.doubt, doubt);
-                late = lanes_select(_m207, _o209.late, late);
+                stride = lanes_select(_m195, _o197.stride, stride);
+                which = lanes_select(_m195, _o197.which, which);
+                doubt = lanes_select(_m195, _o197.doubt, doubt);
+                late = lanes_select(_m195, _o197.late, late);
             }
-            const LANES(court_beside_out) _o210 =
+            const LANES(court_beside_out) _o198 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o210.beside;
-            const M _m211 = lanes_both(active, beside);
-            if (lanes_any(_m211)) {
-                const LANES(court_bridge_beside_out) _o212 =
+            beside = _o198.beside;
+            const M _m199 = lanes_both(active, beside);
+            if (lanes_any(_m199)) {
+                const LANES(court_bridge_beside_out) _o200 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o212.gap;
-                V nearing = _o212.nearing;
-                V dent = _o212.dent;
-                const LANES(court_beside_body_out) _o213 =
+                V gap = _o200.gap;
+                V nearing = _o200.nearing;
+                V dent = _o200.dent;
+                const LANES(court_beside_body_out) _o201 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m211, _o213.stride, stride);
-                which = lanes_select(_m211, _o213.which, which);
-                doubt = lanes_select(_m211, _o213.doubt, doubt);
-                late = lanes_select(_m211, _o213.late, late);
+                stride = lanes_select(_m199, _o201.stride, stride);
+                which = lanes_select(_m199, _o201.which, which);
+                doubt = lanes_select(_m199, _o201.doubt, doubt);
+                late = lanes_select(_m199, _o201.late, late);
             }
-            const LANES(court_end_beside_out) _o214 =
+            const LANES(court_end_beside_out) _o202 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o214.gap;
-            V nearing = _o214.nearing;
-            V dent = _o214.dent;
-            const LANES(court_beside_gate_out) _o215 =
+            V gap = _o202.gap;
+            V nearing = _o202.nearing;
+            V dent = _o202.dent;
+            const LANES(court_beside_gate_out) _o203 =
                 LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o215.stride;
-            which = _o215.which;
-            doubt = _o215.doubt;
-            late = _o215.late;
-            const LANES(court_holding_out) _o216 =
+            stride = _o203.stride;
+            which = _o203.which;
+            doubt = _o203.doubt;
+            late = _o203.late;
+            const LANES(court_holding_out) _o204 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o216.here;
-            const M _m217 = lanes_both(active, here);
-            if (lanes_any(_m217)) {
-                const LANES(court_backboard_seam0_out) _o218 =
+            here = _o204.here;
+            const M _m205 = lanes_both(active, here);
+            if (lanes_any(_m205)) {
+                const LANES(court_backboard_seam0_out) _o206 =
                     LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m217, _o218.gap, gap);
-                V nearing = _o218.nearing;
-                V near = _o218.near;
-                const LANES(court_beside_seam_out) _o219 =
+                gap = lanes_select(_m205, _o206.gap, gap);
+                V nearing = _o206.nearing;
+                V near = _o206.near;
+                const LANES(court_beside_seam_out) _o207 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o219.stride, stride);
-                const LANES(court_backboard_seam1_out) _o220 =
+                stride = lanes_select(_m205, _o207.stride, stride);
+                const LANES(court_backboard_seam1_out) _o208 =
                     LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m217, _o220.gap, gap);
-                nearing = _o220.nearing;
-                near = _o220.near;
+                gap = lanes_select(_m205, _o208.gap, gap);
+                nearing = _o208.nearing;
+                near = _o208.near;
+                const LANES(court_beside_seam_out) _o209 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m205, _o209.stride, stride);
+                const LANES(court_backboard_seam2_out) _o210 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m205, _o210.gap, gap);
+                nearing = _o210.nearing;
+                near = _o210.near;
+                const LANES(court_beside_seam_out) _o211 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m205, _o211.stride, stride);
+                const LANES(court_backboard_seam3_out) _o212 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m205, _o212.gap, gap);
+                nearing = _o212.nearing;
+                near = _o212.near;
+                const LANES(court_beside_seam_out) _o213 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m205, _o213.stride, stride);
+                const LANES(court_backboard_seam4_out) _o214 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m205, _o214.gap, gap);
+                nearing = _o214.nearing;
+                near = _o214.near;
+                const LANES(court_beside_seam_out) _o215 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m205, _o215.stride, stride);
+                const LANES(court_backboard_seam5_out) _o216 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m205, _o216.gap, gap);
+                nearing = _o216.nearing;
+                near = _o216.near;
+                const LANES(court_beside_seam_out) _o217 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m205, _o217.stride, stride);
+            }
+            const LANES(court_holding_out) _o218 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o218.here;
+            const M _m219 = lanes_both(active, here);
+            if (lanes_any(_m219)) {
+                const LANES(court_bridge_seam0_out) _o220 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m219, _o220.gap, gap);
+                V nearing = _o220.nearing;
+                V near = _o220.near;
                 const LANES(court_beside_seam_out) _o221 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o221.stride, stride);
-                const LANES(court_backboard_seam2_out) _o222 =
-                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m217, _o222.gap, gap);
+                stride = lanes_select(_m219, _o221.stride, stride);
+                const LANES(court_bridge_seam1_out) _o222 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m219, _o222.gap, gap);
                 nearing = _o222.nearing;
                 near = _o222.near;
                 const LANES(court_beside_seam_out) _o223 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o223.stride, stride);
-                const LANES(court_backboard_seam3_out) _o224 =
-                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m217, _o224.gap, gap);
+                stride = lanes_select(_m219, _o223.stride, stride);
+                const LANES(court_bridge_seam2_out) _o224 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m219, _o224.gap, gap);
                 nearing = _o224.nearing;
                 near = _o224.near;
                 const LANES(court_beside_seam_out) _o225 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o225.stride, stride);
-                const LANES(court_backboard_seam4_out) _o226 =
-                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m217, _o226.gap, gap);
+                stride = lanes_select(_m219, _o225.stride, stride);
+                const LANES(court_bridge_seam3_out) _o226 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m219, _o226.gap, gap);
                 nearing = _o226.nearing;
                 near = _o226.near;
                 const LANES(court_beside_seam_out) _o227 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o227.stride, stride);
-                const LANES(court_backboard_seam5_out) _o228 =
-                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m217, _o228.gap, gap);
+                stride = lanes_select(_m219, _o227.stride, stride);
+                const LANES(court_bridge_seam4_out) _o228 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m219, _o228.gap, gap);
                 nearing = _o228.nearing;
                 near = _o228.near;
                 const LANES(court_beside_seam_out) _o229 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o229.stride, stride);
-            }
-            const LANES(court_holding_out) _o230 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o230.here;
-            const M _m231 = lanes_both(active, here);
-            if (lanes_any(_m231)) {
-                const LANES(court_bridge_seam0_out) _o232 =
-                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m231, _o232.gap, gap);
-                V nearing = _o232.nearing;
-                V near = _o232.near;
-                const LANES(court_beside_seam_out) _o233 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m231, _o233.stride, stride);
-                const LANES(court_bridge_seam1_out) _o234 =
-                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m231, _o234.gap, gap);
-                nearing = _o234.nearing;
-                near = _o234.near;
-                const LANES(court_beside_seam_out) _o235 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m231, _o235.stride, stride);
-                const LANES(court_bridge_seam2_out) _o236 =
-                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m231, _o236.gap, gap);
-                nearing = _o236.nearing;
-                near = _o236.near;
-                const LANES(court_beside_seam_out) _o237 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m231, _o237.stride, stride);
-                const LANES(court_bridge_seam3_out) _o238 =
-                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m231, _o238.gap, gap);
-                nearing = _o238.nearing;
-                near = _o238.near;
-                const LANES(court_beside_seam_out) _o239 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m231, _o239.stride, stride);
-                const LANES(court_bridge_seam4_out) _o240 =
-                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m231, _o240.gap, gap);
-                nearing = _o240.nearing;
-                near = _o240.near;
-                const LANES(court_beside_seam_out) _o241 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m231, _o241.stride, stride);
-                const LANES(court_bridge_seam5_out) _o242 =
+                stride = lanes_select(_m219, _o229.stride, stride);
+                const LANES(court_bridge_seam5_out) _o230 =
                     LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m231, _o242.gap, gap);
-                nearing = _o242.nearing;
-                near = _o242.near;
-                const LANES(court_beside_seam_out) _o243 =
+                gap = lanes_select(_m219, _o230.gap, gap);
+                nearing = _o230.nearing;
+                near = _o230.near;
+                const LANES(court_beside_seam_out) _o231 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m231, _o243.stride, stride);
+                stride = lanes_select(_m219, _o231.stride, stride);
             }
-            const LANES(court_beside_time_out) _o244 =
+            const LANES(court_beside_time_out) _o232 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o244.stride;
-            which = _o244.which;
-            const LANES(court_apart_out) _o245 =
+            stride = _o232.stride;
+            which = _o232.which;
+            const LANES(court_apart_out) _o233 =
                 LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o245.apart;
-            const LANES(court_neighbour_out) _o246 =
+            V apart = _o233.apart;
+            const LANES(court_neighbour_out) _o234 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o246.far_x;
-            V far_y = _o246.far_y;
-            V far_z = _o246.far_z;
-            V far_vx = _o246.far_vx;
-            V far_vy = _o246.far_vy;
-            V far_vz = _o246.far_vz;
-            V far_wx = _o246.far_wx;
-            V far_wy = _o246.far_wy;
-            V far_wz = _o246.far_wz;
-            V far_nx = _o246.far_nx;
-            V far_ny = _o246.far_ny;
-            V far_nz = _o246.far_nz;
-            V far_gap = _o246.far_gap;
-            const LANES(court_passing_from_out) _o247 =
+            V far_x = _o234.far_x;
+            V far_y = _o234.far_y;
+            V far_z = _o234.far_z;
+            V far_vx = _o234.far_vx;
+            V far_vy = _o234.far_vy;
+            V far_vz = _o234.far_vz;
+            V far_wx = _o234.far_wx;
+            V far_wy = _o234.far_wy;
+            V far_wz = _o234.far_wz;
+            V far_nx = _o234.far_nx;
+            V far_ny = _o234.far_ny;
+            V far_nz = _o234.far_nz;
+            V far_gap = _o234.far_gap;
+            const LANES(court_passing_from_out) _o235 =
                 LANES(court_passing_from)(z);
-            M over = _o247.over;
-            const LANES(court_roll_moved_out) _o248 =
+            M over = _o235.over;
+            const LANES(court_roll_moved_out) _o236 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o248.x;
-            vx = _o248.vx;
-            y = _o248.y;
-            vy = _o248.vy;
-            z = _o248.z;
-            vz = _o248.vz;
-            V turn_rate = _o248.turn_rate;
-            const LANES(court_holding_out) _o249 =
+            x = _o236.x;
+            vx = _o236.vx;
+            y = _o236.y;
+            vy = _o236.vy;
+            z = _o236.z;
+            vz = _o236.vz;
+            V turn_rate = _o236.turn_rate;
+            const LANES(court_holding_out) _o237 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o249.here;
-            const M _m250 = lanes_both(active, here);
-            if (lanes_any(_m250)) {
-                const LANES(court_backboard_normal_out) _o251 =
+            here = _o237.here;
+            const M _m238 = lanes_both(active, here);
+            if (lanes_any(_m238)) {
+                const LANES(court_backboard_normal_out) _o239 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m250, _o251.nx, nx);
-                ny = lanes_select(_m250, _o251.ny, ny);
-                nz = lanes_select(_m250, _o251.nz, nz);
-                const LANES(court_backboard_off_out) _o252 =
+                nx = lanes_select(_m238, _o239.nx, nx);
+                ny = lanes_select(_m238, _o239.ny, ny);
+                nz = lanes_select(_m238, _o239.nz, nz);
+                const LANES(court_backboard_off_out) _o240 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m250, _o252.gap, gap);
+                gap = lanes_select(_m238, _o240.gap, gap);
             }
-            const LANES(court_holding_out) _o253 =
+            const LANES(court_holding_out) _o241 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o253.here;
-            const M _m254 = lanes_both(active, here);
-            if (lanes_any(_m254)) {
-                const LANES(court_bridge_normal_out) _o255 =
+            here = _o241.here;
+            const M _m242 = lanes_both(active, here);
+            if (lanes_any(_m242)) {
+                const LANES(court_bridge_normal_out) _o243 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m254, _o255.nx, nx);
-                ny = lanes_select(_m254, _o255.ny, ny);
-                nz = lanes_select(_m254, _o255.nz, nz);
-                const LANES(court_bridge_off_out) _o256 =
+                nx = lanes_select(_m242, _o243.nx, nx);
+                ny = lanes_select(_m242, _o243.ny, ny);
+                nz = lanes_select(_m242, _o243.nz, nz);
+                const LANES(court_bridge_off_out) _o244 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m254, _o256.gap, gap);
+                gap = lanes_select(_m242, _o244.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o257 =
+            const LANES(court_roll_placed_out) _o245 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o257.x;
-            y = _o257.y;
-            z = _o257.z;
-            vx = _o257.vx;
-            vy = _o257.vy;
-            vz = _o257.vz;
-            wx = _o257.wx;
-            wy = _o257.wy;
-            wz = _o257.wz;
-            const LANES(court_passing_in_contact_out) _o258 =
+            x = _o245.x;
+            y = _o245.y;
+            z = _o245.z;
+            vx = _o245.vx;
+            vy = _o245.vy;
+            vz = _o245.vz;
+            wx = _o245.wx;
+            wy = _o245.wy;
+            wz = _o245.wz;
+            const LANES(court_passing_in_contact_out) _o246 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o258.through;
-            const LANES(court_holding_out) _o259 =
+            through = _o246.through;
+            const LANES(court_holding_out) _o247 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o259.here;
-            const M _m260 = lanes_both(active, here);
+            here = _o247.here;
+            const M _m248 = lanes_both(active, here);
             {
-                const LANES(court_backboard_normal_out) _o261 =
+                const LANES(court_backboard_normal_out) _o249 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m260, _o261.nx, far_nx);
-                far_ny = lanes_select(_m260, _o261.ny, far_ny);
-                far_nz = lanes_select(_m260, _o261.nz, far_nz);
+                far_nx = lanes_select(_m248, _o249.nx, far_nx);
+                far_ny = lanes_select(_m248, _o249.ny, far_ny);
+                far_nz = lanes_select(_m248, _o249.nz, far_nz);
             }
-            const LANES(court_holding_out) _o262 =
+            const LANES(court_holding_out) _o250 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o262.here;
-            const M _m263 = lanes_both(active, here);
+            here = _o250.here;
+            const M _m251 = lanes_both(active, here);
             {
-                const LANES(court_bridge_normal_out) _o264 =
+                const LANES(court_bridge_normal_out) _o252 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m263, _o264.nx, far_nx);
-                far_ny = lanes_select(_m263, _o264.ny, far_ny);
-                far_nz = lanes_select(_m263, _o264.nz, far_nz);
+                far_nx = lanes_select(_m251, _o252.nx, far_nx);
+                far_ny = lanes_select(_m251, _o252.ny, far_ny);
+                far_nz = lanes_select(_m251, _o252.nz, far_nz);
             }
-            const LANES(court_roll_turn_rate_out) _o265 =
+            const LANES(court_roll_turn_rate_out) _o253 =
                 LANES(court_roll_turn_rate)(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
-            turn_rate = _o265.turn_rate;
-            const LANES(court_holding_out) _o266 =
+            turn_rate = _o253.turn_rate;
+            const LANES(court_holding_out) _o254 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o266.here;
-            const M _m267 = lanes_both(active, here);
-            if (lanes_any(_m267)) {
-                const LANES(court_backboard_normal_out) _o268 =
+            here = _o254.here;
+            const M _m255 = lanes_both(active, here);
+            if (lanes_any(_m255)) {
+                const LANES(court_backboard_normal_out) _o256 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m267, _o268.nx, far_nx);
-                far_ny = lanes_select(_m267, _o268.ny, far_ny);
-                far_nz = lanes_select(_m267, _o268.nz, far_nz);
-                const LANES(court_backboard_off_out) _o269 =
+                far_nx = lanes_select(_m255, _o256.nx, far_nx);
+                far_ny = lanes_select(_m255, _o256.ny, far_ny);
+                far_nz = lanes_select(_m255, _o256.nz, far_nz);
+                const LANES(court_backboard_off_out) _o257 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m267, _o269.gap, far_gap);
+                far_gap = lanes_select(_m255, _o257.gap, far_gap);
             }
-            const LANES(court_holding_out) _o270 =
+            const LANES(court_holding_out) _o258 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o270.here;
-            const M _m271 = lanes_both(active, here);
-            if (lanes_any(_m271)) {
-                const LANES(court_bridge_normal_out) _o272 =
+            here = _o258.here;
+            const M _m259 = lanes_both(active, here);
+            if (lanes_any(_m259)) {
+                const LANES(court_bridge_normal_out) _o260 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m271, _o272.nx, far_nx);
-                far_ny = lanes_select(_m271, _o272.ny, far_ny);
-                far_nz = lanes_select(_m271, _o272.nz, far_nz);
-                const LANES(court_bridge_off_out) _o273 =
+                far_nx = lanes_select(_m259, _o260.nx, far_nx);
+                far_ny = lanes_select(_m259, _o260.ny, far_ny);
+                far_nz = lanes_select(_m259, _o260.nz, far_nz);
+                const LANES(court_bridge_off_out) _o261 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m271, _o273.gap, far_gap);
+                far_gap = lanes_select(_m259, _o261.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o274 =
+            const LANES(court_roll_placed_out) _o262 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o274.x;
-            far_y = _o274.y;
-            far_z = _o274.z;
-            far_vx = _o274.vx;
-            far_vy = _o274.vy;
-            far_vz = _o274.vz;
-            far_wx = _o274.wx;
-            far_wy = _o274.wy;
-            far_wz = _o274.wz;
-            const LANES(court_roll_start_out) _o275 =
+            far_x = _o262.x;
+            far_y = _o262.y;
+            far_z = _o262.z;
+            far_vx = _o262.vx;
+            far_vy = _o262.vy;
+            far_vz = _o262.vz;
+            far_wx = _o262.wx;
+            far_wy = _o262.wy;
+            far_wz = _o262.wz;
+            const LANES(court_roll_start_out) _o263 =
                 LANES(court_roll_start)(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
-            vx_0 = _o275.vx_0;
-            vy_0 = _o275.vy_0;
-            vz_0 = _o275.vz_0;
-            nx_0 = _o275.nx_0;
-            ny_0 = _o275.ny_0;
-            nz_0 = _o275.nz_0;
-            turn_rate_0 = _o275.turn_rate_0;
-            const LANES(court_roll_0_out) _o276 =
+            vx_0 = _o263.vx_0;
+            vy_0 = _o263.vy_0;
+            vz_0 = _o263.vz_0;
+            nx_0 = _o263.nx_0;
+            ny_0 = _o263.ny_0;
+            nz_0 = _o263.nz_0;
+            turn_rate_0 = _o263.turn_rate_0;
+            const LANES(court_roll_0_out) _o264 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            lift_0 = _o276.lift_0;
-            tx_0 = _o276.tx_0;
-            ty_0 = _o276.ty_0;
-            tz_0 = _o276.tz_0;
-            vx_1 = _o276.vx_1;
-            vy_1 = _o276.vy_1;
-            vz_1 = _o276.vz_1;
-            nx_1 = _o276.nx_1;
-            ny_1 = _o276.ny_1;
-            nz_1 = _o276.nz_1;
-            turn_rate_1 = _o276.turn_rate_1;
-            const LANES(court_roll_1_out) _o277 =
+            lift_0 = _o264.lift_0;
+            tx_0 = _o264.tx_0;
+            ty_0 = _o264.ty_0;
+            tz_0 = _o264.tz_0;
+            vx_1 = _o264.vx_1;
+            vy_1 = _o264.vy_1;
+            vz_1 = _o264.vz_1;
+            nx_1 = _o264.nx_1;
+            ny_1 = _o264.ny_1;
+            nz_1 = _o264.nz_1;
+            turn_rate_1 = _o264.turn_rate_1;
+            const LANES(court_roll_1_out) _o265 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            lift_1 = _o277.lift_1;
-            tx_1 = _o277.tx_1;
-            ty_1 = _o277.ty_1;
-            tz_1 = _o277.tz_1;
-            vx_2 = _o277.vx_2;
-            vy_2 = _o277.vy_2;
-            vz_2 = _o277.vz_2;
-            nx_2 = _o277.nx_2;
-            ny_2 = _o277.ny_2;
-            nz_2 = _o277.nz_2;
-            turn_rate_2 = _o277.turn_rate_2;
-            const LANES(court_roll_2_out) _o278 =
+            lift_1 = _o265.lift_1;
+            tx_1 = _o265.tx_1;
+            ty_1 = _o265.ty_1;
+            tz_1 = _o265.tz_1;
+            vx_2 = _o265.vx_2;
+            vy_2 = _o265.vy_2;
+            vz_2 = _o265.vz_2;
+            nx_2 = _o265.nx_2;
+            ny_2 = _o265.ny_2;
+            nz_2 = _o265.nz_2;
+            turn_rate_2 = _o265.turn_rate_2;
+            const LANES(court_roll_2_out) _o266 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            lift_2 = _o278.lift_2;
-            tx_2 = _o278.tx_2;
-            ty_2 = _o278.ty_2;
-            tz_2 = _o278.tz_2;
-            vx_3 = _o278.vx_3;
-            vy_3 = _o278.vy_3;
-            vz_3 = _o278.vz_3;
-            nx_3 = _o278.nx_3;
-            ny_3 = _o278.ny_3;
-            nz_3 = _o278.nz_3;
-            turn_rate_3 = _o278.turn_rate_3;
-            const LANES(court_roll_3_out) _o279 =
+            lift_2 = _o266.lift_2;
+            tx_2 = _o266.tx_2;
+            ty_2 = _o266.ty_2;
+            tz_2 = _o266.tz_2;
+            vx_3 = _o266.vx_3;
+            vy_3 = _o266.vy_3;
+            vz_3 = _o266.vz_3;
+            nx_3 = _o266.nx_3;
+            ny_3 = _o266.ny_3;
+            nz_3 = _o266.nz_3;
+            turn_rate_3 = _o266.turn_rate_3;
+            const LANES(court_roll_3_out) _o267 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            lift_3 = _o279.lift_3;
-            tx_3 = _o279.tx_3;
-            ty_3 = _o279.ty_3;
-            tz_3 = _o279.tz_3;
-            vx_4 = _o279.vx_4;
-            vy_4 = _o279.vy_4;
-            vz_4 = _o279.vz_4;
-            nx_4 = _o279.nx_4;
-            ny_4 = _o279.ny_4;
-            nz_4 = _o279.nz_4;
-            turn_rate_4 = _o279.turn_rate_4;
-            const LANES(court_roll_4_out) _o280 =
+            lift_3 = _o267.lift_3;
+            tx_3 = _o267.tx_3;
+            ty_3 = _o267.ty_3;
+            tz_3 = _o267.tz_3;
+            vx_4 = _o267.vx_4;
+            vy_4 = _o267.vy_4;
+            vz_4 = _o267.vz_4;
+            nx_4 = _o267.nx_4;
+            ny_4 = _o267.ny_4;
+            nz_4 = _o267.nz_4;
+            turn_rate_4 = _o267.turn_rate_4;
+            const LANES(court_roll_4_out) _o268 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            lift_4 = _o280.lift_4;
-            tx_4 = _o280.tx_4;
-            ty_4 = _o280.ty_4;
-            tz_4 = _o280.tz_4;
-            vx_5 = _o280.vx_5;
-            vy_5 = _o280.vy_5;
-            vz_5 = _o280.vz_5;
-            nx_5 = _o280.nx_5;
-            ny_5 = _o280.ny_5;
-            nz_5 = _o280.nz_5;
-            turn_rate_5 = _o280.turn_rate_5;
-            const LANES(court_roll_5_out) _o281 =
+            lift_4 = _o268.lift_4;
+            tx_4 = _o268.tx_4;
+            ty_4 = _o268.ty_4;
+            tz_4 = _o268.tz_4;
+            vx_5 = _o268.vx_5;
+            vy_5 = _o268.vy_5;
+            vz_5 = _o268.vz_5;
+            nx_5 = _o268.nx_5;
+            ny_5 = _o268.ny_5;
+            nz_5 = _o268.nz_5;
+            turn_rate_5 = _o268.turn_rate_5;
+            const LANES(court_roll_5_out) _o269 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            lift_5 = _o281.lift_5;
-            tx_5 = _o281.tx_5;
-            ty_5 = _o281.ty_5;
-            tz_5 = _o281.tz_5;
-            vx_6 = _o281.vx_6;
-            vy_6 = _o281.vy_6;
-            vz_6 = _o281.vz_6;
-            nx_6 = _o281.nx_6;
-            ny_6 = _o281.ny_6;
-            nz_6 = _o281.nz_6;
-            turn_rate_6 = _o281.turn_rate_6;
-            const LANES(court_roll_6_out) _o282 =
+            lift_5 = _o269.lift_5;
+            tx_5 = _o269.tx_5;
+            ty_5 = _o269.ty_5;
+            tz_5 = _o269.tz_5;
+            vx_6 = _o269.vx_6;
+            vy_6 = _o269.vy_6;
+            vz_6 = _o269.vz_6;
+            nx_6 = _o269.nx_6;
+            ny_6 = _o269.ny_6;
+            nz_6 = _o269.nz_6;
+            turn_rate_6 = _o269.turn_rate_6;
+            const LANES(court_roll_6_out) _o270 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            lift_6 = _o282.lift_6;
-            tx_6 = _o282.tx_6;
-            ty_6 = _o282.ty_6;
-            tz_6 = _o282.tz_6;
-            vx_7 = _o282.vx_7;
-            vy_7 = _o282.vy_7;
-            vz_7 = _o282.vz_7;
-            nx_7 = _o282.nx_7;
-            ny_7 = _o282.ny_7;
-            nz_7 = _o282.nz_7;
-            turn_rate_7 = _o282.turn_rate_7;
-            const LANES(court_roll_7_out) _o283 =
+            lift_6 = _o270.lift_6;
+            tx_6 = _o270.tx_6;
+            ty_6 = _o270.ty_6;
+            tz_6 = _o270.tz_6;
+            vx_7 = _o270.vx_7;
+            vy_7 = _o270.vy_7;
+            vz_7 = _o270.vz_7;
+            nx_7 = _o270.nx_7;
+            ny_7 = _o270.ny_7;
+            nz_7 = _o270.nz_7;
+            turn_rate_7 = _o270.turn_rate_7;
+            const LANES(court_roll_7_out) _o271 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            vx_8 = _o283.vx_8;
-            vy_8 = _o283.vy_8;
-            vz_8 = _o283.vz_8;
-            turn_rate_8 = _o283.turn_rate_8;
-            const LANES(court_roll_moved_out) _o284 =
+            vx_8 = _o271.vx_8;
+            vy_8 = _o271.vy_8;
+            vz_8 = _o271.vz_8;
+            turn_rate_8 = _o271.turn_rate_8;
+            const LANES(court_roll_moved_out) _o272 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-            far_x = _o284.x;
-            far_vx = _o284.vx;
-            far_y = _o284.y;
-            far_vy = _o284.vy;
-            far_z = _o284.z;
-            far_vz = _o284.vz;
-            turn_rate = _o284.turn_rate;
-            const LANES(court_holding_out) _o285 =
+            far_x = _o272.x;
+            far_vx = _o272.vx;
+            far_y = _o272.y;
+            far_vy = _o272.vy;
+            far_z = _o272.z;
+            far_vz = _o272.vz;
+            turn_rate = _o272.turn_rate;
+            const LANES(court_holding_out) _o273 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o285.here;
-            const M _m286 = lanes_both(active, here);
-            if (lanes_any(_m286)) {
-                const LANES(court_backboard_normal_out) _o287 =
+            here = _o273.here;
+            const M _m274 = lanes_both(active, here);
+            if (lanes_any(_m274)) {
+                const LANES(court_backboard_normal_out) _o275 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m286, _o287.nx, far_nx);
-                far_ny = lanes_select(_m286, _o287.ny, far_ny);
-                far_nz = lanes_select(_m286, _o287.nz, far_nz);
-                const LANES(court_backboard_off_out) _o288 =
+                far_nx = lanes_select(_m274, _o275.nx, far_nx);
+                far_ny = lanes_select(_m274, _o275.ny, far_ny);
+                far_nz = lanes_select(_m274, _o275.nz, far_nz);
+                const LANES(court_backboard_off_out) _o276 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m286, _o288.gap, far_gap);
+                far_gap = lanes_select(_m274, _o276.gap, far_gap);
             }
-            const LANES(court_holding_out) _o289 =
+            const LANES(court_holding_out) _o277 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o289.here;
-            const M _m290 = lanes_both(active, here);
-            if (lanes_any(_m290)) {
-                const LANES(court_bridge_normal_out) _o291 =
+            here = _o277.here;
+            const M _m278 = lanes_both(active, here);
+            if (lanes_any(_m278)) {
+                const LANES(court_bridge_normal_out) _o279 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m290, _o291.nx, far_nx);
-                far_ny = lanes_select(_m290, _o291.ny, far_ny);
-                far_nz = lanes_select(_m290, _o291.nz, far_nz);
-                const LANES(court_bridge_off_out) _o292 =
+                far_nx = lanes_select(_m278, _o279.nx, far_nx);
+                far_ny = lanes_select(_m278, _o279.ny, far_ny);
+                far_nz = lanes_select(_m278, _o279.nz, far_nz);
+                const LANES(court_bridge_off_out) _o280 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m290, _o292.gap, far_gap);
+                far_gap = lanes_select(_m278, _o280.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o293 =
+            const LANES(court_roll_placed_out) _o281 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o293.x;
-            far_y = _o293.y;
-            far_z = _o293.z;
-            far_vx = _o293.vx;
-            far_vy = _o293.vy;
-            far_vz = _o293.vz;
-            far_wx = _o293.wx;
-            far_wy = _o293.wy;
-            far_wz = _o293.wz;
-            const LANES(court_compared_out) _o294 =
+            far_x = _o281.x;
+            far_y = _o281.y;
+            far_z = _o281.z;
+            far_vx = _o281.vx;
+            far_vy = _o281.vy;
+            far_vz = _o281.vz;
+            far_wx = _o281.wx;
+            far_wy = _o281.wy;
+            far_wz = _o281.wz;
+            const LANES(court_compared_out) _o282 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o294.dx;
-            dy = _o294.dy;
-            dz = _o294.dz;
-            dvx = _o294.dvx;
-            dvy = _o294.dvy;
-            dvz = _o294.dvz;
-            dwx = _o294.dwx;
-            dwy = _o294.dwy;
-            dwz = _o294.dwz;
-            const LANES(court_rolled_on_out) _o295 =
+            dx = _o282.dx;
+            dy = _o282.dy;
+            dz = _o282.dz;
+            dvx = _o282.dvx;
+            dvy = _o282.dvy;
+            dvz = _o282.dvz;
+            dwx = _o282.dwx;
+            dwy = _o282.dwy;
+            dwz = _o282.dwz;
+            const LANES(court_rolled_on_out) _o283 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o295.clock;
-            rolling = _o295.rolling;
+            clock = _o283.clock;
+            rolling = _o283.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -6631,562 +6979,562 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_error_bounds_out) _o296 =
+            const LANES(court_error_bounds_out) _o284 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o296.position_error;
-            V velocity_error = _o296.velocity_error;
-            const LANES(court_ring_tube_out) _o297 =
+            V position_error = _o284.position_error;
+            V velocity_error = _o284.velocity_error;
+            const LANES(court_ring_tube_out) _o285 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o297.per_reach;
-            const LANES(court_ring_round_start_out) _o298 =
+            V per_reach = _o285.per_reach;
+            const LANES(court_ring_round_start_out) _o286 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o298.cosine_0;
-            V sine_0 = _o298.sine_0;
-            V climb_0 = _o298.climb_0;
-            V along_0 = _o298.along_0;
-            V turn_rate_0 = _o298.turn_rate_0;
-            V cos_0 = _o298.cos_0;
-            V sin_0 = _o298.sin_0;
-            V near_0 = _o298.near_0;
-            const LANES(court_ring_round_0_out) _o299 =
+            V cosine_0 = _o286.cosine_0;
+            V sine_0 = _o286.sine_0;
+            V climb_0 = _o286.climb_0;
+            V along_0 = _o286.along_0;
+            V turn_rate_0 = _o286.turn_rate_0;
+            V cos_0 = _o286.cos_0;
+            V sin_0 = _o286.sin_0;
+            V near_0 = _o286.near_0;
+            const LANES(court_ring_round_0_out) _o287 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o299.omega_0;
-            V around_0 = _o299.around_0;
-            V tilted_0 = _o299.tilted_0;
-            V pressed_0 = _o299.pressed_0;
-            V force_0 = _o299.force_0;
-            V cosine_1 = _o299.cosine_1;
-            V sine_1 = _o299.sine_1;
-            V climb_1 = _o299.climb_1;
-            V along_1 = _o299.along_1;
-            V turn_rate_1 = _o299.turn_rate_1;
-            V cos_1 = _o299.cos_1;
-            V sin_1 = _o299.sin_1;
-            const LANES(court_ring_round_1_out) _o300 =
+            V omega_0 = _o287.omega_0;
+            V around_0 = _o287.around_0;
+            V tilted_0 = _o287.tilted_0;
+            V pressed_0 = _o287.pressed_0;
+            V force_0 = _o287.force_0;
+            V cosine_1 = _o287.cosine_1;
+            V sine_1 = _o287.sine_1;
+            V climb_1 = _o287.climb_1;
+            V along_1 = _o287.along_1;
+            V turn_rate_1 = _o287.turn_rate_1;
+            V cos_1 = _o287.cos_1;
+            V sin_1 = _o287.sin_1;
+            const LANES(court_ring_round_1_out) _o288 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o300.near_1;
-            V omega_1 = _o300.omega_1;
-            V around_1 = _o300.around_1;
-            V tilted_1 = _o300.tilted_1;
-            V pressed_1 = _o300.pressed_1;
-            V force_1 = _o300.force_1;
-            V cosine_2 = _o300.cosine_2;
-            V sine_2 = _o300.sine_2;
-            V climb_2 = _o300.climb_2;
-            V along_2 = _o300.along_2;
-            V turn_rate_2 = _o300.turn_rate_2;
-            V cos_2 = _o300.cos_2;
-            V sin_2 = _o300.sin_2;
-            const LANES(court_ring_round_2_out) _o301 =
+            V near_1 = _o288.near_1;
+            V omega_1 = _o288.omega_1;
+            V around_1 = _o288.around_1;
+            V tilted_1 = _o288.tilted_1;
+            V pressed_1 = _o288.pressed_1;
+            V force_1 = _o288.force_1;
+            V cosine_2 = _o288.cosine_2;
+            V sine_2 = _o288.sine_2;
+            V climb_2 = _o288.climb_2;
+            V along_2 = _o288.along_2;
+            V turn_rate_2 = _o288.turn_rate_2;
+            V cos_2 = _o288.cos_2;
+            V sin_2 = _o288.sin_2;
+            const LANES(court_ring_round_2_out) _o289 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o301.near_2;
-            V omega_2 = _o301.omega_2;
-            V around_2 = _o301.around_2;
-            V tilted_2 = _o301.tilted_2;
-            V pressed_2 = _o301.pressed_2;
-            V force_2 = _o301.force_2;
-            V cosine_3 = _o301.cosine_3;
-            V sine_3 = _o301.sine_3;
-            V climb_3 = _o301.climb_3;
-            V along_3 = _o301.along_3;
-            V turn_rate_3 = _o301.turn_rate_3;
-            V cos_3 = _o301.cos_3;
-            V sin_3 = _o301.sin_3;
-            const LANES(court_ring_round_3_out) _o302 =
+            V near_2 = _o289.near_2;
+            V omega_2 = _o289.omega_2;
+            V around_2 = _o289.around_2;
+            V tilted_2 = _o289.tilted_2;
+            V pressed_2 = _o289.pressed_2;
+            V force_2 = _o289.force_2;
+            V cosine_3 = _o289.cosine_3;
+            V sine_3 = _o289.sine_3;
+            V climb_3 = _o289.climb_3;
+            V along_3 = _o289.along_3;
+            V turn_rate_3 = _o289.turn_rate_3;
+            V cos_3 = _o289.cos_3;
+            V sin_3 = _o289.sin_3;
+            const LANES(court_ring_round_3_out) _o290 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o302.near_3;
-            V omega_3 = _o302.omega_3;
-            V around_3 = _o302.around_3;
-            V tilted_3 = _o302.tilted_3;
-            V pressed_3 = _o302.pressed_3;
-            V force_3 = _o302.force_3;
-            V cosine_4 = _o302.cosine_4;
-            V sine_4 = _o302.sine_4;
-            V climb_4 = _o302.climb_4;
-            V along_4 = _o302.along_4;
-            V turn_rate_4 = _o302.turn_rate_4;
-            V cos_4 = _o302.cos_4;
-            V sin_4 = _o302.sin_4;
-            const LANES(court_ring_round_4_out) _o303 =
+            V near_3 = _o290.near_3;
+            V omega_3 = _o290.omega_3;
+            V around_3 = _o290.around_3;
+            V tilted_3 = _o290.tilted_3;
+            V pressed_3 = _o290.pressed_3;
+            V force_3 = _o290.force_3;
+            V cosine_4 = _o290.cosine_4;
+            V sine_4 = _o290.sine_4;
+            V climb_4 = _o290.climb_4;
+            V along_4 = _o290.along_4;
+            V turn_rate_4 = _o290.turn_rate_4;
+            V cos_4 = _o290.cos_4;
+            V sin_4 = _o290.sin_4;
+            const LANES(court_ring_round_4_out) _o291 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o303.near_4;
-            V omega_4 = _o303.omega_4;
-            V around_4 = _o303.around_4;
-            V tilted_4 = _o303.tilted_4;
-            V pressed_4 = _o303.pressed_4;
-            V force_4 = _o303.force_4;
-            V cosine_5 = _o303.cosine_5;
-            V sine_5 = _o303.sine_5;
-            V climb_5 = _o303.climb_5;
-            V along_5 = _o303.along_5;
-            V turn_rate_5 = _o303.turn_rate_5;
-            V cos_5 = _o303.cos_5;
-            V sin_5 = _o303.sin_5;
-            const LANES(court_ring_round_5_out) _o304 =
+            V near_4 = _o291.near_4;
+            V omega_4 = _o291.omega_4;
+            V around_4 = _o291.around_4;
+            V tilted_4 = _o291.tilted_4;
+            V pressed_4 = _o291.pressed_4;
+            V force_4 = _o291.force_4;
+            V cosine_5 = _o291.cosine_5;
+            V sine_5 = _o291.sine_5;
+            V climb_5 = _o291.climb_5;
+            V along_5 = _o291.along_5;
+            V turn_rate_5 = _o291.turn_rate_5;
+            V cos_5 = _o291.cos_5;
+            V sin_5 = _o291.sin_5;
+            const LANES(court_ring_round_5_out) _o292 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o304.near_5;
-            V omega_5 = _o304.omega_5;
-            V around_5 = _o304.around_5;
-            V tilted_5 = _o304.tilted_5;
-            V pressed_5 = _o304.pressed_5;
-            V force_5 = _o304.force_5;
-            V cosine_6 = _o304.cosine_6;
-            V sine_6 = _o304.sine_6;
-            V climb_6 = _o304.climb_6;
-            V along_6 = _o304.along_6;
-            V turn_rate_6 = _o304.turn_rate_6;
-            V cos_6 = _o304.cos_6;
-            V sin_6 = _o304.sin_6;
-            const LANES(court_ring_round_6_out) _o305 =
+            V near_5 = _o292.near_5;
+            V omega_5 = _o292.omega_5;
+            V around_5 = _o292.around_5;
+            V tilted_5 = _o292.tilted_5;
+            V pressed_5 = _o292.pressed_5;
+            V force_5 = _o292.force_5;
+            V cosine_6 = _o292.cosine_6;
+            V sine_6 = _o292.sine_6;
+            V climb_6 = _o292.climb_6;
+            V along_6 = _o292.along_6;
+            V turn_rate_6 = _o292.turn_rate_6;
+            V cos_6 = _o292.cos_6;
+            V sin_6 = _o292.sin_6;
+            const LANES(court_ring_round_6_out) _o293 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o305.near_6;
-            V omega_6 = _o305.omega_6;
-            V around_6 = _o305.around_6;
-            V tilted_6 = _o305.tilted_6;
-            V pressed_6 = _o305.pressed_6;
-            V force_6 = _o305.force_6;
-            V cosine_7 = _o305.cosine_7;
-            V sine_7 = _o305.sine_7;
-            V climb_7 = _o305.climb_7;
-            V along_7 = _o305.along_7;
-            V turn_rate_7 = _o305.turn_rate_7;
-            V cos_7 = _o305.cos_7;
-            V sin_7 = _o305.sin_7;
-            const LANES(court_ring_round_7_out) _o306 =
+            V near_6 = _o293.near_6;
+            V omega_6 = _o293.omega_6;
+            V around_6 = _o293.around_6;
+            V tilted_6 = _o293.tilted_6;
+            V pressed_6 = _o293.pressed_6;
+            V force_6 = _o293.force_6;
+            V cosine_7 = _o293.cosine_7;
+            V sine_7 = _o293.sine_7;
+            V climb_7 = _o293.climb_7;
+            V along_7 = _o293.along_7;
+            V turn_rate_7 = _o293.turn_rate_7;
+            V cos_7 = _o293.cos_7;
+            V sin_7 = _o293.sin_7;
+            const LANES(court_ring_round_7_out) _o294 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o306.near_7;
-            V omega_7 = _o306.omega_7;
-            V around_7 = _o306.around_7;
-            V tilted_7 = _o306.tilted_7;
-            V pressed_7 = _o306.pressed_7;
-            V force_7 = _o306.force_7;
-            V cosine_8 = _o306.cosine_8;
-            V sine_8 = _o306.sine_8;
-            V climb_8 = _o306.climb_8;
-            V along_8 = _o306.along_8;
-            V turn_rate_8 = _o306.turn_rate_8;
-            V cos_8 = _o306.cos_8;
-            V sin_8 = _o306.sin_8;
-            const LANES(court_ring_round_8_out) _o307 =
+            V near_7 = _o294.near_7;
+            V omega_7 = _o294.omega_7;
+            V around_7 = _o294.around_7;
+            V tilted_7 = _o294.tilted_7;
+            V pressed_7 = _o294.pressed_7;
+            V force_7 = _o294.force_7;
+            V cosine_8 = _o294.cosine_8;
+            V sine_8 = _o294.sine_8;
+            V climb_8 = _o294.climb_8;
+            V along_8 = _o294.along_8;
+            V turn_rate_8 = _o294.turn_rate_8;
+            V cos_8 = _o294.cos_8;
+            V sin_8 = _o294.sin_8;
+            const LANES(court_ring_round_8_out) _o295 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o307.near_8;
-            V omega_8 = _o307.omega_8;
-            V around_8 = _o307.around_8;
-            V tilted_8 = _o307.tilted_8;
-            V pressed_8 = _o307.pressed_8;
-            V force_8 = _o307.force_8;
-            V cosine_9 = _o307.cosine_9;
-            V sine_9 = _o307.sine_9;
-            V climb_9 = _o307.climb_9;
-            V along_9 = _o307.along_9;
-            V turn_rate_9 = _o307.turn_rate_9;
-            V cos_9 = _o307.cos_9;
-            V sin_9 = _o307.sin_9;
-            const LANES(court_ring_round_9_out) _o308 =
+            V near_8 = _o295.near_8;
+            V omega_8 = _o295.omega_8;
+            V around_8 = _o295.around_8;
+            V tilted_8 = _o295.tilted_8;
+            V pressed_8 = _o295.pressed_8;
+            V force_8 = _o295.force_8;
+            V cosine_9 = _o295.cosine_9;
+            V sine_9 = _o295.sine_9;
+            V climb_9 = _o295.climb_9;
+            V along_9 = _o295.along_9;
+            V turn_rate_9 = _o295.turn_rate_9;
+            V cos_9 = _o295.cos_9;
+            V sin_9 = _o295.sin_9;
+            const LANES(court_ring_round_9_out) _o296 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o308.near_9;
-            V omega_9 = _o308.omega_9;
-            V around_9 = _o308.around_9;
-            V tilted_9 = _o308.tilted_9;
-            V pressed_9 = _o308.pressed_9;
-            V force_9 = _o308.force_9;
-            V cosine_10 = _o308.cosine_10;
-            V sine_10 = _o308.sine_10;
-            V climb_10 = _o308.climb_10;
-            V along_10 = _o308.along_10;
-            V turn_rate_10 = _o308.turn_rate_10;
-            V cos_10 = _o308.cos_10;
-            V sin_10 = _o308.sin_10;
-            const LANES(court_ring_round_10_out) _o309 =
+            V near_9 = _o296.near_9;
+            V omega_9 = _o296.omega_9;
+            V around_9 = _o296.around_9;
+            V tilted_9 = _o296.tilted_9;
+            V pressed_9 = _o296.pressed_9;
+            V force_9 = _o296.force_9;
+            V cosine_10 = _o296.cosine_10;
+            V sine_10 = _o296.sine_10;
+            V climb_10 = _o296.climb_10;
+            V along_10 = _o296.along_10;
+            V turn_rate_10 = _o296.turn_rate_10;
+            V cos_10 = _o296.cos_10;
+            V sin_10 = _o296.sin_10;
+            const LANES(court_ring_round_10_out) _o297 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o309.near_10;
-            V omega_10 = _o309.omega_10;
-            V around_10 = _o309.around_10;
-            V tilted_10 = _o309.tilted_10;
-            V pressed_10 = _o309.pressed_10;
-            V force_10 = _o309.force_10;
-            V cosine_11 = _o309.cosine_11;
-            V sine_11 = _o309.sine_11;
-            V climb_11 = _o309.climb_11;
-            V along_11 = _o309.along_11;
-            V turn_rate_11 = _o309.turn_rate_11;
-            V cos_11 = _o309.cos_11;
-            V sin_11 = _o309.sin_11;
-            const LANES(court_ring_round_11_out) _o310 =
+            V near_10 = _o297.near_10;
+            V omega_10 = _o297.omega_10;
+            V around_10 = _o297.around_10;
+            V tilted_10 = _o297.tilted_10;
+            V pressed_10 = _o297.pressed_10;
+            V force_10 = _o297.force_10;
+            V cosine_11 = _o297.cosine_11;
+            V sine_11 = _o297.sine_11;
+            V climb_11 = _o297.climb_11;
+            V along_11 = _o297.along_11;
+            V turn_rate_11 = _o297.turn_rate_11;
+            V cos_11 = _o297.cos_11;
+            V sin_11 = _o297.sin_11;
+            const LANES(court_ring_round_11_out) _o298 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o310.force_11;
-            V cosine_12 = _o310.cosine_12;
-            V sine_12 = _o310.sine_12;
-            V climb_12 = _o310.climb_12;
-            V along_12 = _o310.along_12;
-            V turn_rate_12 = _o310.turn_rate_12;
-            V cos_12 = _o310.cos_12;
-            V sin_12 = _o310.sin_12;
-            const LANES(court_ring_round_pace_out) _o311 =
+            V force_11 = _o298.force_11;
+            V cosine_12 = _o298.cosine_12;
+            V sine_12 = _o298.sine_12;
+            V climb_12 = _o298.climb_12;
+            V along_12 = _o298.along_12;
+            V turn_rate_12 = _o298.turn_rate_12;
+            V cos_12 = _o298.cos_12;
+            V sin_12 = _o298.sin_12;
+            const LANES(court_ring_round_pace_out) _o299 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V stride = _o311.stride;
-            V strongest = _o311.strongest;
-            V fastest = _o311.fastest;
-            V sway = _o311.sway;
-            V force = _o311.force;
-            V force_rate = _o311.force_rate;
-            V force_bend = _o311.force_bend;
-            V brace = _o311.brace;
-            V vx_1 = _o311.vx_1;
-            V vy_1 = _o311.vy_1;
-            V vz_1 = _o311.vz_1;
-            const LANES(court_ring_round_pulled_out) _o312 =
+            V stride = _o299.stride;
+            V strongest = _o299.strongest;
+            V fastest = _o299.fastest;
+            V sway = _o299.sway;
+            V force = _o299.force;
+            V force_rate = _o299.force_rate;
+            V force_bend = _o299.force_bend;
+            V brace = _o299.brace;
+            V vx_1 = _o299.vx_1;
+            V vy_1 = _o299.vy_1;
+            V vz_1 = _o299.vz_1;
+            const LANES(court_ring_round_pulled_out) _o300 =
                 LANES(court_ring_round_pulled)(climb_0, climb_1, cosine_0, cosine_1, p_gravity, omega_0, omega_1, turn_rate_0, turn_rate_1);
-            V drag = _o312.drag;
-            V drag_rate = _o312.drag_rate;
-            const LANES(court_ring_impact_strained_out) _o313 =
+            V drag = _o300.drag;
+            V drag_rate = _o300.drag_rate;
+            const LANES(court_ring_impact_strained_out) _o301 =
                 LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_ring_friction);
-            V strain = _o313.strain;
-            V strain_rate = _o313.strain_rate;
-            const LANES(court_losing_out) _o314 =
+            V strain = _o301.strain;
+            V strain_rate = _o301.strain_rate;
+            const LANES(court_losing_out) _o302 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o314.loses;
-            const M _m315 = lanes_both(active, loses);
-            if (lanes_any(_m315)) {
-                const LANES(court_lost_grip_out) _o316 =
+            M loses = _o302.loses;
+            const M _m303 = lanes_both(active, loses);
+            if (lanes_any(_m303)) {
+                const LANES(court_lost_grip_out) _o304 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m315, _o316.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m303, _o304.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o317 =
+            const LANES(court_tightened_out) _o305 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o317.taut;
-            taut_rate = _o317.taut_rate;
-            taut_clock = _o317.taut_clock;
-            const LANES(court_leaving_force_out) _o318 =
+            taut = _o305.taut;
+            taut_rate = _o305.taut_rate;
+            taut_clock = _o305.taut_clock;
+            const LANES(court_leaving_force_out) _o306 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o318.stride;
-            which = _o318.which;
-            M rests = _o318.rests;
-            doubt = _o318.doubt;
-            const LANES(court_backboard_beside_out) _o319 =
+            stride = _o306.stride;
+            which = _o306.which;
+            M rests = _o306.rests;
+            doubt = _o306.doubt;
+            const LANES(court_backboard_beside_out) _o307 =
                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o319.gap;
-            V nearing = _o319.nearing;
-            V dent = _o319.dent;
-            const LANES(court_beside_body_out) _o320 =
+            V gap = _o307.gap;
+            V nearing = _o307.nearing;
+            V dent = _o307.dent;
+            const LANES(court_beside_body_out) _o308 =
                 LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o320.stride;
-            which = _o320.which;
-            doubt = _o320.doubt;
-            late = _o320.late;
-            const LANES(court_bridge_beside_out) _o321 =
+            stride = _o308.stride;
+            which = _o308.which;
+            doubt = _o308.doubt;
+            late = _o308.late;
+            const LANES(court_bridge_beside_out) _o309 =
                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o309.gap;
+            nearing = _o309.nearing;
+            dent = _o309.dent;
+            const LANES(court_beside_body_out) _o310 =
+                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o310.stride;
+            which = _o310.which;
+            doubt = _o310.doubt;
+            late = _o310.late;
+            const LANES(court_end_beside_out) _o311 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o311.gap;
+            nearing = _o311.nearing;
+            dent = _o311.dent;
+            const LANES(court_beside_gate_out) _o312 =
+                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o312.stride;
+            which = _o312.which;
+            doubt = _o312.doubt;
+            late = _o312.late;
+            const LANES(court_beside_time_out) _o313 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o313.stride;
+            which = _o313.which;
+            const LANES(court_apart_out) _o314 =
+                LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
+            V apart = _o314.apart;
+            const LANES(court_neighbour_out) _o315 =
+                LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
+            V far_x = _o315.far_x;
+            V far_y = _o315.far_y;
+            V far_z = _o315.far_z;
+            V far_vx = _o315.far_vx;
+            V far_vy = _o315.far_vy;
+            V far_vz = _o315.far_vz;
+            V far_wx = _o315.far_wx;
+            V far_wy = _o315.far_wy;
+            V far_wz = _o315.far_wz;
+            const LANES(court_passing_from_out) _o316 =
+                LANES(court_passing_from)(z);
+            M over = _o316.over;
+            const LANES(court_alone_out) _o317 =
+                LANES(court_alone)();
+            V berth = _o317.nearest;
+            const LANES(court_leaps_out) _o318 =
+                LANES(court_leaps)(stride);
+            V forth = _o318.forth;
+            V back = _o318.back;
+            const LANES(court_backboard_around_out) _o319 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o319.gap;
+            nearing = _o319.nearing;
+            const LANES(court_cleared_out) _o320 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o320.berth;
+            const LANES(court_bridge_around_out) _o321 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o321.gap;
             nearing = _o321.nearing;
-            dent = _o321.dent;
-            const LANES(court_beside_body_out) _o322 =
-                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o322.stride;
-            which = _o322.which;
-            doubt = _o322.doubt;
-            late = _o322.late;
-            const LANES(court_end_beside_out) _o323 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
+            const LANES(court_cleared_out) _o322 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o322.berth;
+            const LANES(court_end_around_out) _o323 =
+                LANES(court_end_around)(p_end_depth, vz, z);
             gap = _o323.gap;
             nearing = _o323.nearing;
-            dent = _o323.dent;
-            const LANES(court_beside_gate_out) _o324 =
-                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o324.stride;
-            which = _o324.which;
-            doubt = _o324.doubt;
-            late = _o324.late;
-            const LANES(court_beside_time_out) _o325 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o325.stride;
-            which = _o325.which;
-            const LANES(court_apart_out) _o326 =
-                LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o326.apart;
-            const LANES(court_neighbour_out) _o327 =
-                LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o327.far_x;
-            V far_y = _o327.far_y;
-            V far_z = _o327.far_z;
-            V far_vx = _o327.far_vx;
-            V far_vy = _o327.far_vy;
-            V far_vz = _o327.far_vz;
-            V far_wx = _o327.far_wx;
-            V far_wy = _o327.far_wy;
-            V far_wz = _o327.far_wz;
-            const LANES(court_passing_from_out) _o328 =
-                LANES(court_passing_from)(z);
-            M over = _o328.over;
-            const LANES(court_alone_out) _o329 =
-                LANES(court_alone)();
-            V berth = _o329.nearest;
-            const LANES(court_leaps_out) _o330 =
-                LANES(court_leaps)(stride);
-            V forth = _o330.forth;
-            V back = _o330.back;
-            const LANES(court_backboard_around_out) _o331 =
+            const LANES(court_cleared_out) _o324 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o324.berth;
+            const LANES(court_ring_round_moved_out) _o325 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            x = _o325.x;
+            y = _o325.y;
+            z = _o325.z;
+            vx = _o325.vx;
+            vy = _o325.vy;
+            vz = _o325.vz;
+            wx = _o325.wx;
+            wy = _o325.wy;
+            wz = _o325.wz;
+            V climb = _o325.climb;
+            const LANES(court_passing_in_contact_out) _o326 =
+                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
+            through = _o326.through;
+            const LANES(court_backboard_around_out) _o327 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o327.gap;
+            nearing = _o327.nearing;
+            const LANES(court_cleared_out) _o328 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o328.berth;
+            const LANES(court_bridge_around_out) _o329 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o329.gap;
+            nearing = _o329.nearing;
+            const LANES(court_cleared_out) _o330 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o330.berth;
+            const LANES(court_end_around_out) _o331 =
+                LANES(court_end_around)(p_end_depth, vz, z);
             gap = _o331.gap;
             nearing = _o331.nearing;
             const LANES(court_cleared_out) _o332 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
+                LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o332.berth;
-            const LANES(court_bridge_around_out) _o333 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o333.gap;
-            nearing = _o333.nearing;
-            const LANES(court_cleared_out) _o334 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o334.berth;
-            const LANES(court_end_around_out) _o335 =
-                LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o335.gap;
-            nearing = _o335.nearing;
-            const LANES(court_cleared_out) _o336 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o336.berth;
-            const LANES(court_ring_round_moved_out) _o337 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o337.x;
-            y = _o337.y;
-            z = _o337.z;
-            vx = _o337.vx;
-            vy = _o337.vy;
-            vz = _o337.vz;
-            wx = _o337.wx;
-            wy = _o337.wy;
-            wz = _o337.wz;
-            V climb = _o337.climb;
-            const LANES(court_passing_in_contact_out) _o338 =
-                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o338.through;
-            const LANES(court_backboard_around_out) _o339 =
-                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o339.gap;
-            nearing = _o339.nearing;
-            const LANES(court_cleared_out) _o340 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o340.berth;
-            const LANES(court_bridge_around_out) _o341 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o341.gap;
-            nearing = _o341.nearing;
-            const LANES(court_cleared_out) _o342 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o342.berth;
-            const LANES(court_end_around_out) _o343 =
-                LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o343.gap;
-            nearing = _o343.nearing;
-            const LANES(court_cleared_out) _o344 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o344.berth;
-            const LANES(court_ring_swung_out) _o345 =
+            const LANES(court_ring_swung_out) _o333 =
                 LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, p_gravity, position_error, stride, sway, velocity_error, which, p_wire_radius);
-            circled = _o345.circled;
-            M endless = _o345.endless;
-            doubt = _o345.doubt;
-            const LANES(court_for_ever_out) _o346 =
+            circled = _o333.circled;
+            M endless = _o333.endless;
+            doubt = _o333.doubt;
+            const LANES(court_for_ever_out) _o334 =
                 LANES(court_for_ever)(endless, which);
-            which = _o346.which;
-            const LANES(court_ring_round_start_out) _o347 =
+            which = _o334.which;
+            const LANES(court_ring_round_start_out) _o335 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, far_vx, far_vy, far_vz, p_wire_radius, far_wx, far_wy, far_wz, far_x, far_y, far_z);
-            cosine_0 = _o347.cosine_0;
-            sine_0 = _o347.sine_0;
-            climb_0 = _o347.climb_0;
-            along_0 = _o347.along_0;
-            turn_rate_0 = _o347.turn_rate_0;
-            cos_0 = _o347.cos_0;
-            sin_0 = _o347.sin_0;
-            near_0 = _o347.near_0;
-            const LANES(court_ring_round_0_out) _o348 =
+            cosine_0 = _o335.cosine_0;
+            sine_0 = _o335.sine_0;
+            climb_0 = _o335.climb_0;
+            along_0 = _o335.along_0;
+            turn_rate_0 = _o335.turn_rate_0;
+            cos_0 = _o335.cos_0;
+            sin_0 = _o335.sin_0;
+            near_0 = _o335.near_0;
+            const LANES(court_ring_round_0_out) _o336 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            omega_0 = _o348.omega_0;
-            around_0 = _o348.around_0;
-            tilted_0 = _o348.tilted_0;
-            pressed_0 = _o348.pressed_0;
-            cosine_1 = _o348.cosine_1;
-            sine_1 = _o348.sine_1;
-            climb_1 = _o348.climb_1;
-            along_1 = _o348.along_1;
-            turn_rate_1 = _o348.turn_rate_1;
-            cos_1 = _o348.cos_1;
-            sin_1 = _o348.sin_1;
-            const LANES(court_ring_round_1_out) _o349 =
+            omega_0 = _o336.omega_0;
+            around_0 = _o336.around_0;
+            tilted_0 = _o336.tilted_0;
+            pressed_0 = _o336.pressed_0;
+            cosine_1 = _o336.cosine_1;
+            sine_1 = _o336.sine_1;
+            climb_1 = _o336.climb_1;
+            along_1 = _o336.along_1;
+            turn_rate_1 = _o336.turn_rate_1;
+            cos_1 = _o336.cos_1;
+            sin_1 = _o336.sin_1;
+            const LANES(court_ring_round_1_out) _o337 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            near_1 = _o349.near_1;
-            omega_1 = _o349.omega_1;
-            around_1 = _o349.around_1;
-            tilted_1 = _o349.tilted_1;
-            pressed_1 = _o349.pressed_1;
-            cosine_2 = _o349.cosine_2;
-            sine_2 = _o349.sine_2;
-            climb_2 = _o349.climb_2;
-            along_2 = _o349.along_2;
-            turn_rate_2 = _o349.turn_rate_2;
-            cos_2 = _o349.cos_2;
-            sin_2 = _o349.sin_2;
-            const LANES(court_ring_round_2_out) _o350 =
+            near_1 = _o337.near_1;
+            omega_1 = _o337.omega_1;
+            around_1 = _o337.around_1;
+            tilted_1 = _o337.tilted_1;
+            pressed_1 = _o337.pressed_1;
+            cosine_2 = _o337.cosine_2;
+            sine_2 = _o337.sine_2;
+            climb_2 = _o337.climb_2;
+            along_2 = _o337.along_2;
+            turn_rate_2 = _o337.turn_rate_2;
+            cos_2 = _o337.cos_2;
+            sin_2 = _o337.sin_2;
+            const LANES(court_ring_round_2_out) _o338 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            near_2 = _o350.near_2;
-            omega_2 = _o350.omega_2;
-            around_2 = _o350.around_2;
-            tilted_2 = _o350.tilted_2;
-            pressed_2 = _o350.pressed_2;
-            cosine_3 = _o350.cosine_3;
-            sine_3 = _o350.sine_3;
-            climb_3 = _o350.climb_3;
-            along_3 = _o350.along_3;
-            turn_rate_3 = _o350.turn_rate_3;
-            cos_3 = _o350.cos_3;
-            sin_3 = _o350.sin_3;
-            const LANES(court_ring_round_3_out) _o351 =
+            near_2 = _o338.near_2;
+            omega_2 = _o338.omega_2;
+            around_2 = _o338.around_2;
+            tilted_2 = _o338.tilted_2;
+            pressed_2 = _o338.pressed_2;
+            cosine_3 = _o338.cosine_3;
+            sine_3 = _o338.sine_3;
+            climb_3 = _o338.climb_3;
+            along_3 = _o338.along_3;
+            turn_rate_3 = _o338.turn_rate_3;
+            cos_3 = _o338.cos_3;
+            sin_3 = _o338.sin_3;
+            const LANES(court_ring_round_3_out) _o339 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            near_3 = _o351.near_3;
-            omega_3 = _o351.omega_3;
-            around_3 = _o351.around_3;
-            tilted_3 = _o351.tilted_3;
-            pressed_3 = _o351.pressed_3;
-            cosine_4 = _o351.cosine_4;
-            sine_4 = _o351.sine_4;
-            climb_4 = _o351.climb_4;
-            along_4 = _o351.along_4;
-            turn_rate_4 = _o351.turn_rate_4;
-            cos_4 = _o351.cos_4;
-            sin_4 = _o351.sin_4;
-            const LANES(court_ring_round_4_out) _o352 =
+            near_3 = _o339.near_3;
+            omega_3 = _o339.omega_3;
+            around_3 = _o339.around_3;
+            tilted_3 = _o339.tilted_3;
+            pressed_3 = _o339.pressed_3;
+            cosine_4 = _o339.cosine_4;
+            sine_4 = _o339.sine_4;
+            climb_4 = _o339.climb_4;
+            along_4 = _o339.along_4;
+            turn_rate_4 = _o339.turn_rate_4;
+            cos_4 = _o339.cos_4;
+            sin_4 = _o339.sin_4;
+            const LANES(court_ring_round_4_out) _o340 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            near_4 = _o352.near_4;
-            omega_4 = _o352.omega_4;
-            around_4 = _o352.around_4;
-            tilted_4 = _o352.tilted_4;
-            pressed_4 = _o352.pressed_4;
-            cosine_5 = _o352.cosine_5;
-            sine_5 = _o352.sine_5;
-            climb_5 = _o352.climb_5;
-            along_5 = _o352.along_5;
-            turn_rate_5 = _o352.turn_rate_5;
-            cos_5 = _o352.cos_5;
-            sin_5 = _o352.sin_5;
-            const LANES(court_ring_round_5_out) _o353 =
+            near_4 = _o340.near_4;
+            omega_4 = _o340.omega_4;
+            around_4 = _o340.around_4;
+            tilted_4 = _o340.tilted_4;
+            pressed_4 = _o340.pressed_4;
+            cosine_5 = _o340.cosine_5;
+            sine_5 = _o340.sine_5;
+            climb_5 = _o340.climb_5;
+            along_5 = _o340.along_5;
+            turn_rate_5 = _o340.turn_rate_5;
+            cos_5 = _o340.cos_5;
+            sin_5 = _o340.sin_5;
+            const LANES(court_ring_round_5_out) _o341 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            near_5 = _o353.near_5;
-            omega_5 = _o353.omega_5;
-            around_5 = _o353.around_5;
-            tilted_5 = _o353.tilted_5;
-            pressed_5 = _o353.pressed_5;
-            cosine_6 = _o353.cosine_6;
-            sine_6 = _o353.sine_6;
-            climb_6 = _o353.climb_6;
-            along_6 = _o353.along_6;
-            turn_rate_6 = _o353.turn_rate_6;
-            cos_6 = _o353.cos_6;
-            sin_6 = _o353.sin_6;
-            const LANES(court_ring_round_6_out) _o354 =
+            near_5 = _o341.near_5;
+            omega_5 = _o341.omega_5;
+            around_5 = _o341.around_5;
+            tilted_5 = _o341.tilted_5;
+            pressed_5 = _o341.pressed_5;
+            cosine_6 = _o341.cosine_6;
+            sine_6 = _o341.sine_6;
+            climb_6 = _o341.climb_6;
+            along_6 = _o341.along_6;
+            turn_rate_6 = _o341.turn_rate_6;
+            cos_6 = _o341.cos_6;
+            sin_6 = _o341.sin_6;
+            const LANES(court_ring_round_6_out) _o342 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            near_6 = _o354.near_6;
-            omega_6 = _o354.omega_6;
-            around_6 = _o354.around_6;
-            tilted_6 = _o354.tilted_6;
-            pressed_6 = _o354.pressed_6;
-            cosine_7 = _o354.cosine_7;
-            sine_7 = _o354.sine_7;
-            climb_7 = _o354.climb_7;
-            along_7 = _o354.along_7;
-            turn_rate_7 = _o354.turn_rate_7;
-            cos_7 = _o354.cos_7;
-            sin_7 = _o354.sin_7;
-            const LANES(court_ring_round_7_out) _o355 =
+            near_6 = _o342.near_6;
+            omega_6 = _o342.omega_6;
+            around_6 = _o342.around_6;
+            tilted_6 = _o342.tilted_6;
+            pressed_6 = _o342.pressed_6;
+            cosine_7 = _o342.cosine_7;
+            sine_7 = _o342.sine_7;
+            climb_7 = _o342.climb_7;
+            along_7 = _o342.along_7;
+            turn_rate_7 = _o342.turn_rate_7;
+            cos_7 = _o342.cos_7;
+            sin_7 = _o342.sin_7;
+            const LANES(court_ring_round_7_out) _o343 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            near_7 = _o355.near_7;
-            omega_7 = _o355.omega_7;
-            around_7 = _o355.around_7;
-            tilted_7 = _o355.tilted_7;
-            pressed_7 = _o355.pressed_7;
-            cosine_8 = _o355.cosine_8;
-            sine_8 = _o355.sine_8;
-            climb_8 = _o355.climb_8;
-            along_8 = _o355.along_8;
-            turn_rate_8 = _o355.turn_rate_8;
-            cos_8 = _o355.cos_8;
-            sin_8 = _o355.sin_8;
-            const LANES(court_ring_round_8_out) _o356 =
+            near_7 = _o343.near_7;
+            omega_7 = _o343.omega_7;
+            around_7 = _o343.around_7;
+            tilted_7 = _o343.tilted_7;
+            pressed_7 = _o343.pressed_7;
+            cosine_8 = _o343.cosine_8;
+            sine_8 = _o343.sine_8;
+            climb_8 = _o343.climb_8;
+            along_8 = _o343.along_8;
+            turn_rate_8 = _o343.turn_rate_8;
+            cos_8 = _o343.cos_8;
+            sin_8 = _o343.sin_8;
+            const LANES(court_ring_round_8_out) _o344 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            near_8 = _o356.near_8;
-            omega_8 = _o356.omega_8;
-            around_8 = _o356.around_8;
-            tilted_8 = _o356.tilted_8;
-            pressed_8 = _o356.pressed_8;
-            cosine_9 = _o356.cosine_9;
-            sine_9 = _o356.sine_9;
-            climb_9 = _o356.climb_9;
-            along_9 = _o356.along_9;
-            turn_rate_9 = _o356.turn_rate_9;
-            cos_9 = _o356.cos_9;
-            sin_9 = _o356.sin_9;
-            const LANES(court_ring_round_9_out) _o357 =
+            near_8 = _o344.near_8;
+            omega_8 = _o344.omega_8;
+            around_8 = _o344.around_8;
+            tilted_8 = _o344.tilted_8;
+            pressed_8 = _o344.pressed_8;
+            cosine_9 = _o344.cosine_9;
+            sine_9 = _o344.sine_9;
+            climb_9 = _o344.climb_9;
+            along_9 = _o344.along_9;
+            turn_rate_9 = _o344.turn_rate_9;
+            cos_9 = _o344.cos_9;
+            sin_9 = _o344.sin_9;
+            const LANES(court_ring_round_9_out) _o345 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_9 = _o357.near_9;
-            omega_9 = _o357.omega_9;
-            around_9 = _o357.around_9;
-            tilted_9 = _o357.tilted_9;
-            pressed_9 = _o357.pressed_9;
-            cosine_10 = _o357.cosine_10;
-            sine_10 = _o357.sine_10;
-            climb_10 = _o357.climb_10;
-            along_10 = _o357.along_10;
-            turn_rate_10 = _o357.turn_rate_10;
-            cos_10 = _o357.cos_10;
-            sin_10 = _o357.sin_10;
-            const LANES(court_ring_round_10_out) _o358 =
+            near_9 = _o345.near_9;
+            omega_9 = _o345.omega_9;
+            around_9 = _o345.around_9;
+            tilted_9 = _o345.tilted_9;
+            pressed_9 = _o345.pressed_9;
+            cosine_10 = _o345.cosine_10;
+            sine_10 = _o345.sine_10;
+            climb_10 = _o345.climb_10;
+            along_10 = _o345.along_10;
+            turn_rate_10 = _o345.turn_rate_10;
+            cos_10 = _o345.cos_10;
+            sin_10 = _o345.sin_10;
+            const LANES(court_ring_round_10_out) _o346 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_10 = _o358.near_10;
-            omega_10 = _o358.omega_10;
-            around_10 = _o358.around_10;
-            tilted_10 = _o358.tilted_10;
-            pressed_10 = _o358.pressed_10;
-            cosine_11 = _o358.cosine_11;
-            sine_11 = _o358.sine_11;
-            climb_11 = _o358.climb_11;
-            along_11 = _o358.along_11;
-            turn_rate_11 = _o358.turn_rate_11;
-            cos_11 = _o358.cos_11;
-            sin_11 = _o358.sin_11;
-            const LANES(court_ring_round_11_out) _o359 =
+            near_10 = _o346.near_10;
+            omega_10 = _o346.omega_10;
+            around_10 = _o346.around_10;
+            tilted_10 = _o346.tilted_10;
+            pressed_10 = _o346.pressed_10;
+            cosine_11 = _o346.cosine_11;
+            sine_11 = _o346.sine_11;
+            climb_11 = _o346.climb_11;
+            along_11 = _o346.along_11;
+            turn_rate_11 = _o346.turn_rate_11;
+            cos_11 = _o346.cos_11;
+            sin_11 = _o346.sin_11;
+            const LANES(court_ring_round_11_out) _o347 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            cosine_12 = _o359.cosine_12;
-            sine_12 = _o359.sine_12;
-            climb_12 = _o359.climb_12;
-            along_12 = _o359.along_12;
-            turn_rate_12 = _o359.turn_rate_12;
-            cos_12 = _o359.cos_12;
-            sin_12 = _o359.sin_12;
-            const LANES(court_ring_round_moved_out) _o360 =
+            cosine_12 = _o347.cosine_12;
+            sine_12 = _o347.sine_12;
+            climb_12 = _o347.climb_12;
+            along_12 = _o347.along_12;
+            turn_rate_12 = _o347.turn_rate_12;
+            cos_12 = _o347.cos_12;
+            sin_12 = _o347.sin_12;
+            const LANES(court_ring_round_moved_out) _o348 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            far_x = _o360.x;
-            far_y = _o360.y;
-            far_z = _o360.z;
-            far_vx = _o360.vx;
-            far_vy = _o360.vy;
-            far_vz = _o360.vz;
-            far_wx = _o360.wx;
-            far_wy = _o360.wy;
-            far_wz = _o360.wz;
-            const LANES(court_compared_out) _o361 =
+            far_x = _o348.x;
+            far_y = _o348.y;
+            far_z = _o348.z;
+            far_vx = _o348.vx;
+            far_vy = _o348.vy;
+            far_vz = _o348.vz;
+            far_wx = _o348.wx;
+            far_wy = _o348.wy;
+            far_wz = _o348.wz;
+            const LANES(court_compared_out) _o349 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o361.dx;
-            dy = _o361.dy;
-            dz = _o361.dz;
-            dvx = _o361.dvx;
-            dvy = _o361.dvy;
-            dvz = _o361.dvz;
-            dwx = _o361.dwx;
-            dwy = _o361.dwy;
-            dwz = _o361.dwz;
-            const LANES(court_rolled_on_out) _o362 =
+            dx = _o349.dx;
+            dy = _o349.dy;
+            dz = _o349.dz;
+            dvx = _o349.dvx;
+            dvy = _o349.dvy;
+            dvz = _o349.dvz;
+            dwx = _o349.dwx;
+            dwy = _o349.dwy;
+            dwz = _o349.dwz;
+            const LANES(court_rolled_on_out) _o350 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o362.clock;
-            circling = _o362.rolling;
+            clock = _o350.clock;
+            circling = _o350.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -7344,115 +7692,115 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o363 =
+        const LANES(court_rejoined_out) _o351 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o363.rolling;
-        const M _m364 = lanes_both(rows, leaves);
-        if (lanes_any(_m364)) {
-            const LANES(court_error_bounds_out) _o365 =
+        rolling = _o351.rolling;
+        const M _m352 = lanes_both(rows, leaves);
+        if (lanes_any(_m352)) {
+            const LANES(court_error_bounds_out) _o353 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_error = lanes_select(_m364, _o365.position_error, position_error);
-            velocity_error = lanes_select(_m364, _o365.velocity_error, velocity_error);
-            const LANES(court_holding_out) _o366 =
+            position_error = lanes_select(_m352, _o353.position_error, position_error);
+            velocity_error = lanes_select(_m352, _o353.velocity_error, velocity_error);
+            const LANES(court_holding_out) _o354 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o366.here;
-            const M _m367 = lanes_both(_m364, here);
-            if (lanes_any(_m367)) {
-                const LANES(court_ring_tube_out) _o368 =
+            M here = _o354.here;
+            const M _m355 = lanes_both(_m352, here);
+            if (lanes_any(_m355)) {
+                const LANES(court_ring_tube_out) _o356 =
                     LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-                per_reach = lanes_select(_m367, _o368.per_reach, per_reach);
-                const LANES(court_ring_parting_out) _o369 =
+                per_reach = lanes_select(_m355, _o356.per_reach, per_reach);
+                const LANES(court_ring_parting_out) _o357 =
                     LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m367, _o369.lift, lift);
-                surge = lanes_select(_m367, _o369.surge, surge);
-                snap = lanes_select(_m367, _o369.snap, snap);
+                lift = lanes_select(_m355, _o357.lift, lift);
+                surge = lanes_select(_m355, _o357.surge, surge);
+                snap = lanes_select(_m355, _o357.snap, snap);
             }
-            const LANES(court_holding_out) _o370 =
+            const LANES(court_holding_out) _o358 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o370.here;
-            const M _m371 = lanes_both(_m364, here);
-            if (lanes_any(_m371)) {
-                const LANES(court_backboard_tube_out) _o372 =
+            here = _o358.here;
+            const M _m359 = lanes_both(_m352, here);
+            if (lanes_any(_m359)) {
+                const LANES(court_backboard_tube_out) _o360 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                per_reach = lanes_select(_m371, _o372.per_reach, per_reach);
-                const LANES(court_backboard_parting_out) _o373 =
+                per_reach = lanes_select(_m359, _o360.per_reach, per_reach);
+                const LANES(court_backboard_parting_out) _o361 =
                     LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m371, _o373.lift, lift);
-                surge = lanes_select(_m371, _o373.surge, surge);
-                snap = lanes_select(_m371, _o373.snap, snap);
+                lift = lanes_select(_m359, _o361.lift, lift);
+                surge = lanes_select(_m359, _o361.surge, surge);
+                snap = lanes_select(_m359, _o361.snap, snap);
             }
-            const LANES(court_holding_out) _o374 =
+            const LANES(court_holding_out) _o362 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o374.here;
-            const M _m375 = lanes_both(_m364, here);
-            if (lanes_any(_m375)) {
-                const LANES(court_bridge_tube_out) _o376 =
+            here = _o362.here;
+            const M _m363 = lanes_both(_m352, here);
+            if (lanes_any(_m363)) {
+                const LANES(court_bridge_tube_out) _o364 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                per_reach = lanes_select(_m375, _o376.per_reach, per_reach);
-                const LANES(court_bridge_parting_out) _o377 =
+                per_reach = lanes_select(_m363, _o364.per_reach, per_reach);
+                const LANES(court_bridge_parting_out) _o365 =
                     LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                lift = lanes_select(_m375, _o377.lift, lift);
-                surge = lanes_select(_m375, _o377.surge, surge);
-                snap = lanes_select(_m375, _o377.snap, snap);
+                lift = lanes_select(_m363, _o365.lift, lift);
+                surge = lanes_select(_m363, _o365.surge, surge);
+                snap = lanes_select(_m363, _o365.snap, snap);
             }
-            const LANES(court_alone_out) _o378 =
+            const LANES(court_alone_out) _o366 =
                 LANES(court_alone)();
-            V nearest = _o378.nearest;
-            const LANES(court_beside_out) _o379 =
+            V nearest = _o366.nearest;
+            const LANES(court_beside_out) _o367 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o379.beside;
-            const M _m380 = lanes_both(_m364, beside);
-            if (lanes_any(_m380)) {
-                const LANES(court_ring_beside_out) _o381 =
+            M beside = _o367.beside;
+            const M _m368 = lanes_both(_m352, beside);
+            if (lanes_any(_m368)) {
+                const LANES(court_ring_beside_out) _o369 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o369.gap;
+                const LANES(court_neared_out) _o370 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m368, _o370.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o371 =
+                LANES(court_beside)(held, K(1.0));
+            beside = _o371.beside;
+            const M _m372 = lanes_both(_m352, beside);
+            if (lanes_any(_m372)) {
+                const LANES(court_backboard_beside_out) _o373 =
+                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                V gap = _o373.gap;
+                const LANES(court_neared_out) _o374 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m372, _o374.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o375 =
+                LANES(court_beside)(held, K(2.0));
+            beside = _o375.beside;
+            const M _m376 = lanes_both(_m352, beside);
+            if (lanes_any(_m376)) {
+                const LANES(court_bridge_beside_out) _o377 =
+                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o377.gap;
+                const LANES(court_neared_out) _o378 =
+                    LANES(court_neared)(gap, nearest);
+                nearest = lanes_select(_m376, _o378.nearest, nearest);
+            }
+            const LANES(court_beside_out) _o379 =
+                LANES(court_beside)(held, K(3.0));
+            beside = _o379.beside;
+            const M _m380 = lanes_both(_m352, beside);
+            {
+                const LANES(court_end_beside_out) _o381 =
+                    LANES(court_end_beside)(p_end_depth, vz, z);
                 V gap = _o381.gap;
                 const LANES(court_neared_out) _o382 =
                     LANES(court_neared)(gap, nearest);
                 nearest = lanes_select(_m380, _o382.nearest, nearest);
             }
-            const LANES(court_beside_out) _o383 =
-                LANES(court_beside)(held, K(1.0));
-            beside = _o383.beside;
-            const M _m384 = lanes_both(_m364, beside);
-            if (lanes_any(_m384)) {
-                const LANES(court_backboard_beside_out) _o385 =
-                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o385.gap;
-                const LANES(court_neared_out) _o386 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m384, _o386.nearest, nearest);
-            }
-            const LANES(court_beside_out) _o387 =
-                LANES(court_beside)(held, K(2.0));
-            beside = _o387.beside;
-            const M _m388 = lanes_both(_m364, beside);
-            if (lanes_any(_m388)) {
-                const LANES(court_bridge_beside_out) _o389 =
-                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o389.gap;
-                const LANES(court_neared_out) _o390 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m388, _o390.nearest, nearest);
-            }
-            const LANES(court_beside_out) _o391 =
-                LANES(court_beside)(held, K(3.0));
-            beside = _o391.beside;
-            const M _m392 = lanes_both(_m364, beside);
-            {
-                const LANES(court_end_beside_out) _o393 =
-                    LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o393.gap;
-                const LANES(court_neared_out) _o394 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m392, _o394.nearest, nearest);
-            }
-            const LANES(court_parted_out) _o395 =
+            const LANES(court_parted_out) _o383 =
                 LANES(court_parted)(doubt, p_gravity, lift, nearest, per_reach, position_error, snap, surge, velocity_error, vx, vy, vz);
-            when = lanes_select(_m364, _o395.when, when);
-            doubt = lanes_select(_m364, _o395.doubt, doubt);
-            const LANES(court_hopping_out) _o396 =
+            when = lanes_select(_m352, _o383.when, when);
+            doubt = lanes_select(_m352, _o383.doubt, doubt);
+            const LANES(court_hopping_out) _o384 =
                 LANES(court_hopping)();
-            which = lanes_select(_m364, _o396.which, which);
+            which = lanes_select(_m352, _o384.which, which);
         }
         lanes_store(lists->kept_doubt + i, doubt);
         lanes_store(lists->kept_position_error + i, position_error);
@@ -8368,85 +8716,189 @@ static void LANES(court_bounded)(const court_job *job)
             lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
+        {
+        size_t open_refining_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
-            V doubt = lanes_load(lists->open_doubt + i);
-            V extent = lanes_load(lists->open_extent + i);
             V flat = lanes_load(lists->open_flat + i);
             V last = lanes_load(lists->open_last + i);
-            V late = lanes_load(lists->open_late + i);
-            V latest = lanes_load(lists->open_latest + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V position_error = lanes_load(lists->open_position_error + i);
             V rho_start = lanes_load(lists->open_rho_start + i);
-            V speed = lanes_load(lists->open_speed + i);
             V tilt = lanes_load(lists->open_tilt + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
-            V when = lanes_load(lists->open_when + i);
-            V which = lanes_load(lists->open_which + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(court_found_out) _o53 =
                 LANES(court_found)(arrival);
             M arrives = _o53.arrives;
+            M refining = _o53.refining;
+            V rate = _o53.rate;
             const LANES(court_nearby_out) _o54 =
                 LANES(court_nearby)(flat, K(0.0), last, arrival, tilt);
             V leaving = _o54.leaving;
-            const LANES(court_ring_refine_out) _o55 =
-                LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V refined = _o55.time;
-            const LANES(court_polished_out) _o56 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o56.arrival;
-            const LANES(court_ring_refine_out) _o57 =
-                LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o57.time;
-            const LANES(court_polished_out) _o58 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o58.arrival;
-            const LANES(court_ring_refine_out) _o59 =
-                LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o59.time;
-            V rate = _o59.rate;
-            const LANES(court_polished_out) _o60 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o60.arrival;
-            const LANES(court_ring_margins_out) _o61 =
+            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            lanes_store(lists->open_leaving + i, leaving);
+            lanes_store(lists->open_rate + i, rate);
+            const M packed = lanes_both(rows, refining);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
+                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
+                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_refining_rho_start + open_refining_shots, packed, rho_start);
+                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
+                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
+                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
+                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
+                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
+                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
+                open_refining_shots += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_radius = lanes_load(lists->p_ring_radius);
+            V p_wire_radius = lanes_load(lists->p_wire_radius);
+            V arrival = K(0.0);
+            V ceiling = K(0.0);
+            M certain = lanes_nowhere();
+            V leaving = K(0.0);
+            V rho_start = K(0.0);
+            V vx = K(0.0);
+            V vy = K(0.0);
+            V vz = K(0.0);
+            V x = K(0.0);
+            V y = K(0.0);
+            V z = K(0.0);
+            for (;;) {
+                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
+                    rho_start = lanes_expand(lists->open_refining_rho_start + taken, idle, rho_start);
+                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, p_wire_radius);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M refining = active;
+                const LANES(court_ring_refine_out) _o55 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o55.time;
+                V gap = _o55.gap;
+                V rate = _o55.rate;
+                const LANES(court_polished_out) _o56 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = _o56.arrival;
+                refining = _o56.refining;
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_arrival[LANES_WIDTH];
+                    lanes_store(ended_arrival, arrival);
+                    double ended_rate[LANES_WIDTH];
+                    lanes_store(ended_rate, rate);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_arrival[k] = ended_arrival[lane];
+                        lists->open_rate[k] = ended_rate[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        }
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->open_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
+            V ceiling = lanes_load(lists->open_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
+            V doubt = lanes_load(lists->open_doubt + i);
+            V extent = lanes_load(lists->open_extent + i);
+            V late = lanes_load(lists->open_late + i);
+            V latest = lanes_load(lists->open_latest + i);
+            V leaving = lanes_load(lists->open_leaving + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V position_error = lanes_load(lists->open_position_error + i);
+            V rate = lanes_load(lists->open_rate + i);
+            V speed = lanes_load(lists->open_speed + i);
+            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            V when = lanes_load(lists->open_when + i);
+            V which = lanes_load(lists->open_which + i);
+            const LANES(court_ring_margins_out) _o57 =
                 LANES(court_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            flat = _o61.margin;
-            tilt = _o61.leaving_margin;
-            V rate_margin = _o61.rate_margin;
-            const LANES(court_own_margin_out) _o62 =
+            V flat = _o57.margin;
+            V tilt = _o57.leaving_margin;
+            V rate_margin = _o57.rate_margin;
+            const LANES(court_own_margin_out) _o58 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o62.margin;
-            const LANES(court_crossing_out) _o63 =
+            V margin = _o58.margin;
+            const LANES(court_crossing_out) _o59 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o63.clearance;
-            V delay = _o63.delay;
-            const LANES(court_landed_out) _o64 =
+            V clearance = _o59.clearance;
+            V delay = _o59.delay;
+            const LANES(court_landed_out) _o60 =
                 LANES(court_landed)(arrival);
-            V time = _o64.time;
-            const LANES(court_landed_surely_out) _o65 =
+            V time = _o60.time;
+            const LANES(court_landed_surely_out) _o61 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o65.delay;
-            doubt = _o65.doubt;
-            const LANES(court_tied_out) _o66 =
+            delay = _o61.delay;
+            doubt = _o61.doubt;
+            const LANES(court_tied_out) _o62 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o66.doubt;
-            late = _o66.late;
-            const LANES(court_sooner_out) _o67 =
+            doubt = _o62.doubt;
+            late = _o62.late;
+            const LANES(court_sooner_out) _o63 =
                 LANES(court_sooner)(arrives, K(0.0), time, when, which);
-            when = _o67.when;
-            which = _o67.which;
+            when = _o63.when;
+            which = _o63.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -8487,16 +8939,16 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o68 =
+            const LANES(court_horizon_out) _o64 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o68.horizon;
-            V pad = _o68.pad;
-            const LANES(court_backboard_clear_out) _o69 =
+            V until = _o64.horizon;
+            V pad = _o64.pad;
+            const LANES(court_backboard_clear_out) _o65 =
                 LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V clear = _o69.clear;
-            const LANES(court_opens_in_flight_out) _o70 =
+            V clear = _o65.clear;
+            const LANES(court_opens_in_flight_out) _o66 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o70.open;
+            M open = _o66.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -8560,38 +9012,38 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_backboard_prepare_out) _o71 =
+            const LANES(court_backboard_prepare_out) _o67 =
                 LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V low0 = _o71.low0;
-            V high0 = _o71.high0;
-            V low1 = _o71.low1;
-            V high1 = _o71.high1;
-            V ceiling = _o71.ceiling;
-            V latest = _o71.latest;
-            V lost = _o71.lost;
-            const LANES(court_beginning_out) _o72 =
+            V low0 = _o67.low0;
+            V high0 = _o67.high0;
+            V low1 = _o67.low1;
+            V high1 = _o67.high1;
+            V ceiling = _o67.ceiling;
+            V latest = _o67.latest;
+            V lost = _o67.lost;
+            const LANES(court_beginning_out) _o68 =
                 LANES(court_beginning)();
-            V share = _o72.share;
-            V arrival = _o72.arrival;
-            M certain = _o72.certain;
-            const LANES(court_backboard_enter_out) _o73 =
+            V share = _o68.share;
+            V arrival = _o68.arrival;
+            M certain = _o68.certain;
+            const LANES(court_backboard_enter_out) _o69 =
                 LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o73.t;
-            V end = _o73.end;
-            M searching = _o73.searching;
-            const LANES(court_allowance_out) _o74 =
+            V t = _o69.t;
+            V end = _o69.end;
+            M searching = _o69.searching;
+            const LANES(court_allowance_out) _o70 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o74.position_level;
-            V velocity_level = _o74.velocity_level;
-            V excess = _o74.excess;
-            const LANES(court_backboard_margins_out) _o75 =
+            V position_level = _o70.position_level;
+            V velocity_level = _o70.velocity_level;
+            V excess = _o70.excess;
+            const LANES(court_backboard_margins_out) _o71 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o75.margin;
-            V tilt = _o75.leaving_margin;
-            V rate_slack = _o75.rate_margin;
-            const LANES(court_beyond_out) _o76 =
+            V flat = _o71.margin;
+            V tilt = _o71.leaving_margin;
+            V rate_slack = _o71.rate_margin;
+            const LANES(court_beyond_out) _o72 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o76.doubt;
+            doubt = _o72.doubt;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -8732,56 +9184,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o77 =
+                const LANES(court_nearby_out) _o73 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o77.leaving;
-                V margin = _o77.margin;
-                const LANES(court_backboard_advance_out) _o78 =
+                V leaving = _o73.leaving;
+                V margin = _o73.margin;
+                const LANES(court_backboard_advance_out) _o74 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V gap = _o78.gap;
-                V rate = _o78.rate;
-                V bend = _o78.bend;
-                V step = _o78.step;
-                V next = _o78.next;
-                V clearance = _o78.clearance;
-                const LANES(court_struck_out) _o79 =
+                V gap = _o74.gap;
+                V rate = _o74.rate;
+                V bend = _o74.bend;
+                V step = _o74.step;
+                V next = _o74.next;
+                V clearance = _o74.clearance;
+                const LANES(court_struck_out) _o75 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o79.hit;
-                M sure = _o79.sure;
-                M vague = _o79.vague;
-                const M _m80 = lanes_both(active, vague);
-                if (lanes_any(_m80)) {
-                    const LANES(court_finer_out) _o81 =
+                M hit = _o75.hit;
+                M sure = _o75.sure;
+                M vague = _o75.vague;
+                const M _m76 = lanes_both(active, vague);
+                if (lanes_any(_m76)) {
+                    const LANES(court_finer_out) _o77 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m80, _o81.share, share);
-                    const LANES(court_allowance_out) _o82 =
+                    share = lanes_select(_m76, _o77.share, share);
+                    const LANES(court_allowance_out) _o78 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o82.position_level;
-                    V velocity_level = _o82.velocity_level;
-                    V excess = _o82.excess;
-                    const LANES(court_backboard_margins_out) _o83 =
+                    V position_level = _o78.position_level;
+                    V velocity_level = _o78.velocity_level;
+                    V excess = _o78.excess;
+                    const LANES(court_backboard_margins_out) _o79 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = lanes_select(_m80, _o83.margin, flat);
-                    tilt = lanes_select(_m80, _o83.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m80, _o83.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o84 =
+                    flat = lanes_select(_m76, _o79.margin, flat);
+                    tilt = lanes_select(_m76, _o79.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m76, _o79.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o80 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m80, _o84.doubt, doubt);
+                    doubt = lanes_select(_m76, _o80.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o85 =
+                const LANES(court_advanced_out) _o81 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o85.arrival;
-                certain = _o85.certain;
-                M exhausted = _o85.exhausted;
-                searching = _o85.searching;
-                t = _o85.t;
-                const M _m86 = lanes_both(active, exhausted);
+                arrival = _o81.arrival;
+                certain = _o81.certain;
+                M exhausted = _o81.exhausted;
+                searching = _o81.searching;
+                t = _o81.t;
+                const M _m82 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o87 =
+                    const LANES(court_backboard_enter_out) _o83 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m86, _o87.t, t);
-                    end = lanes_select(_m86, _o87.end, end);
-                    searching = lanes_choose(_m86, _o87.searching, searching);
+                    t = lanes_select(_m82, _o83.t, t);
+                    end = lanes_select(_m82, _o83.end, end);
+                    searching = lanes_choose(_m82, _o83.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -8819,16 +9271,170 @@ static void LANES(court_bounded)(const court_job *job)
             }
         }
         }
+        {
+        size_t open_refining_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V doubt = lanes_load(lists->open_doubt + i);
-            V extent = lanes_load(lists->open_extent + i);
             V flat = lanes_load(lists->open_flat + i);
             V last = lanes_load(lists->open_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_bottom = lanes_load(varying ? lists->open_p_board_bottom + i : lists->p_board_bottom);
+            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
+            const V p_board_half_width = lanes_load(varying ? lists->open_p_board_half_width + i : lists->p_board_half_width);
+            const V p_board_thickness = lanes_load(varying ? lists->open_p_board_thickness + i : lists->p_board_thickness);
+            const V p_board_top = lanes_load(varying ? lists->open_p_board_top + i : lists->p_board_top);
+            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
+            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            V t = lanes_load(lists->open_t + i);
+            V tilt = lanes_load(lists->open_tilt + i);
+            V vx = lanes_load(lists->open_vx + i);
+            V vy = lanes_load(lists->open_vy + i);
+            V vz = lanes_load(lists->open_vz + i);
+            V x = lanes_load(lists->open_x + i);
+            V y = lanes_load(lists->open_y + i);
+            V z = lanes_load(lists->open_z + i);
+            const LANES(court_questioned_out) _o84 =
+                LANES(court_questioned)(doubt, t, searching);
+            doubt = _o84.doubt;
+            const LANES(court_found_out) _o85 =
+                LANES(court_found)(arrival);
+            M arrives = _o85.arrives;
+            M refining = _o85.refining;
+            V rate = _o85.rate;
+            const LANES(court_nearby_out) _o86 =
+                LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
+            V leaving = _o86.leaving;
+            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            lanes_store(lists->open_doubt + i, doubt);
+            lanes_store(lists->open_leaving + i, leaving);
+            lanes_store(lists->open_rate + i, rate);
+            const M packed = lanes_both(rows, refining);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
+                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
+                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_bottom + open_refining_shots, packed, p_board_bottom);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_distance + open_refining_shots, packed, p_board_distance);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_half_width + open_refining_shots, packed, p_board_half_width);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_thickness + open_refining_shots, packed, p_board_thickness);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_top + open_refining_shots, packed, p_board_top);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
+                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
+                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
+                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
+                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
+                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
+                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
+                open_refining_shots += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_board_bottom = lanes_load(lists->p_board_bottom);
+            V p_board_distance = lanes_load(lists->p_board_distance);
+            V p_board_half_width = lanes_load(lists->p_board_half_width);
+            V p_board_thickness = lanes_load(lists->p_board_thickness);
+            V p_board_top = lanes_load(lists->p_board_top);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V arrival = K(0.0);
+            V ceiling = K(0.0);
+            M certain = lanes_nowhere();
+            V leaving = K(0.0);
+            V vx = K(0.0);
+            V vy = K(0.0);
+            V vz = K(0.0);
+            V x = K(0.0);
+            V y = K(0.0);
+            V z = K(0.0);
+            for (;;) {
+                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
+                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_bottom = lanes_expand(lists->open_refining_p_board_bottom + taken, idle, p_board_bottom);
+                        p_board_distance = lanes_expand(lists->open_refining_p_board_distance + taken, idle, p_board_distance);
+                        p_board_half_width = lanes_expand(lists->open_refining_p_board_half_width + taken, idle, p_board_half_width);
+                        p_board_thickness = lanes_expand(lists->open_refining_p_board_thickness + taken, idle, p_board_thickness);
+                        p_board_top = lanes_expand(lists->open_refining_p_board_top + taken, idle, p_board_top);
+                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M refining = active;
+                const LANES(court_backboard_refine_out) _o87 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                V refined = _o87.time;
+                V gap = _o87.gap;
+                V rate = _o87.rate;
+                const LANES(court_polished_out) _o88 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = _o88.arrival;
+                refining = _o88.refining;
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_arrival[LANES_WIDTH];
+                    lanes_store(ended_arrival, arrival);
+                    double ended_rate[LANES_WIDTH];
+                    lanes_store(ended_rate, rate);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_arrival[k] = ended_arrival[lane];
+                        lists->open_rate[k] = ended_rate[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        }
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->open_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
+            V ceiling = lanes_load(lists->open_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
+            V doubt = lanes_load(lists->open_doubt + i);
+            V extent = lanes_load(lists->open_extent + i);
             V late = lanes_load(lists->open_late + i);
             V latest = lanes_load(lists->open_latest + i);
+            V leaving = lanes_load(lists->open_leaving + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_board_bottom = lanes_load(varying ? lists->open_p_board_bottom + i : lists->p_board_bottom);
             const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
@@ -8837,74 +9443,38 @@ static void LANES(court_bounded)(const court_job *job)
             const V p_board_top = lanes_load(varying ? lists->open_p_board_top + i : lists->p_board_top);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             V position_error = lanes_load(lists->open_position_error + i);
-            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            V rate = lanes_load(lists->open_rate + i);
             V speed = lanes_load(lists->open_speed + i);
-            V t = lanes_load(lists->open_t + i);
-            V tilt = lanes_load(lists->open_tilt + i);
             V velocity_error = lanes_load(lists->open_velocity_error + i);
-            V vx = lanes_load(lists->open_vx + i);
-            V vy = lanes_load(lists->open_vy + i);
-            V vz = lanes_load(lists->open_vz + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            V x = lanes_load(lists->open_x + i);
-            V y = lanes_load(lists->open_y + i);
-            V z = lanes_load(lists->open_z + i);
-            const LANES(court_questioned_out) _o88 =
-                LANES(court_questioned)(doubt, t, searching);
-            doubt = _o88.doubt;
-            const LANES(court_found_out) _o89 =
-                LANES(court_found)(arrival);
-            M arrives = _o89.arrives;
-            const LANES(court_nearby_out) _o90 =
-                LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o90.leaving;
-            const LANES(court_backboard_refine_out) _o91 =
-                LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V refined = _o91.time;
-            const LANES(court_polished_out) _o92 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o92.arrival;
-            const LANES(court_backboard_refine_out) _o93 =
-                LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            refined = _o93.time;
-            const LANES(court_polished_out) _o94 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o94.arrival;
-            const LANES(court_backboard_refine_out) _o95 =
-                LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            refined = _o95.time;
-            V rate = _o95.rate;
-            const LANES(court_polished_out) _o96 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o96.arrival;
-            const LANES(court_backboard_margins_out) _o97 =
+            const LANES(court_backboard_margins_out) _o89 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            flat = _o97.margin;
-            tilt = _o97.leaving_margin;
-            V rate_margin = _o97.rate_margin;
-            const LANES(court_own_margin_out) _o98 =
+            V flat = _o89.margin;
+            V tilt = _o89.leaving_margin;
+            V rate_margin = _o89.rate_margin;
+            const LANES(court_own_margin_out) _o90 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o98.margin;
-            const LANES(court_crossing_out) _o99 =
+            V margin = _o90.margin;
+            const LANES(court_crossing_out) _o91 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o99.clearance;
-            V delay = _o99.delay;
-            const LANES(court_landed_out) _o100 =
+            V clearance = _o91.clearance;
+            V delay = _o91.delay;
+            const LANES(court_landed_out) _o92 =
                 LANES(court_landed)(arrival);
-            V time = _o100.time;
-            const LANES(court_landed_surely_out) _o101 =
+            V time = _o92.time;
+            const LANES(court_landed_surely_out) _o93 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o101.delay;
-            doubt = _o101.doubt;
-            const LANES(court_tied_out) _o102 =
+            delay = _o93.delay;
+            doubt = _o93.doubt;
+            const LANES(court_tied_out) _o94 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o102.doubt;
-            late = _o102.late;
-            const LANES(court_sooner_out) _o103 =
+            doubt = _o94.doubt;
+            late = _o94.late;
+            const LANES(court_sooner_out) _o95 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o103.when;
-            which = _o103.which;
+            when = _o95.when;
+            which = _o95.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -8945,16 +9515,16 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o104 =
+            const LANES(court_horizon_out) _o96 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o104.horizon;
-            V pad = _o104.pad;
-            const LANES(court_bridge_clear_out) _o105 =
+            V until = _o96.horizon;
+            V pad = _o96.pad;
+            const LANES(court_bridge_clear_out) _o97 =
                 LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V clear = _o105.clear;
-            const LANES(court_opens_in_flight_out) _o106 =
+            V clear = _o97.clear;
+            const LANES(court_opens_in_flight_out) _o98 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o106.open;
+            M open = _o98.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -9018,38 +9588,38 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_bridge_prepare_out) _o107 =
+            const LANES(court_bridge_prepare_out) _o99 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o107.low0;
-            V high0 = _o107.high0;
-            V low1 = _o107.low1;
-            V high1 = _o107.high1;
-            V ceiling = _o107.ceiling;
-            V latest = _o107.latest;
-            V lost = _o107.lost;
-            const LANES(court_beginning_out) _o108 =
+            V low0 = _o99.low0;
+            V high0 = _o99.high0;
+            V low1 = _o99.low1;
+            V high1 = _o99.high1;
+            V ceiling = _o99.ceiling;
+            V latest = _o99.latest;
+            V lost = _o99.lost;
+            const LANES(court_beginning_out) _o100 =
                 LANES(court_beginning)();
-            V share = _o108.share;
-            V arrival = _o108.arrival;
-            M certain = _o108.certain;
-            const LANES(court_bridge_enter_out) _o109 =
+            V share = _o100.share;
+            V arrival = _o100.arrival;
+            M certain = _o100.certain;
+            const LANES(court_bridge_enter_out) _o101 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o109.t;
-            V end = _o109.end;
-            M searching = _o109.searching;
-            const LANES(court_allowance_out) _o110 =
+            V t = _o101.t;
+            V end = _o101.end;
+            M searching = _o101.searching;
+            const LANES(court_allowance_out) _o102 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o110.position_level;
-            V velocity_level = _o110.velocity_level;
-            V excess = _o110.excess;
-            const LANES(court_bridge_margins_out) _o111 =
+            V position_level = _o102.position_level;
+            V velocity_level = _o102.velocity_level;
+            V excess = _o102.excess;
+            const LANES(court_bridge_margins_out) _o103 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o111.margin;
-            V tilt = _o111.leaving_margin;
-            V rate_slack = _o111.rate_margin;
-            const LANES(court_beyond_out) _o112 =
+            V flat = _o103.margin;
+            V tilt = _o103.leaving_margin;
+            V rate_slack = _o103.rate_margin;
+            const LANES(court_beyond_out) _o104 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o112.doubt;
+            doubt = _o104.doubt;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -9190,56 +9760,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o113 =
+                const LANES(court_nearby_out) _o105 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o113.leaving;
-                V margin = _o113.margin;
-                const LANES(court_bridge_advance_out) _o114 =
+                V leaving = _o105.leaving;
+                V margin = _o105.margin;
+                const LANES(court_bridge_advance_out) _o106 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o114.gap;
-                V rate = _o114.rate;
-                V bend = _o114.bend;
-                V step = _o114.step;
-                V next = _o114.next;
-                V clearance = _o114.clearance;
-                const LANES(court_struck_out) _o115 =
+                V gap = _o106.gap;
+                V rate = _o106.rate;
+                V bend = _o106.bend;
+                V step = _o106.step;
+                V next = _o106.next;
+                V clearance = _o106.clearance;
+                const LANES(court_struck_out) _o107 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o115.hit;
-                M sure = _o115.sure;
-                M vague = _o115.vague;
-                const M _m116 = lanes_both(active, vague);
-                if (lanes_any(_m116)) {
-                    const LANES(court_finer_out) _o117 =
+                M hit = _o107.hit;
+                M sure = _o107.sure;
+                M vague = _o107.vague;
+                const M _m108 = lanes_both(active, vague);
+                if (lanes_any(_m108)) {
+                    const LANES(court_finer_out) _o109 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m116, _o117.share, share);
-                    const LANES(court_allowance_out) _o118 =
+                    share = lanes_select(_m108, _o109.share, share);
+                    const LANES(court_allowance_out) _o110 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o118.position_level;
-                    V velocity_level = _o118.velocity_level;
-                    V excess = _o118.excess;
-                    const LANES(court_bridge_margins_out) _o119 =
+                    V position_level = _o110.position_level;
+                    V velocity_level = _o110.velocity_level;
+                    V excess = _o110.excess;
+                    const LANES(court_bridge_margins_out) _o111 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m116, _o119.margin, flat);
-                    tilt = lanes_select(_m116, _o119.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m116, _o119.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o120 =
+                    flat = lanes_select(_m108, _o111.margin, flat);
+                    tilt = lanes_select(_m108, _o111.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m108, _o111.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o112 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m116, _o120.doubt, doubt);
+                    doubt = lanes_select(_m108, _o112.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o121 =
+                const LANES(court_advanced_out) _o113 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o121.arrival;
-                certain = _o121.certain;
-                M exhausted = _o121.exhausted;
-                searching = _o121.searching;
-                t = _o121.t;
-                const M _m122 = lanes_both(active, exhausted);
+                arrival = _o113.arrival;
+                certain = _o113.certain;
+                M exhausted = _o113.exhausted;
+                searching = _o113.searching;
+                t = _o113.t;
+                const M _m114 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o123 =
+                    const LANES(court_bridge_enter_out) _o115 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m122, _o123.t, t);
-                    end = lanes_select(_m122, _o123.end, end);
-                    searching = lanes_choose(_m122, _o123.searching, searching);
+                    t = lanes_select(_m114, _o115.t, t);
+                    end = lanes_select(_m114, _o115.end, end);
+                    searching = lanes_choose(_m114, _o115.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -9277,16 +9847,170 @@ static void LANES(court_bounded)(const court_job *job)
             }
         }
         }
+        {
+        size_t open_refining_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V doubt = lanes_load(lists->open_doubt + i);
-            V extent = lanes_load(lists->open_extent + i);
             V flat = lanes_load(lists->open_flat + i);
             V last = lanes_load(lists->open_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
+            const V p_bridge_depth = lanes_load(varying ? lists->open_p_bridge_depth + i : lists->p_bridge_depth);
+            const V p_bridge_half_width = lanes_load(varying ? lists->open_p_bridge_half_width + i : lists->p_bridge_half_width);
+            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            V t = lanes_load(lists->open_t + i);
+            V tilt = lanes_load(lists->open_tilt + i);
+            V vx = lanes_load(lists->open_vx + i);
+            V vy = lanes_load(lists->open_vy + i);
+            V vz = lanes_load(lists->open_vz + i);
+            V x = lanes_load(lists->open_x + i);
+            V y = lanes_load(lists->open_y + i);
+            V z = lanes_load(lists->open_z + i);
+            const LANES(court_questioned_out) _o116 =
+                LANES(court_questioned)(doubt, t, searching);
+            doubt = _o116.doubt;
+            const LANES(court_found_out) _o117 =
+                LANES(court_found)(arrival);
+            M arrives = _o117.arrives;
+            M refining = _o117.refining;
+            V rate = _o117.rate;
+            const LANES(court_nearby_out) _o118 =
+                LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
+            V leaving = _o118.leaving;
+            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            lanes_store(lists->open_doubt + i, doubt);
+            lanes_store(lists->open_leaving + i, leaving);
+            lanes_store(lists->open_rate + i, rate);
+            const M packed = lanes_both(rows, refining);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
+                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
+                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_board_distance + open_refining_shots, packed, p_board_distance);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_bridge_depth + open_refining_shots, packed, p_bridge_depth);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_bridge_half_width + open_refining_shots, packed, p_bridge_half_width);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
+                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
+                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
+                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
+                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
+                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
+                open_refining_shots += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_board_distance = lanes_load(lists->p_board_distance);
+            V p_bridge_depth = lanes_load(lists->p_bridge_depth);
+            V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_radius = lanes_load(lists->p_ring_radius);
+            V p_wire_radius = lanes_load(lists->p_wire_radius);
+            V arrival = K(0.0);
+            V ceiling = K(0.0);
+            M certain = lanes_nowhere();
+            V leaving = K(0.0);
+            V vx = K(0.0);
+            V vy = K(0.0);
+            V vz = K(0.0);
+            V x = K(0.0);
+            V y = K(0.0);
+            V z = K(0.0);
+            for (;;) {
+                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
+                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_distance = lanes_expand(lists->open_refining_p_board_distance + taken, idle, p_board_distance);
+                        p_bridge_depth = lanes_expand(lists->open_refining_p_bridge_depth + taken, idle, p_bridge_depth);
+                        p_bridge_half_width = lanes_expand(lists->open_refining_p_bridge_half_width + taken, idle, p_bridge_half_width);
+                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, p_wire_radius);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M refining = active;
+                const LANES(court_bridge_refine_out) _o119 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                V refined = _o119.time;
+                V gap = _o119.gap;
+                V rate = _o119.rate;
+                const LANES(court_polished_out) _o120 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = _o120.arrival;
+                refining = _o120.refining;
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_arrival[LANES_WIDTH];
+                    lanes_store(ended_arrival, arrival);
+                    double ended_rate[LANES_WIDTH];
+                    lanes_store(ended_rate, rate);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_arrival[k] = ended_arrival[lane];
+                        lists->open_rate[k] = ended_rate[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        }
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->open_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
+            V ceiling = lanes_load(lists->open_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
+            V doubt = lanes_load(lists->open_doubt + i);
+            V extent = lanes_load(lists->open_extent + i);
             V late = lanes_load(lists->open_late + i);
             V latest = lanes_load(lists->open_latest + i);
+            V leaving = lanes_load(lists->open_leaving + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
             const V p_bridge_depth = lanes_load(varying ? lists->open_p_bridge_depth + i : lists->p_bridge_depth);
@@ -9295,74 +10019,38 @@ static void LANES(court_bounded)(const court_job *job)
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_position_error + i);
-            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            V rate = lanes_load(lists->open_rate + i);
             V speed = lanes_load(lists->open_speed + i);
-            V t = lanes_load(lists->open_t + i);
-            V tilt = lanes_load(lists->open_tilt + i);
             V velocity_error = lanes_load(lists->open_velocity_error + i);
-            V vx = lanes_load(lists->open_vx + i);
-            V vy = lanes_load(lists->open_vy + i);
-            V vz = lanes_load(lists->open_vz + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            V x = lanes_load(lists->open_x + i);
-            V y = lanes_load(lists->open_y + i);
-            V z = lanes_load(lists->open_z + i);
-            const LANES(court_questioned_out) _o124 =
-                LANES(court_questioned)(doubt, t, searching);
-            doubt = _o124.doubt;
-            const LANES(court_found_out) _o125 =
-                LANES(court_found)(arrival);
-            M arrives = _o125.arrives;
-            const LANES(court_nearby_out) _o126 =
-                LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o126.leaving;
-            const LANES(court_bridge_refine_out) _o127 =
-                LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V refined = _o127.time;
-            const LANES(court_polished_out) _o128 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o128.arrival;
-            const LANES(court_bridge_refine_out) _o129 =
-                LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            refined = _o129.time;
-            const LANES(court_polished_out) _o130 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o130.arrival;
-            const LANES(court_bridge_refine_out) _o131 =
-                LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            refined = _o131.time;
-            V rate = _o131.rate;
-            const LANES(court_polished_out) _o132 =
-                LANES(court_polished)(arrival, certain, refined);
-            arrival = _o132.arrival;
-            const LANES(court_bridge_margins_out) _o133 =
+            const LANES(court_bridge_margins_out) _o121 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            flat = _o133.margin;
-            tilt = _o133.leaving_margin;
-            V rate_margin = _o133.rate_margin;
-            const LANES(court_own_margin_out) _o134 =
+            V flat = _o121.margin;
+            V tilt = _o121.leaving_margin;
+            V rate_margin = _o121.rate_margin;
+            const LANES(court_own_margin_out) _o122 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o134.margin;
-            const LANES(court_crossing_out) _o135 =
+            V margin = _o122.margin;
+            const LANES(court_crossing_out) _o123 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o135.clearance;
-            V delay = _o135.delay;
-            const LANES(court_landed_out) _o136 =
+            V clearance = _o123.clearance;
+            V delay = _o123.delay;
+            const LANES(court_landed_out) _o124 =
                 LANES(court_landed)(arrival);
-            V time = _o136.time;
-            const LANES(court_landed_surely_out) _o137 =
+            V time = _o124.time;
+            const LANES(court_landed_surely_out) _o125 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o137.delay;
-            doubt = _o137.doubt;
-            const LANES(court_tied_out) _o138 =
+            delay = _o125.delay;
+            doubt = _o125.doubt;
+            const LANES(court_tied_out) _o126 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o138.doubt;
-            late = _o138.late;
-            const LANES(court_sooner_out) _o139 =
+            doubt = _o126.doubt;
+            late = _o126.late;
+            const LANES(court_sooner_out) _o127 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o139.when;
-            which = _o139.which;
+            when = _o127.when;
+            which = _o127.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -9433,22 +10121,22 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m140 = lanes_both(rows, limited);
-            if (lanes_any(_m140)) {
-                const LANES(court_expiry_out) _o141 =
+            const M _m128 = lanes_both(rows, limited);
+            if (lanes_any(_m128)) {
+                const LANES(court_expiry_out) _o129 =
                     LANES(court_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o141.time;
-                V delay = _o141.delay;
-                M arrives = _o141.arrives;
-                doubt = lanes_select(_m140, _o141.doubt, doubt);
-                const LANES(court_tied_out) _o142 =
+                V time = _o129.time;
+                V delay = _o129.delay;
+                M arrives = _o129.arrives;
+                doubt = lanes_select(_m128, _o129.doubt, doubt);
+                const LANES(court_tied_out) _o130 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m140, _o142.doubt, doubt);
-                late = lanes_select(_m140, _o142.late, late);
-                const LANES(court_sooner_out) _o143 =
+                doubt = lanes_select(_m128, _o130.doubt, doubt);
+                late = lanes_select(_m128, _o130.late, late);
+                const LANES(court_sooner_out) _o131 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m140, _o143.when, when);
-                which = lanes_select(_m140, _o143.which, which);
+                when = lanes_select(_m128, _o131.when, when);
+                which = lanes_select(_m128, _o131.which, which);
             }
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->late + i, late);
@@ -9634,90 +10322,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o397 =
+            const LANES(court_departed_out) _o385 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o397.moves;
-            M ends = _o397.ends;
-            M touches = _o397.touches;
-            V reached = _o397.reached;
-            M edge = _o397.edge;
-            const LANES(court_body_of_out) _o398 =
+            M moves = _o385.moves;
+            M ends = _o385.ends;
+            M touches = _o385.touches;
+            V reached = _o385.reached;
+            M edge = _o385.edge;
+            const LANES(court_body_of_out) _o386 =
                 LANES(court_body_of)(which);
-            V body = _o398.body;
-            const M _m399 = lanes_both(rows, moves);
-            if (lanes_any(_m399)) {
-                const LANES(court_passing_doubt_out) _o400 =
+            V body = _o386.body;
+            const M _m387 = lanes_both(rows, moves);
+            if (lanes_any(_m387)) {
+                const LANES(court_passing_doubt_out) _o388 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o400.unsure;
-                const LANES(court_undecided_out) _o401 =
+                M unsure = _o388.unsure;
+                const LANES(court_undecided_out) _o389 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m399, _o401.uncertain, uncertain);
-                const LANES(court_passing_out) _o402 =
+                uncertain = lanes_select(_m387, _o389.uncertain, uncertain);
+                const LANES(court_passing_out) _o390 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m399, _o402.through, through);
-                const LANES(court_flight_out) _o403 =
+                through = lanes_select(_m387, _o390.through, through);
+                const LANES(court_flight_out) _o391 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m399, _o403.x, x);
-                y = lanes_select(_m399, _o403.y, y);
-                z = lanes_select(_m399, _o403.z, z);
-                vx = lanes_select(_m399, _o403.vx, vx);
-                vy = lanes_select(_m399, _o403.vy, vy);
-                vz = lanes_select(_m399, _o403.vz, vz);
-                const LANES(court_ticked_out) _o404 =
+                x = lanes_select(_m387, _o391.x, x);
+                y = lanes_select(_m387, _o391.y, y);
+                z = lanes_select(_m387, _o391.z, z);
+                vx = lanes_select(_m387, _o391.vx, vx);
+                vy = lanes_select(_m387, _o391.vy, vy);
+                vz = lanes_select(_m387, _o391.vz, vz);
+                const LANES(court_ticked_out) _o392 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m399, _o404.clock, clock);
+                clock = lanes_select(_m387, _o392.clock, clock);
             }
-            const M _m405 = lanes_both(rows, limited);
-            if (lanes_any(_m405)) {
-                const LANES(court_expired_out) _o406 =
+            const M _m393 = lanes_both(rows, limited);
+            if (lanes_any(_m393)) {
+                const LANES(court_expired_out) _o394 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m405, _o406.clock, clock);
-                body = lanes_select(_m405, _o406.body, body);
-                reached = lanes_select(_m405, _o406.reached, reached);
-                ends = lanes_choose(_m405, _o406.ends, ends);
+                clock = lanes_select(_m393, _o394.clock, clock);
+                body = lanes_select(_m393, _o394.body, body);
+                reached = lanes_select(_m393, _o394.reached, reached);
+                ends = lanes_choose(_m393, _o394.ends, ends);
             }
-            const LANES(court_unhopped_out) _o407 =
+            const LANES(court_unhopped_out) _o395 =
                 LANES(court_unhopped)();
-            M hopped = _o407.hopped;
-            const M _m408 = lanes_both(rows, kept);
-            if (lanes_any(_m408)) {
-                const LANES(court_kept_on_out) _o409 =
+            M hopped = _o395.hopped;
+            const M _m396 = lanes_both(rows, kept);
+            if (lanes_any(_m396)) {
+                const LANES(court_kept_on_out) _o397 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m408, _o409.body, body);
-                reached = lanes_select(_m408, _o409.reached, reached);
-                doubt = lanes_select(_m408, _o409.doubt, doubt);
-                ends = lanes_choose(_m408, _o409.ends, ends);
-                hopped = lanes_choose(_m408, _o409.hopped, hopped);
-                last = lanes_select(_m408, _o409.last, last);
-                mode = lanes_select(_m408, _o409.mode, mode);
-                held = lanes_select(_m408, _o409.held, held);
-                rolls = lanes_select(_m408, _o409.rolls, rolls);
+                body = lanes_select(_m396, _o397.body, body);
+                reached = lanes_select(_m396, _o397.reached, reached);
+                doubt = lanes_select(_m396, _o397.doubt, doubt);
+                ends = lanes_choose(_m396, _o397.ends, ends);
+                hopped = lanes_choose(_m396, _o397.hopped, hopped);
+                last = lanes_select(_m396, _o397.last, last);
+                mode = lanes_select(_m396, _o397.mode, mode);
+                held = lanes_select(_m396, _o397.held, held);
+                rolls = lanes_select(_m396, _o397.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o410 =
+            const LANES(court_displacement_out) _o398 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o410.margin;
-            const LANES(court_here_out) _o411 =
+            V slack = _o398.margin;
+            const LANES(court_here_out) _o399 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o411.here;
-            const M _m412 = lanes_both(rows, here);
+            M here = _o399.here;
+            const M _m400 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o413 =
+                const LANES(court_end_bounds_out) _o401 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o413.g0;
-                const LANES(court_end_reached_out) _o414 =
+                V g0 = _o401.g0;
+                const LANES(court_end_reached_out) _o402 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m412, _o414.reached, reached);
-                const LANES(court_end_edge_out) _o415 =
+                reached = lanes_select(_m400, _o402.reached, reached);
+                const LANES(court_end_edge_out) _o403 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m412, _o415.edge, edge);
+                edge = lanes_choose(_m400, _o403.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o416 =
+            const LANES(court_doubted_in_contact_out) _o404 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o416.uncertain;
-            const LANES(court_accounted_out) _o417 =
+            uncertain = _o404.uncertain;
+            const LANES(court_accounted_out) _o405 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o417.contacts;
-            V outcome = _o417.outcome;
+            contacts = _o405.contacts;
+            V outcome = _o405.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -9730,459 +10418,459 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o418 =
+            const LANES(court_meeting_out) _o406 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o418.meeting;
-            const M _m419 = lanes_both(rows, meeting);
-            if (lanes_any(_m419)) {
-                const LANES(court_end_normal_out) _o420 =
+            M meeting = _o406.meeting;
+            const M _m407 = lanes_both(rows, meeting);
+            if (lanes_any(_m407)) {
+                const LANES(court_end_normal_out) _o408 =
                     LANES(court_end_normal)();
-                V nx = _o420.nx;
-                V ny = _o420.ny;
-                V nz = _o420.nz;
-                const LANES(court_here_out) _o421 =
+                V nx = _o408.nx;
+                V ny = _o408.ny;
+                V nz = _o408.nz;
+                const LANES(court_here_out) _o409 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o421.here;
-                const M _m422 = lanes_both(_m419, here);
+                M here = _o409.here;
+                const M _m410 = lanes_both(_m407, here);
                 {
-                    const LANES(court_ring_normal_out) _o423 =
+                    const LANES(court_ring_normal_out) _o411 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m422, _o423.nx, nx);
-                    ny = lanes_select(_m422, _o423.ny, ny);
-                    nz = lanes_select(_m422, _o423.nz, nz);
-                    const LANES(court_counted_out) _o424 =
+                    nx = lanes_select(_m410, _o411.nx, nx);
+                    ny = lanes_select(_m410, _o411.ny, ny);
+                    nz = lanes_select(_m410, _o411.nz, nz);
+                    const LANES(court_counted_out) _o412 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m422, _o424.count, count_0);
+                    count_0 = lanes_select(_m410, _o412.count, count_0);
                 }
-                const LANES(court_here_out) _o425 =
+                const LANES(court_here_out) _o413 =
                     LANES(court_here)(K(1.0), which);
-                here = _o425.here;
-                const M _m426 = lanes_both(_m419, here);
+                here = _o413.here;
+                const M _m414 = lanes_both(_m407, here);
                 {
-                    const LANES(court_backboard_normal_out) _o427 =
+                    const LANES(court_backboard_normal_out) _o415 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m426, _o427.nx, nx);
-                    ny = lanes_select(_m426, _o427.ny, ny);
-                    nz = lanes_select(_m426, _o427.nz, nz);
-                    const LANES(court_counted_out) _o428 =
+                    nx = lanes_select(_m414, _o415.nx, nx);
+                    ny = lanes_select(_m414, _o415.ny, ny);
+                    nz = lanes_select(_m414, _o415.nz, nz);
+                    const LANES(court_counted_out) _o416 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m426, _o428.count, count_1);
+                    count_1 = lanes_select(_m414, _o416.count, count_1);
                 }
-                const LANES(court_here_out) _o429 =
+                const LANES(court_here_out) _o417 =
                     LANES(court_here)(K(2.0), which);
-                here = _o429.here;
-                const M _m430 = lanes_both(_m419, here);
+                here = _o417.here;
+                const M _m418 = lanes_both(_m407, here);
                 {
-                    const LANES(court_bridge_normal_out) _o431 =
+                    const LANES(court_bridge_normal_out) _o419 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m430, _o431.nx, nx);
-                    ny = lanes_select(_m430, _o431.ny, ny);
-                    nz = lanes_select(_m430, _o431.nz, nz);
-                    const LANES(court_counted_out) _o432 =
+                    nx = lanes_select(_m418, _o419.nx, nx);
+                    ny = lanes_select(_m418, _o419.ny, ny);
+                    nz = lanes_select(_m418, _o419.nz, nz);
+                    const LANES(court_counted_out) _o420 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m430, _o432.count, count_2);
+                    count_2 = lanes_select(_m418, _o420.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o433 =
+                const LANES(court_elsewhere_out) _o421 =
                     LANES(court_elsewhere)();
-                V curving = _o433.curving;
-                const LANES(court_again_out) _o434 =
+                V curving = _o421.curving;
+                const LANES(court_again_out) _o422 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o434.again;
-                const M _m435 = lanes_both(_m419, again);
+                M again = _o422.again;
+                const M _m423 = lanes_both(_m407, again);
                 {
-                    const LANES(court_ring_curvature_out) _o436 =
+                    const LANES(court_ring_curvature_out) _o424 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m435, _o436.curvature, curving);
+                    curving = lanes_select(_m423, _o424.curvature, curving);
                 }
-                const LANES(court_again_out) _o437 =
+                const LANES(court_again_out) _o425 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o437.again;
-                const M _m438 = lanes_both(_m419, again);
+                again = _o425.again;
+                const M _m426 = lanes_both(_m407, again);
                 {
-                    const LANES(court_backboard_curvature_out) _o439 =
+                    const LANES(court_backboard_curvature_out) _o427 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m438, _o439.curvature, curving);
+                    curving = lanes_select(_m426, _o427.curvature, curving);
                 }
-                const LANES(court_again_out) _o440 =
+                const LANES(court_again_out) _o428 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o440.again;
-                const M _m441 = lanes_both(_m419, again);
+                again = _o428.again;
+                const M _m429 = lanes_both(_m407, again);
                 {
-                    const LANES(court_bridge_curvature_out) _o442 =
+                    const LANES(court_bridge_curvature_out) _o430 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m441, _o442.curvature, curving);
+                    curving = lanes_select(_m429, _o430.curvature, curving);
                 }
-                const LANES(court_carry_flight_out) _o443 =
+                const LANES(court_carry_flight_out) _o431 =
                     LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m419, _o443.dx, dx);
-                dy = lanes_select(_m419, _o443.dy, dy);
-                dz = lanes_select(_m419, _o443.dz, dz);
-                dvx = lanes_select(_m419, _o443.dvx, dvx);
-                dvy = lanes_select(_m419, _o443.dvy, dvy);
-                dvz = lanes_select(_m419, _o443.dvz, dvz);
-                V delay = _o443.delay;
-                V shift = _o443.shift;
-                const LANES(court_delayed_out) _o444 =
+                dx = lanes_select(_m407, _o431.dx, dx);
+                dy = lanes_select(_m407, _o431.dy, dy);
+                dz = lanes_select(_m407, _o431.dz, dz);
+                dvx = lanes_select(_m407, _o431.dvx, dvx);
+                dvy = lanes_select(_m407, _o431.dvy, dvy);
+                dvz = lanes_select(_m407, _o431.dvz, dvz);
+                V delay = _o431.delay;
+                V shift = _o431.shift;
+                const LANES(court_delayed_out) _o432 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m419, _o444.clock_error, clock_error);
-                const M _m445 = lanes_both(_m419, ends);
+                clock_error = lanes_select(_m407, _o432.clock_error, clock_error);
+                const M _m433 = lanes_both(_m407, ends);
                 {
-                    const LANES(court_floored_out) _o446 =
+                    const LANES(court_floored_out) _o434 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m445, _o446.dx, dx);
-                    dy = lanes_select(_m445, _o446.dy, dy);
-                    dz = lanes_select(_m445, _o446.dz, dz);
+                    dx = lanes_select(_m433, _o434.dx, dx);
+                    dy = lanes_select(_m433, _o434.dy, dy);
+                    dz = lanes_select(_m433, _o434.dz, dz);
                 }
-                const LANES(court_unturned_out) _o447 =
+                const LANES(court_unturned_out) _o435 =
                     LANES(court_unturned)();
-                V dnx = _o447.dnx;
-                V dny = _o447.dny;
-                V dnz = _o447.dnz;
-                V turn = _o447.turn;
-                const LANES(court_here_out) _o448 =
+                V dnx = _o435.dnx;
+                V dny = _o435.dny;
+                V dnz = _o435.dnz;
+                V turn = _o435.turn;
+                const LANES(court_here_out) _o436 =
                     LANES(court_here)(K(0.0), which);
-                here = _o448.here;
-                const M _m449 = lanes_both(_m419, here);
-                if (lanes_any(_m449)) {
-                    const LANES(court_ring_carry_normal_out) _o450 =
+                here = _o436.here;
+                const M _m437 = lanes_both(_m407, here);
+                if (lanes_any(_m437)) {
+                    const LANES(court_ring_carry_normal_out) _o438 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m449, _o450.dnx, dnx);
-                    dny = lanes_select(_m449, _o450.dny, dny);
-                    dnz = lanes_select(_m449, _o450.dnz, dnz);
-                    turn = lanes_select(_m449, _o450.turn, turn);
+                    dnx = lanes_select(_m437, _o438.dnx, dnx);
+                    dny = lanes_select(_m437, _o438.dny, dny);
+                    dnz = lanes_select(_m437, _o438.dnz, dnz);
+                    turn = lanes_select(_m437, _o438.turn, turn);
                 }
-                const LANES(court_here_out) _o451 =
+                const LANES(court_here_out) _o439 =
                     LANES(court_here)(K(1.0), which);
-                here = _o451.here;
-                const M _m452 = lanes_both(_m419, here);
+                here = _o439.here;
+                const M _m440 = lanes_both(_m407, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o453 =
+                    const LANES(court_backboard_carry_normal_out) _o441 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m452, _o453.dnx, dnx);
-                    dny = lanes_select(_m452, _o453.dny, dny);
-                    dnz = lanes_select(_m452, _o453.dnz, dnz);
-                    turn = lanes_select(_m452, _o453.turn, turn);
+                    dnx = lanes_select(_m440, _o441.dnx, dnx);
+                    dny = lanes_select(_m440, _o441.dny, dny);
+                    dnz = lanes_select(_m440, _o441.dnz, dnz);
+                    turn = lanes_select(_m440, _o441.turn, turn);
                 }
-                const LANES(court_here_out) _o454 =
+                const LANES(court_here_out) _o442 =
                     LANES(court_here)(K(2.0), which);
-                here = _o454.here;
-                const M _m455 = lanes_both(_m419, here);
+                here = _o442.here;
+                const M _m443 = lanes_both(_m407, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o456 =
+                    const LANES(court_bridge_carry_normal_out) _o444 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m455, _o456.dnx, dnx);
-                    dny = lanes_select(_m455, _o456.dny, dny);
-                    dnz = lanes_select(_m455, _o456.dnz, dnz);
-                    turn = lanes_select(_m455, _o456.turn, turn);
+                    dnx = lanes_select(_m443, _o444.dnx, dnx);
+                    dny = lanes_select(_m443, _o444.dny, dny);
+                    dnz = lanes_select(_m443, _o444.dnz, dnz);
+                    turn = lanes_select(_m443, _o444.turn, turn);
                 }
                 {
-                    const double *const _t458[][2] = {
+                    const double *const _t446[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t459[][1] = {
+                    static const double _t447[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k457 = 0; _k457 < 3; _k457++) {
-                        const V own_1 = lanes_load(_t458[_k457][0] + (i & varying));
-                        const V own_2 = lanes_load(_t458[_k457][1] + (i & varying));
-                        const V own_index = K(_t459[_k457][0]);
-                        const LANES(court_here_out) _o460 =
+                    for (size_t _k445 = 0; _k445 < 3; _k445++) {
+                        const V own_1 = lanes_load(_t446[_k445][0] + (i & varying));
+                        const V own_2 = lanes_load(_t446[_k445][1] + (i & varying));
+                        const V own_index = K(_t447[_k445][0]);
+                        const LANES(court_here_out) _o448 =
                             LANES(court_here)(own_index, which);
-                        M here = _o460.here;
-                        const M _m461 = lanes_both(_m419, here);
-                        if (lanes_any(_m461)) {
-                            const LANES(court_ring_impact_doubt_out) _o462 =
+                        M here = _o448.here;
+                        const M _m449 = lanes_both(_m407, here);
+                        if (lanes_any(_m449)) {
+                            const LANES(court_ring_impact_doubt_out) _o450 =
                                 LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            M unsure = _o462.unsure;
-                            const LANES(court_undecided_out) _o463 =
+                            M unsure = _o450.unsure;
+                            const LANES(court_undecided_out) _o451 =
                                 LANES(court_undecided)(uncertain, unsure);
-                            uncertain = lanes_select(_m461, _o463.uncertain, uncertain);
-                            const LANES(court_carry_ring_impact_out) _o464 =
+                            uncertain = lanes_select(_m449, _o451.uncertain, uncertain);
+                            const LANES(court_carry_ring_impact_out) _o452 =
                                 LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            dvx = lanes_select(_m461, _o464.dvx, dvx);
-                            dvy = lanes_select(_m461, _o464.dvy, dvy);
-                            dvz = lanes_select(_m461, _o464.dvz, dvz);
-                            dwx = lanes_select(_m461, _o464.dwx, dwx);
-                            dwy = lanes_select(_m461, _o464.dwy, dwy);
-                            dwz = lanes_select(_m461, _o464.dwz, dwz);
-                            const LANES(court_ring_impact_out) _o465 =
+                            dvx = lanes_select(_m449, _o452.dvx, dvx);
+                            dvy = lanes_select(_m449, _o452.dvy, dvy);
+                            dvz = lanes_select(_m449, _o452.dvz, dvz);
+                            dwx = lanes_select(_m449, _o452.dwx, dwx);
+                            dwy = lanes_select(_m449, _o452.dwy, dwy);
+                            dwz = lanes_select(_m449, _o452.dwz, dwz);
+                            const LANES(court_ring_impact_out) _o453 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m461, _o465.vx, vx);
-                            vy = lanes_select(_m461, _o465.vy, vy);
-                            vz = lanes_select(_m461, _o465.vz, vz);
-                            wx = lanes_select(_m461, _o465.wx, wx);
-                            wy = lanes_select(_m461, _o465.wy, wy);
-                            wz = lanes_select(_m461, _o465.wz, wz);
+                            vx = lanes_select(_m449, _o453.vx, vx);
+                            vy = lanes_select(_m449, _o453.vy, vy);
+                            vz = lanes_select(_m449, _o453.vz, vz);
+                            wx = lanes_select(_m449, _o453.wx, wx);
+                            wy = lanes_select(_m449, _o453.wy, wy);
+                            wz = lanes_select(_m449, _o453.wz, wz);
                         }
                     }
                 }
-                const M _m466 = lanes_both(_m419, touches);
+                const M _m454 = lanes_both(_m407, touches);
                 {
-                    const LANES(court_touched_out) _o467 =
+                    const LANES(court_touched_out) _o455 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m466, _o467.first, first);
-                    last = lanes_select(_m466, _o467.last, last);
+                    first = lanes_select(_m454, _o455.first, first);
+                    last = lanes_select(_m454, _o455.last, last);
                 }
-                const M _m468 = lanes_both(_m419, touches);
-                if (lanes_any(_m468)) {
-                    const LANES(court_slowed_out) _o469 =
+                const M _m456 = lanes_both(_m407, touches);
+                if (lanes_any(_m456)) {
+                    const LANES(court_slowed_out) _o457 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o469.slow;
-                    assured = lanes_select(_m468, _o469.assured, assured);
-                    const M _m470 = lanes_both(_m468, slow);
-                    if (lanes_any(_m470)) {
-                        const LANES(court_gripped_out) _o471 =
+                    M slow = _o457.slow;
+                    assured = lanes_select(_m456, _o457.assured, assured);
+                    const M _m458 = lanes_both(_m456, slow);
+                    if (lanes_any(_m458)) {
+                        const LANES(court_gripped_out) _o459 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o471.rolled_x;
-                        V rolled_y = _o471.rolled_y;
-                        V rolled_z = _o471.rolled_z;
-                        V slip = _o471.slip;
-                        V bounce = _o471.bounce;
-                        const LANES(court_here_out) _o472 =
+                        V rolled_x = _o459.rolled_x;
+                        V rolled_y = _o459.rolled_y;
+                        V rolled_z = _o459.rolled_z;
+                        V slip = _o459.slip;
+                        V bounce = _o459.bounce;
+                        const LANES(court_here_out) _o460 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o472.here;
-                        const M _m473 = lanes_both(_m470, here);
-                        if (lanes_any(_m473)) {
-                            const LANES(court_ring_turning_out) _o474 =
+                        M here = _o460.here;
+                        const M _m461 = lanes_both(_m458, here);
+                        if (lanes_any(_m461)) {
+                            const LANES(court_ring_turning_out) _o462 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o474.turning_x;
-                            V turning_y = _o474.turning_y;
-                            V turning_z = _o474.turning_z;
-                            const LANES(court_pressed_on_out) _o475 =
+                            V turning_x = _o462.turning_x;
+                            V turning_y = _o462.turning_y;
+                            V turning_z = _o462.turning_z;
+                            const LANES(court_pressed_on_out) _o463 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o475.press;
-                            V weight = _o475.weight;
-                            V drag = _o475.drag;
-                            V thrust_x = _o475.thrust_x;
-                            V thrust_y = _o475.thrust_y;
-                            V thrust_z = _o475.thrust_z;
-                            const LANES(court_alone_out) _o476 =
+                            V press = _o463.press;
+                            V weight = _o463.weight;
+                            V drag = _o463.drag;
+                            V thrust_x = _o463.thrust_x;
+                            V thrust_y = _o463.thrust_y;
+                            V thrust_z = _o463.thrust_z;
+                            const LANES(court_alone_out) _o464 =
                                 LANES(court_alone)();
-                            V nearest = _o476.nearest;
-                            V wedge = _o476.wedge;
-                            const LANES(court_backboard_closing_out) _o477 =
+                            V nearest = _o464.nearest;
+                            V wedge = _o464.wedge;
+                            const LANES(court_backboard_closing_out) _o465 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o477.gap;
-                            V nearing = _o477.nearing;
-                            V swerve = _o477.swerve;
-                            V facing = _o477.facing;
-                            const LANES(court_neared_body_out) _o478 =
+                            V gap = _o465.gap;
+                            V nearing = _o465.nearing;
+                            V swerve = _o465.swerve;
+                            V facing = _o465.facing;
+                            const LANES(court_neared_body_out) _o466 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o478.nearest;
-                            wedge = _o478.wedge;
-                            const LANES(court_bridge_closing_out) _o479 =
+                            nearest = _o466.nearest;
+                            wedge = _o466.wedge;
+                            const LANES(court_bridge_closing_out) _o467 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o479.gap;
-                            nearing = _o479.nearing;
-                            swerve = _o479.swerve;
-                            facing = _o479.facing;
+                            gap = _o467.gap;
+                            nearing = _o467.nearing;
+                            swerve = _o467.swerve;
+                            facing = _o467.facing;
+                            const LANES(court_neared_body_out) _o468 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o468.nearest;
+                            wedge = _o468.wedge;
+                            const LANES(court_end_beside_out) _o469 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o469.gap;
+                            const LANES(court_neared_out) _o470 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o470.nearest;
+                            const LANES(court_ring_parting_out) _o471 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+                            V lift = _o471.lift;
+                            const LANES(court_ring_impact_settling_out) _o472 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o472.settles;
+                            M lodges = _o472.lodges;
+                            M slides = _o472.slides;
+                            M parts = _o472.parts;
+                            assured = lanes_select(_m461, _o472.assured, assured);
+                            M unsure = _o472.unsure;
+                            const LANES(court_settled_out) _o473 =
+                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m461, _o473.mode, mode);
+                            held = lanes_select(_m461, _o473.held, held);
+                            outcome = lanes_select(_m461, _o473.outcome, outcome);
+                            slip_left = lanes_select(_m461, _o473.slip_left, slip_left);
+                            uncertain = lanes_select(_m461, _o473.uncertain, uncertain);
+                        }
+                        const LANES(court_here_out) _o474 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o474.here;
+                        const M _m475 = lanes_both(_m458, here);
+                        if (lanes_any(_m475)) {
+                            const LANES(court_backboard_turning_out) _o476 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o476.turning_x;
+                            V turning_y = _o476.turning_y;
+                            V turning_z = _o476.turning_z;
+                            const LANES(court_pressed_on_out) _o477 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o477.press;
+                            V weight = _o477.weight;
+                            V drag = _o477.drag;
+                            V thrust_x = _o477.thrust_x;
+                            V thrust_y = _o477.thrust_y;
+                            V thrust_z = _o477.thrust_z;
+                            const LANES(court_alone_out) _o478 =
+                                LANES(court_alone)();
+                            V nearest = _o478.nearest;
+                            V wedge = _o478.wedge;
+                            const LANES(court_ring_closing_out) _o479 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o479.gap;
+                            V nearing = _o479.nearing;
+                            V swerve = _o479.swerve;
+                            V facing = _o479.facing;
                             const LANES(court_neared_body_out) _o480 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o480.nearest;
                             wedge = _o480.wedge;
-                            const LANES(court_end_beside_out) _o481 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o481.gap;
-                            const LANES(court_neared_out) _o482 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o482.nearest;
-                            const LANES(court_ring_parting_out) _o483 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o483.lift;
-                            const LANES(court_ring_impact_settling_out) _o484 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o484.settles;
-                            M lodges = _o484.lodges;
-                            M slides = _o484.slides;
-                            M parts = _o484.parts;
-                            assured = lanes_select(_m473, _o484.assured, assured);
-                            M unsure = _o484.unsure;
-                            const LANES(court_settled_out) _o485 =
-                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m473, _o485.mode, mode);
-                            held = lanes_select(_m473, _o485.held, held);
-                            outcome = lanes_select(_m473, _o485.outcome, outcome);
-                            slip_left = lanes_select(_m473, _o485.slip_left, slip_left);
-                            uncertain = lanes_select(_m473, _o485.uncertain, uncertain);
-                        }
-                        const LANES(court_here_out) _o486 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o486.here;
-                        const M _m487 = lanes_both(_m470, here);
-                        if (lanes_any(_m487)) {
-                            const LANES(court_backboard_turning_out) _o488 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o488.turning_x;
-                            V turning_y = _o488.turning_y;
-                            V turning_z = _o488.turning_z;
-                            const LANES(court_pressed_on_out) _o489 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o489.press;
-                            V weight = _o489.weight;
-                            V drag = _o489.drag;
-                            V thrust_x = _o489.thrust_x;
-                            V thrust_y = _o489.thrust_y;
-                            V thrust_z = _o489.thrust_z;
-                            const LANES(court_alone_out) _o490 =
-                                LANES(court_alone)();
-                            V nearest = _o490.nearest;
-                            V wedge = _o490.wedge;
-                            const LANES(court_ring_closing_out) _o491 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o491.gap;
-                            V nearing = _o491.nearing;
-                            V swerve = _o491.swerve;
-                            V facing = _o491.facing;
-                            const LANES(court_neared_body_out) _o492 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o492.nearest;
-                            wedge = _o492.wedge;
-                            const LANES(court_bridge_closing_out) _o493 =
+                            const LANES(court_bridge_closing_out) _o481 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o493.gap;
-                            nearing = _o493.nearing;
-                            swerve = _o493.swerve;
-                            facing = _o493.facing;
+                            gap = _o481.gap;
+                            nearing = _o481.nearing;
+                            swerve = _o481.swerve;
+                            facing = _o481.facing;
+                            const LANES(court_neared_body_out) _o482 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o482.nearest;
+                            wedge = _o482.wedge;
+                            const LANES(court_end_beside_out) _o483 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o483.gap;
+                            const LANES(court_neared_out) _o484 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o484.nearest;
+                            const LANES(court_backboard_parting_out) _o485 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o485.lift;
+                            const LANES(court_ring_impact_settling_out) _o486 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o486.settles;
+                            M lodges = _o486.lodges;
+                            M slides = _o486.slides;
+                            M parts = _o486.parts;
+                            assured = lanes_select(_m475, _o486.assured, assured);
+                            M unsure = _o486.unsure;
+                            const LANES(court_settled_out) _o487 =
+                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m475, _o487.mode, mode);
+                            held = lanes_select(_m475, _o487.held, held);
+                            outcome = lanes_select(_m475, _o487.outcome, outcome);
+                            slip_left = lanes_select(_m475, _o487.slip_left, slip_left);
+                            uncertain = lanes_select(_m475, _o487.uncertain, uncertain);
+                        }
+                        const LANES(court_here_out) _o488 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o488.here;
+                        const M _m489 = lanes_both(_m458, here);
+                        if (lanes_any(_m489)) {
+                            const LANES(court_bridge_turning_out) _o490 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o490.turning_x;
+                            V turning_y = _o490.turning_y;
+                            V turning_z = _o490.turning_z;
+                            const LANES(court_pressed_on_out) _o491 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o491.press;
+                            V weight = _o491.weight;
+                            V drag = _o491.drag;
+                            V thrust_x = _o491.thrust_x;
+                            V thrust_y = _o491.thrust_y;
+                            V thrust_z = _o491.thrust_z;
+                            const LANES(court_alone_out) _o492 =
+                                LANES(court_alone)();
+                            V nearest = _o492.nearest;
+                            V wedge = _o492.wedge;
+                            const LANES(court_ring_closing_out) _o493 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o493.gap;
+                            V nearing = _o493.nearing;
+                            V swerve = _o493.swerve;
+                            V facing = _o493.facing;
                             const LANES(court_neared_body_out) _o494 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o494.nearest;
                             wedge = _o494.wedge;
-                            const LANES(court_end_beside_out) _o495 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o495.gap;
-                            const LANES(court_neared_out) _o496 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o496.nearest;
-                            const LANES(court_backboard_parting_out) _o497 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o497.lift;
-                            const LANES(court_ring_impact_settling_out) _o498 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o498.settles;
-                            M lodges = _o498.lodges;
-                            M slides = _o498.slides;
-                            M parts = _o498.parts;
-                            assured = lanes_select(_m487, _o498.assured, assured);
-                            M unsure = _o498.unsure;
-                            const LANES(court_settled_out) _o499 =
-                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m487, _o499.mode, mode);
-                            held = lanes_select(_m487, _o499.held, held);
-                            outcome = lanes_select(_m487, _o499.outcome, outcome);
-                            slip_left = lanes_select(_m487, _o499.slip_left, slip_left);
-                            uncertain = lanes_select(_m487, _o499.uncertain, uncertain);
-                        }
-                        const LANES(court_here_out) _o500 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o500.here;
-                        const M _m501 = lanes_both(_m470, here);
-                        if (lanes_any(_m501)) {
-                            const LANES(court_bridge_turning_out) _o502 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o502.turning_x;
-                            V turning_y = _o502.turning_y;
-                            V turning_z = _o502.turning_z;
-                            const LANES(court_pressed_on_out) _o503 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o503.press;
-                            V weight = _o503.weight;
-                            V drag = _o503.drag;
-                            V thrust_x = _o503.thrust_x;
-                            V thrust_y = _o503.thrust_y;
-                            V thrust_z = _o503.thrust_z;
-                            const LANES(court_alone_out) _o504 =
-                                LANES(court_alone)();
-                            V nearest = _o504.nearest;
-                            V wedge = _o504.wedge;
-                            const LANES(court_ring_closing_out) _o505 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o505.gap;
-                            V nearing = _o505.nearing;
-                            V swerve = _o505.swerve;
-                            V facing = _o505.facing;
-                            const LANES(court_neared_body_out) _o506 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o506.nearest;
-                            wedge = _o506.wedge;
-                            const LANES(court_backboard_closing_out) _o507 =
+                            const LANES(court_backboard_closing_out) _o495 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o507.gap;
-                            nearing = _o507.nearing;
-                            swerve = _o507.swerve;
-                            facing = _o507.facing;
-                            const LANES(court_neared_body_out) _o508 =
+                            gap = _o495.gap;
+                            nearing = _o495.nearing;
+                            swerve = _o495.swerve;
+                            facing = _o495.facing;
+                            const LANES(court_neared_body_out) _o496 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o508.nearest;
-                            wedge = _o508.wedge;
-                            const LANES(court_end_beside_out) _o509 =
+                            nearest = _o496.nearest;
+                            wedge = _o496.wedge;
+                            const LANES(court_end_beside_out) _o497 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o509.gap;
-                            const LANES(court_neared_out) _o510 =
+                            gap = _o497.gap;
+                            const LANES(court_neared_out) _o498 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o510.nearest;
-                            const LANES(court_bridge_parting_out) _o511 =
+                            nearest = _o498.nearest;
+                            const LANES(court_bridge_parting_out) _o499 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o511.lift;
-                            const LANES(court_ring_impact_settling_out) _o512 =
+                            V lift = _o499.lift;
+                            const LANES(court_ring_impact_settling_out) _o500 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o512.settles;
-                            M lodges = _o512.lodges;
-                            M slides = _o512.slides;
-                            M parts = _o512.parts;
-                            assured = lanes_select(_m501, _o512.assured, assured);
-                            M unsure = _o512.unsure;
-                            const LANES(court_settled_out) _o513 =
+                            M settles = _o500.settles;
+                            M lodges = _o500.lodges;
+                            M slides = _o500.slides;
+                            M parts = _o500.parts;
+                            assured = lanes_select(_m489, _o500.assured, assured);
+                            M unsure = _o500.unsure;
+                            const LANES(court_settled_out) _o501 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m501, _o513.mode, mode);
-                            held = lanes_select(_m501, _o513.held, held);
-                            outcome = lanes_select(_m501, _o513.outcome, outcome);
-                            slip_left = lanes_select(_m501, _o513.slip_left, slip_left);
-                            uncertain = lanes_select(_m501, _o513.uncertain, uncertain);
+                            mode = lanes_select(_m489, _o501.mode, mode);
+                            held = lanes_select(_m489, _o501.held, held);
+                            outcome = lanes_select(_m489, _o501.outcome, outcome);
+                            slip_left = lanes_select(_m489, _o501.slip_left, slip_left);
+                            uncertain = lanes_select(_m489, _o501.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m514 = lanes_both(rows, limited);
-            if (lanes_any(_m514)) {
-                const LANES(court_timed_out) _o515 =
+            const M _m502 = lanes_both(rows, limited);
+            if (lanes_any(_m502)) {
+                const LANES(court_timed_out) _o503 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o515.timed;
-                const M _m516 = lanes_both(_m514, timed);
-                if (lanes_any(_m516)) {
-                    const LANES(court_carry_time_out) _o517 =
+                M timed = _o503.timed;
+                const M _m504 = lanes_both(_m502, timed);
+                if (lanes_any(_m504)) {
+                    const LANES(court_carry_time_out) _o505 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m516, _o517.dx, dx);
-                    dy = lanes_select(_m516, _o517.dy, dy);
-                    dz = lanes_select(_m516, _o517.dz, dz);
-                    dvx = lanes_select(_m516, _o517.dvx, dvx);
-                    dvy = lanes_select(_m516, _o517.dvy, dvy);
-                    dvz = lanes_select(_m516, _o517.dvz, dvz);
-                    clock_error = lanes_select(_m516, _o517.clock_error, clock_error);
+                    dx = lanes_select(_m504, _o505.dx, dx);
+                    dy = lanes_select(_m504, _o505.dy, dy);
+                    dz = lanes_select(_m504, _o505.dz, dz);
+                    dvx = lanes_select(_m504, _o505.dvx, dvx);
+                    dvy = lanes_select(_m504, _o505.dvy, dvy);
+                    dvz = lanes_select(_m504, _o505.dvz, dvz);
+                    clock_error = lanes_select(_m504, _o505.clock_error, clock_error);
                 }
             }
-            const M _m518 = lanes_both(rows, hopped);
-            if (lanes_any(_m518)) {
-                const LANES(court_carry_hop_out) _o519 =
+            const M _m506 = lanes_both(rows, hopped);
+            if (lanes_any(_m506)) {
+                const LANES(court_carry_hop_out) _o507 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m518, _o519.dx, dx);
-                dy = lanes_select(_m518, _o519.dy, dy);
-                dz = lanes_select(_m518, _o519.dz, dz);
+                dx = lanes_select(_m506, _o507.dx, dx);
+                dy = lanes_select(_m506, _o507.dy, dy);
+                dz = lanes_select(_m506, _o507.dz, dz);
             }
-            const LANES(court_closing_out) _o520 =
+            const LANES(court_closing_out) _o508 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o520.closed;
-            const M _m521 = lanes_both(rows, closed);
+            M closed = _o508.closed;
+            const M _m509 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o522 =
+                const LANES(court_claimed_errors_out) _o510 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m521, _o522.position_error, position_claim);
-                velocity_claim = lanes_select(_m521, _o522.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m521, _o522.spin_error, spin_claim);
-                time_claim = lanes_select(_m521, _o522.time_error, time_claim);
+                position_claim = lanes_select(_m509, _o510.position_error, position_claim);
+                velocity_claim = lanes_select(_m509, _o510.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m509, _o510.spin_error, spin_claim);
+                time_claim = lanes_select(_m509, _o510.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 666484b40949facc,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 5850b5d158b4c41b,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -223,6 +223,24 @@ typedef struct {
     LANES(hoop_column) open_searching_searching_x;
     LANES(hoop_column) open_searching_searching_y;
     LANES(hoop_column) open_searching_searching_z;
+    LANES(hoop_column) open_arrives;
+    LANES(hoop_column) open_refining_row;
+    LANES(hoop_column) open_refining_arrival;
+    LANES(hoop_column) open_refining_ceiling;
+    LANES(hoop_column) open_refining_certain;
+    LANES(hoop_column) open_refining_leaving;
+    LANES(hoop_column) open_refining_p_ball_radius;
+    LANES(hoop_column) open_refining_p_gravity;
+    LANES(hoop_column) open_refining_p_ring_radius;
+    LANES(hoop_column) open_refining_p_wire_radius;
+    LANES(hoop_column) open_refining_refining;
+    LANES(hoop_column) open_refining_rho_start;
+    LANES(hoop_column) open_refining_vx;
+    LANES(hoop_column) open_refining_vy;
+    LANES(hoop_column) open_refining_vz;
+    LANES(hoop_column) open_refining_x;
+    LANES(hoop_column) open_refining_y;
+    LANES(hoop_column) open_refining_z;
 } LANES(hoop_plain_lists);
 
 /* Put the next shots into rows, from one on. */
@@ -1244,8 +1262,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
             lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
+        {
+        size_t open_refining_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
+            V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V flat = lanes_load(lists->open_flat + i);
             V last = lanes_load(lists->open_last + i);
@@ -1258,42 +1280,130 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
-            V when = lanes_load(lists->open_when + i);
-            V which = lanes_load(lists->open_which + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(hoop_found_out) _o60 =
                 LANES(hoop_found)(arrival);
             M arrives = _o60.arrives;
+            M refining = _o60.refining;
             const LANES(hoop_nearby_out) _o61 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
             V leaving = _o61.leaving;
-            const LANES(hoop_ring_refine_out) _o62 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V refined = _o62.time;
-            const LANES(hoop_polished_out) _o63 =
-                LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o63.arrival;
-            const LANES(hoop_ring_refine_out) _o64 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o64.time;
-            const LANES(hoop_polished_out) _o65 =
-                LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o65.arrival;
-            const LANES(hoop_ring_refine_out) _o66 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o66.time;
-            const LANES(hoop_polished_out) _o67 =
-                LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o67.arrival;
-            const LANES(hoop_landed_out) _o68 =
+            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            const M packed = lanes_both(rows, refining);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
+                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
+                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_refining_rho_start + open_refining_shots, packed, rho_start);
+                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
+                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
+                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
+                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
+                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
+                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
+                open_refining_shots += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_radius = lanes_load(lists->p_ring_radius);
+            V p_wire_radius = lanes_load(lists->p_wire_radius);
+            V arrival = K(0.0);
+            V ceiling = K(0.0);
+            M certain = lanes_nowhere();
+            V leaving = K(0.0);
+            V rho_start = K(0.0);
+            V vx = K(0.0);
+            V vy = K(0.0);
+            V vz = K(0.0);
+            V x = K(0.0);
+            V y = K(0.0);
+            V z = K(0.0);
+            for (;;) {
+                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
+                    rho_start = lanes_expand(lists->open_refining_rho_start + taken, idle, rho_start);
+                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, p_wire_radius);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M refining = active;
+                const LANES(hoop_ring_refine_out) _o62 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o62.time;
+                V gap = _o62.gap;
+                V rate = _o62.rate;
+                const LANES(hoop_polished_out) _o63 =
+                    LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = _o63.arrival;
+                refining = _o63.refining;
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_arrival[LANES_WIDTH];
+                    lanes_store(ended_arrival, arrival);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_arrival[k] = ended_arrival[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        }
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->open_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
+            V when = lanes_load(lists->open_when + i);
+            V which = lanes_load(lists->open_which + i);
+            const LANES(hoop_landed_out) _o64 =
                 LANES(hoop_landed)(arrival);
-            V time = _o68.time;
-            const LANES(hoop_sooner_out) _o69 =
+            V time = _o64.time;
+            const LANES(hoop_sooner_out) _o65 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o69.when;
-            which = _o69.which;
+            when = _o65.when;
+            which = _o65.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -1331,65 +1441,65 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m70 = lanes_both(rows, limited);
-            if (lanes_any(_m70)) {
-                const LANES(hoop_expiry_out) _o71 =
+            const M _m66 = lanes_both(rows, limited);
+            if (lanes_any(_m66)) {
+                const LANES(hoop_expiry_out) _o67 =
                     LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o71.time;
-                M arrives = _o71.arrives;
-                const LANES(hoop_sooner_out) _o72 =
+                V time = _o67.time;
+                M arrives = _o67.arrives;
+                const LANES(hoop_sooner_out) _o68 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m70, _o72.when, when);
-                which = lanes_select(_m70, _o72.which, which);
+                when = lanes_select(_m66, _o68.when, when);
+                which = lanes_select(_m66, _o68.which, which);
             }
-            const LANES(hoop_departed_out) _o73 =
+            const LANES(hoop_departed_out) _o69 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o73.moves;
-            M ends = _o73.ends;
-            M touches = _o73.touches;
-            V reached = _o73.reached;
-            const LANES(hoop_body_of_out) _o74 =
+            M moves = _o69.moves;
+            M ends = _o69.ends;
+            M touches = _o69.touches;
+            V reached = _o69.reached;
+            const LANES(hoop_body_of_out) _o70 =
                 LANES(hoop_body_of)(which);
-            V body = _o74.body;
-            const M _m75 = lanes_both(rows, moves);
+            V body = _o70.body;
+            const M _m71 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o76 =
+                const LANES(hoop_flight_out) _o72 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m75, _o76.x, x);
-                y = lanes_select(_m75, _o76.y, y);
-                z = lanes_select(_m75, _o76.z, z);
-                vx = lanes_select(_m75, _o76.vx, vx);
-                vy = lanes_select(_m75, _o76.vy, vy);
-                vz = lanes_select(_m75, _o76.vz, vz);
-                const LANES(hoop_ticked_out) _o77 =
+                x = lanes_select(_m71, _o72.x, x);
+                y = lanes_select(_m71, _o72.y, y);
+                z = lanes_select(_m71, _o72.z, z);
+                vx = lanes_select(_m71, _o72.vx, vx);
+                vy = lanes_select(_m71, _o72.vy, vy);
+                vz = lanes_select(_m71, _o72.vz, vz);
+                const LANES(hoop_ticked_out) _o73 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m75, _o77.clock, clock);
+                clock = lanes_select(_m71, _o73.clock, clock);
             }
-            const M _m78 = lanes_both(rows, limited);
-            if (lanes_any(_m78)) {
-                const LANES(hoop_expired_out) _o79 =
+            const M _m74 = lanes_both(rows, limited);
+            if (lanes_any(_m74)) {
+                const LANES(hoop_expired_out) _o75 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m78, _o79.clock, clock);
-                body = lanes_select(_m78, _o79.body, body);
-                reached = lanes_select(_m78, _o79.reached, reached);
-                ends = lanes_choose(_m78, _o79.ends, ends);
+                clock = lanes_select(_m74, _o75.clock, clock);
+                body = lanes_select(_m74, _o75.body, body);
+                reached = lanes_select(_m74, _o75.reached, reached);
+                ends = lanes_choose(_m74, _o75.ends, ends);
             }
-            const LANES(hoop_here_out) _o80 =
+            const LANES(hoop_here_out) _o76 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o80.here;
-            const M _m81 = lanes_both(rows, here);
+            M here = _o76.here;
+            const M _m77 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o82 =
+                const LANES(hoop_end_bounds_out) _o78 =
                     LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o82.g0;
-                const LANES(hoop_end_reached_out) _o83 =
+                V g0 = _o78.g0;
+                const LANES(hoop_end_reached_out) _o79 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m81, _o83.reached, reached);
+                reached = lanes_select(_m77, _o79.reached, reached);
             }
-            const LANES(hoop_accounted_out) _o84 =
+            const LANES(hoop_accounted_out) _o80 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o84.contacts;
-            V outcome = _o84.outcome;
+            contacts = _o80.contacts;
+            V outcome = _o80.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -1402,97 +1512,97 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o85 =
+            const LANES(hoop_meeting_out) _o81 =
                 LANES(hoop_meeting)(K(0.0), ends, touches);
-            M meeting = _o85.meeting;
-            const M _m86 = lanes_both(rows, meeting);
-            if (lanes_any(_m86)) {
-                const LANES(hoop_end_normal_out) _o87 =
+            M meeting = _o81.meeting;
+            const M _m82 = lanes_both(rows, meeting);
+            if (lanes_any(_m82)) {
+                const LANES(hoop_end_normal_out) _o83 =
                     LANES(hoop_end_normal)();
-                V nx = _o87.nx;
-                V ny = _o87.ny;
-                V nz = _o87.nz;
-                const LANES(hoop_here_out) _o88 =
+                V nx = _o83.nx;
+                V ny = _o83.ny;
+                V nz = _o83.nz;
+                const LANES(hoop_here_out) _o84 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o88.here;
-                const M _m89 = lanes_both(_m86, here);
+                M here = _o84.here;
+                const M _m85 = lanes_both(_m82, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o90 =
+                    const LANES(hoop_ring_normal_out) _o86 =
                         LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = lanes_select(_m85, _o86.nx, nx);
+                    ny = lanes_select(_m85, _o86.ny, ny);
+                    nz = lanes_select(_m85, _o86.nz, nz);
+                    const LANES(hoop_counted_out) _o87 =
+                        LANES(hoop_counted)(count_0);
+                    count_0 = lanes_select(_m85, _o87.count, count_0);
+                }
+                const LANES(hoop_here_out) _o88 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o88.here;
+                const M _m89 = lanes_both(_m82, here);
+                {
+                    const LANES(hoop_backboard_normal_out) _o90 =
+                        LANES(hoop_backboard_normal)();
                     nx = lanes_select(_m89, _o90.nx, nx);
                     ny = lanes_select(_m89, _o90.ny, ny);
                     nz = lanes_select(_m89, _o90.nz, nz);
                     const LANES(hoop_counted_out) _o91 =
-                        LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m89, _o91.count, count_0);
+                        LANES(hoop_counted)(count_1);
+                    count_1 = lanes_select(_m89, _o91.count, count_1);
                 }
                 const LANES(hoop_here_out) _o92 =
-                    LANES(hoop_here)(K(1.0), which);
+                    LANES(hoop_here)(K(2.0), which);
                 here = _o92.here;
-                const M _m93 = lanes_both(_m86, here);
+                const M _m93 = lanes_both(_m82, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o94 =
-                        LANES(hoop_backboard_normal)();
+                    const LANES(hoop_bridge_normal_out) _o94 =
+                        LANES(hoop_bridge_normal)();
                     nx = lanes_select(_m93, _o94.nx, nx);
                     ny = lanes_select(_m93, _o94.ny, ny);
                     nz = lanes_select(_m93, _o94.nz, nz);
                     const LANES(hoop_counted_out) _o95 =
-                        LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m93, _o95.count, count_1);
-                }
-                const LANES(hoop_here_out) _o96 =
-                    LANES(hoop_here)(K(2.0), which);
-                here = _o96.here;
-                const M _m97 = lanes_both(_m86, here);
-                {
-                    const LANES(hoop_bridge_normal_out) _o98 =
-                        LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m97, _o98.nx, nx);
-                    ny = lanes_select(_m97, _o98.ny, ny);
-                    nz = lanes_select(_m97, _o98.nz, nz);
-                    const LANES(hoop_counted_out) _o99 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m97, _o99.count, count_2);
+                    count_2 = lanes_select(_m93, _o95.count, count_2);
                 }
-                const M _m100 = lanes_both(_m86, touches);
-                if (lanes_any(_m100)) {
-                    const LANES(hoop_impact_out) _o101 =
+                const M _m96 = lanes_both(_m82, touches);
+                if (lanes_any(_m96)) {
+                    const LANES(hoop_impact_out) _o97 =
                         LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m100, _o101.vx, vx);
-                    vy = lanes_select(_m100, _o101.vy, vy);
-                    vz = lanes_select(_m100, _o101.vz, vz);
-                    wx = lanes_select(_m100, _o101.wx, wx);
-                    wy = lanes_select(_m100, _o101.wy, wy);
-                    wz = lanes_select(_m100, _o101.wz, wz);
+                    vx = lanes_select(_m96, _o97.vx, vx);
+                    vy = lanes_select(_m96, _o97.vy, vy);
+                    vz = lanes_select(_m96, _o97.vz, vz);
+                    wx = lanes_select(_m96, _o97.wx, wx);
+                    wy = lanes_select(_m96, _o97.wy, wy);
+                    wz = lanes_select(_m96, _o97.wz, wz);
                 }
-                const LANES(hoop_here_out) _o102 =
+                const LANES(hoop_here_out) _o98 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o102.here;
-                const M _m103 = lanes_both(_m86, here);
+                here = _o98.here;
+                const M _m99 = lanes_both(_m82, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o104 =
+                    const LANES(hoop_backboard_place_out) _o100 =
                         LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m103, _o104.x, x);
-                    y = lanes_select(_m103, _o104.y, y);
-                    z = lanes_select(_m103, _o104.z, z);
+                    x = lanes_select(_m99, _o100.x, x);
+                    y = lanes_select(_m99, _o100.y, y);
+                    z = lanes_select(_m99, _o100.z, z);
                 }
-                const LANES(hoop_here_out) _o105 =
+                const LANES(hoop_here_out) _o101 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o105.here;
-                const M _m106 = lanes_both(_m86, here);
+                here = _o101.here;
+                const M _m102 = lanes_both(_m82, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o107 =
+                    const LANES(hoop_bridge_place_out) _o103 =
                         LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m106, _o107.x, x);
-                    y = lanes_select(_m106, _o107.y, y);
-                    z = lanes_select(_m106, _o107.z, z);
+                    x = lanes_select(_m102, _o103.x, x);
+                    y = lanes_select(_m102, _o103.y, y);
+                    z = lanes_select(_m102, _o103.z, z);
                 }
-                const M _m108 = lanes_both(_m86, touches);
+                const M _m104 = lanes_both(_m82, touches);
                 {
-                    const LANES(hoop_touched_out) _o109 =
+                    const LANES(hoop_touched_out) _o105 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m108, _o109.first, first);
-                    last = lanes_select(_m108, _o109.last, last);
+                    first = lanes_select(_m104, _o105.first, first);
+                    last = lanes_select(_m104, _o105.last, last);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -1746,6 +1856,26 @@ typedef struct {
     LANES(hoop_column) open_searching_searching_x;
     LANES(hoop_column) open_searching_searching_y;
     LANES(hoop_column) open_searching_searching_z;
+    LANES(hoop_column) open_arrives;
+    LANES(hoop_column) open_leaving;
+    LANES(hoop_column) open_rate;
+    LANES(hoop_column) open_refining_row;
+    LANES(hoop_column) open_refining_arrival;
+    LANES(hoop_column) open_refining_ceiling;
+    LANES(hoop_column) open_refining_certain;
+    LANES(hoop_column) open_refining_leaving;
+    LANES(hoop_column) open_refining_p_ball_radius;
+    LANES(hoop_column) open_refining_p_gravity;
+    LANES(hoop_column) open_refining_p_ring_radius;
+    LANES(hoop_column) open_refining_p_wire_radius;
+    LANES(hoop_column) open_refining_refining;
+    LANES(hoop_column) open_refining_rho_start;
+    LANES(hoop_column) open_refining_vx;
+    LANES(hoop_column) open_refining_vy;
+    LANES(hoop_column) open_refining_vz;
+    LANES(hoop_column) open_refining_x;
+    LANES(hoop_column) open_refining_y;
+    LANES(hoop_column) open_refining_z;
 } LANES(hoop_bounded_lists);
 
 /* Put the next shots into rows, from one on. */
@@ -2987,85 +3117,189 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
+        {
+        size_t open_refining_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
-            V doubt = lanes_load(lists->open_doubt + i);
-            V extent = lanes_load(lists->open_extent + i);
             V flat = lanes_load(lists->open_flat + i);
             V last = lanes_load(lists->open_last + i);
-            V late = lanes_load(lists->open_late + i);
-            V latest = lanes_load(lists->open_latest + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V position_error = lanes_load(lists->open_position_error + i);
             V rho_start = lanes_load(lists->open_rho_start + i);
-            V speed = lanes_load(lists->open_speed + i);
             V tilt = lanes_load(lists->open_tilt + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
-            V when = lanes_load(lists->open_when + i);
-            V which = lanes_load(lists->open_which + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(hoop_found_out) _o85 =
                 LANES(hoop_found)(arrival);
             M arrives = _o85.arrives;
+            M refining = _o85.refining;
+            V rate = _o85.rate;
             const LANES(hoop_nearby_out) _o86 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
             V leaving = _o86.leaving;
-            const LANES(hoop_ring_refine_out) _o87 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V refined = _o87.time;
-            const LANES(hoop_polished_out) _o88 =
-                LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o88.arrival;
-            const LANES(hoop_ring_refine_out) _o89 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o89.time;
-            const LANES(hoop_polished_out) _o90 =
-                LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o90.arrival;
-            const LANES(hoop_ring_refine_out) _o91 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o91.time;
-            V rate = _o91.rate;
-            const LANES(hoop_polished_out) _o92 =
-                LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o92.arrival;
-            const LANES(hoop_ring_margins_out) _o93 =
+            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            lanes_store(lists->open_leaving + i, leaving);
+            lanes_store(lists->open_rate + i, rate);
+            const M packed = lanes_both(rows, refining);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
+                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
+                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_refining_rho_start + open_refining_shots, packed, rho_start);
+                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
+                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
+                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
+                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
+                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
+                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
+                open_refining_shots += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_radius = lanes_load(lists->p_ring_radius);
+            V p_wire_radius = lanes_load(lists->p_wire_radius);
+            V arrival = K(0.0);
+            V ceiling = K(0.0);
+            M certain = lanes_nowhere();
+            V leaving = K(0.0);
+            V rho_start = K(0.0);
+            V vx = K(0.0);
+            V vy = K(0.0);
+            V vz = K(0.0);
+            V x = K(0.0);
+            V y = K(0.0);
+            V z = K(0.0);
+            for (;;) {
+                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
+                    rho_start = lanes_expand(lists->open_refining_rho_start + taken, idle, rho_start);
+                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, p_wire_radius);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M refining = active;
+                const LANES(hoop_ring_refine_out) _o87 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o87.time;
+                V gap = _o87.gap;
+                V rate = _o87.rate;
+                const LANES(hoop_polished_out) _o88 =
+                    LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = _o88.arrival;
+                refining = _o88.refining;
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_arrival[LANES_WIDTH];
+                    lanes_store(ended_arrival, arrival);
+                    double ended_rate[LANES_WIDTH];
+                    lanes_store(ended_rate, rate);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_arrival[k] = ended_arrival[lane];
+                        lists->open_rate[k] = ended_rate[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        }
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->open_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
+            V ceiling = lanes_load(lists->open_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
+            V doubt = lanes_load(lists->open_doubt + i);
+            V extent = lanes_load(lists->open_extent + i);
+            V late = lanes_load(lists->open_late + i);
+            V latest = lanes_load(lists->open_latest + i);
+            V leaving = lanes_load(lists->open_leaving + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V position_error = lanes_load(lists->open_position_error + i);
+            V rate = lanes_load(lists->open_rate + i);
+            V speed = lanes_load(lists->open_speed + i);
+            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            V when = lanes_load(lists->open_when + i);
+            V which = lanes_load(lists->open_which + i);
+            const LANES(hoop_ring_margins_out) _o89 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            flat = _o93.margin;
-            tilt = _o93.leaving_margin;
-            V rate_margin = _o93.rate_margin;
-            const LANES(hoop_own_margin_out) _o94 =
+            V flat = _o89.margin;
+            V tilt = _o89.leaving_margin;
+            V rate_margin = _o89.rate_margin;
+            const LANES(hoop_own_margin_out) _o90 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o94.margin;
-            const LANES(hoop_crossing_out) _o95 =
+            V margin = _o90.margin;
+            const LANES(hoop_crossing_out) _o91 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o95.clearance;
-            V delay = _o95.delay;
-            const LANES(hoop_landed_out) _o96 =
+            V clearance = _o91.clearance;
+            V delay = _o91.delay;
+            const LANES(hoop_landed_out) _o92 =
                 LANES(hoop_landed)(arrival);
-            V time = _o96.time;
-            const LANES(hoop_landed_surely_out) _o97 =
+            V time = _o92.time;
+            const LANES(hoop_landed_surely_out) _o93 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o97.delay;
-            doubt = _o97.doubt;
-            const LANES(hoop_tied_out) _o98 =
+            delay = _o93.delay;
+            doubt = _o93.doubt;
+            const LANES(hoop_tied_out) _o94 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o98.doubt;
-            late = _o98.late;
-            const LANES(hoop_sooner_out) _o99 =
+            doubt = _o94.doubt;
+            late = _o94.late;
+            const LANES(hoop_sooner_out) _o95 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o99.when;
-            which = _o99.which;
+            when = _o95.when;
+            which = _o95.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -3133,81 +3367,81 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m100 = lanes_both(rows, limited);
-            if (lanes_any(_m100)) {
-                const LANES(hoop_expiry_out) _o101 =
+            const M _m96 = lanes_both(rows, limited);
+            if (lanes_any(_m96)) {
+                const LANES(hoop_expiry_out) _o97 =
                     LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o101.time;
-                V delay = _o101.delay;
-                M arrives = _o101.arrives;
-                doubt = lanes_select(_m100, _o101.doubt, doubt);
-                const LANES(hoop_tied_out) _o102 =
+                V time = _o97.time;
+                V delay = _o97.delay;
+                M arrives = _o97.arrives;
+                doubt = lanes_select(_m96, _o97.doubt, doubt);
+                const LANES(hoop_tied_out) _o98 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m100, _o102.doubt, doubt);
-                late = lanes_select(_m100, _o102.late, late);
-                const LANES(hoop_sooner_out) _o103 =
+                doubt = lanes_select(_m96, _o98.doubt, doubt);
+                late = lanes_select(_m96, _o98.late, late);
+                const LANES(hoop_sooner_out) _o99 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m100, _o103.when, when);
-                which = lanes_select(_m100, _o103.which, which);
+                when = lanes_select(_m96, _o99.when, when);
+                which = lanes_select(_m96, _o99.which, which);
             }
-            const LANES(hoop_departed_out) _o104 =
+            const LANES(hoop_departed_out) _o100 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o104.moves;
-            M ends = _o104.ends;
-            M touches = _o104.touches;
-            V reached = _o104.reached;
-            M edge = _o104.edge;
-            const LANES(hoop_body_of_out) _o105 =
+            M moves = _o100.moves;
+            M ends = _o100.ends;
+            M touches = _o100.touches;
+            V reached = _o100.reached;
+            M edge = _o100.edge;
+            const LANES(hoop_body_of_out) _o101 =
                 LANES(hoop_body_of)(which);
-            V body = _o105.body;
-            const M _m106 = lanes_both(rows, moves);
+            V body = _o101.body;
+            const M _m102 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o107 =
+                const LANES(hoop_flight_out) _o103 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m106, _o107.x, x);
-                y = lanes_select(_m106, _o107.y, y);
-                z = lanes_select(_m106, _o107.z, z);
-                vx = lanes_select(_m106, _o107.vx, vx);
-                vy = lanes_select(_m106, _o107.vy, vy);
-                vz = lanes_select(_m106, _o107.vz, vz);
-                const LANES(hoop_ticked_out) _o108 =
+                x = lanes_select(_m102, _o103.x, x);
+                y = lanes_select(_m102, _o103.y, y);
+                z = lanes_select(_m102, _o103.z, z);
+                vx = lanes_select(_m102, _o103.vx, vx);
+                vy = lanes_select(_m102, _o103.vy, vy);
+                vz = lanes_select(_m102, _o103.vz, vz);
+                const LANES(hoop_ticked_out) _o104 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m106, _o108.clock, clock);
+                clock = lanes_select(_m102, _o104.clock, clock);
             }
-            const M _m109 = lanes_both(rows, limited);
-            if (lanes_any(_m109)) {
-                const LANES(hoop_expired_out) _o110 =
+            const M _m105 = lanes_both(rows, limited);
+            if (lanes_any(_m105)) {
+                const LANES(hoop_expired_out) _o106 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m109, _o110.clock, clock);
-                body = lanes_select(_m109, _o110.body, body);
-                reached = lanes_select(_m109, _o110.reached, reached);
-                ends = lanes_choose(_m109, _o110.ends, ends);
+                clock = lanes_select(_m105, _o106.clock, clock);
+                body = lanes_select(_m105, _o106.body, body);
+                reached = lanes_select(_m105, _o106.reached, reached);
+                ends = lanes_choose(_m105, _o106.ends, ends);
             }
-            const LANES(hoop_displacement_out) _o111 =
+            const LANES(hoop_displacement_out) _o107 =
                 LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o111.margin;
-            const LANES(hoop_here_out) _o112 =
+            V slack = _o107.margin;
+            const LANES(hoop_here_out) _o108 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o112.here;
-            const M _m113 = lanes_both(rows, here);
+            M here = _o108.here;
+            const M _m109 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o114 =
+                const LANES(hoop_end_bounds_out) _o110 =
                     LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o114.g0;
-                const LANES(hoop_end_reached_out) _o115 =
+                V g0 = _o110.g0;
+                const LANES(hoop_end_reached_out) _o111 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m113, _o115.reached, reached);
-                const LANES(hoop_end_edge_out) _o116 =
+                reached = lanes_select(_m109, _o111.reached, reached);
+                const LANES(hoop_end_edge_out) _o112 =
                     LANES(hoop_end_edge)(g0, slack);
-                edge = lanes_choose(_m113, _o116.edge, edge);
+                edge = lanes_choose(_m109, _o112.edge, edge);
             }
-            const LANES(hoop_doubted_out) _o117 =
+            const LANES(hoop_doubted_out) _o113 =
                 LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
-            uncertain = _o117.uncertain;
-            const LANES(hoop_accounted_out) _o118 =
+            uncertain = _o113.uncertain;
+            const LANES(hoop_accounted_out) _o114 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o118.contacts;
-            V outcome = _o118.outcome;
+            contacts = _o114.contacts;
+            V outcome = _o114.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -3220,205 +3454,205 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o119 =
+            const LANES(hoop_meeting_out) _o115 =
                 LANES(hoop_meeting)(claims, ends, touches);
-            M meeting = _o119.meeting;
-            const M _m120 = lanes_both(rows, meeting);
-            if (lanes_any(_m120)) {
-                const LANES(hoop_end_normal_out) _o121 =
+            M meeting = _o115.meeting;
+            const M _m116 = lanes_both(rows, meeting);
+            if (lanes_any(_m116)) {
+                const LANES(hoop_end_normal_out) _o117 =
                     LANES(hoop_end_normal)();
-                V nx = _o121.nx;
-                V ny = _o121.ny;
-                V nz = _o121.nz;
-                const LANES(hoop_here_out) _o122 =
+                V nx = _o117.nx;
+                V ny = _o117.ny;
+                V nz = _o117.nz;
+                const LANES(hoop_here_out) _o118 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o122.here;
-                const M _m123 = lanes_both(_m120, here);
+                M here = _o118.here;
+                const M _m119 = lanes_both(_m116, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o124 =
+                    const LANES(hoop_ring_normal_out) _o120 =
                         LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = lanes_select(_m119, _o120.nx, nx);
+                    ny = lanes_select(_m119, _o120.ny, ny);
+                    nz = lanes_select(_m119, _o120.nz, nz);
+                    const LANES(hoop_counted_out) _o121 =
+                        LANES(hoop_counted)(count_0);
+                    count_0 = lanes_select(_m119, _o121.count, count_0);
+                }
+                const LANES(hoop_here_out) _o122 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o122.here;
+                const M _m123 = lanes_both(_m116, here);
+                {
+                    const LANES(hoop_backboard_normal_out) _o124 =
+                        LANES(hoop_backboard_normal)();
                     nx = lanes_select(_m123, _o124.nx, nx);
                     ny = lanes_select(_m123, _o124.ny, ny);
                     nz = lanes_select(_m123, _o124.nz, nz);
                     const LANES(hoop_counted_out) _o125 =
-                        LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m123, _o125.count, count_0);
+                        LANES(hoop_counted)(count_1);
+                    count_1 = lanes_select(_m123, _o125.count, count_1);
                 }
                 const LANES(hoop_here_out) _o126 =
-                    LANES(hoop_here)(K(1.0), which);
+                    LANES(hoop_here)(K(2.0), which);
                 here = _o126.here;
-                const M _m127 = lanes_both(_m120, here);
+                const M _m127 = lanes_both(_m116, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o128 =
-                        LANES(hoop_backboard_normal)();
+                    const LANES(hoop_bridge_normal_out) _o128 =
+                        LANES(hoop_bridge_normal)();
                     nx = lanes_select(_m127, _o128.nx, nx);
                     ny = lanes_select(_m127, _o128.ny, ny);
                     nz = lanes_select(_m127, _o128.nz, nz);
                     const LANES(hoop_counted_out) _o129 =
-                        LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m127, _o129.count, count_1);
-                }
-                const LANES(hoop_here_out) _o130 =
-                    LANES(hoop_here)(K(2.0), which);
-                here = _o130.here;
-                const M _m131 = lanes_both(_m120, here);
-                {
-                    const LANES(hoop_bridge_normal_out) _o132 =
-                        LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m131, _o132.nx, nx);
-                    ny = lanes_select(_m131, _o132.ny, ny);
-                    nz = lanes_select(_m131, _o132.nz, nz);
-                    const LANES(hoop_counted_out) _o133 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m131, _o133.count, count_2);
+                    count_2 = lanes_select(_m127, _o129.count, count_2);
                 }
-                const LANES(hoop_elsewhere_out) _o134 =
+                const LANES(hoop_elsewhere_out) _o130 =
                     LANES(hoop_elsewhere)();
-                V curving = _o134.curving;
-                const LANES(hoop_again_out) _o135 =
+                V curving = _o130.curving;
+                const LANES(hoop_again_out) _o131 =
                     LANES(hoop_again)(K(0.0), last, which);
-                M again = _o135.again;
-                const M _m136 = lanes_both(_m120, again);
+                M again = _o131.again;
+                const M _m132 = lanes_both(_m116, again);
                 {
-                    const LANES(hoop_ring_curvature_out) _o137 =
+                    const LANES(hoop_ring_curvature_out) _o133 =
                         LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m136, _o137.curvature, curving);
+                    curving = lanes_select(_m132, _o133.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o138 =
+                const LANES(hoop_again_out) _o134 =
                     LANES(hoop_again)(K(1.0), last, which);
-                again = _o138.again;
-                const M _m139 = lanes_both(_m120, again);
+                again = _o134.again;
+                const M _m135 = lanes_both(_m116, again);
                 {
-                    const LANES(hoop_backboard_curvature_out) _o140 =
+                    const LANES(hoop_backboard_curvature_out) _o136 =
                         LANES(hoop_backboard_curvature)();
-                    curving = lanes_select(_m139, _o140.curvature, curving);
+                    curving = lanes_select(_m135, _o136.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o141 =
+                const LANES(hoop_again_out) _o137 =
                     LANES(hoop_again)(K(2.0), last, which);
-                again = _o141.again;
-                const M _m142 = lanes_both(_m120, again);
+                again = _o137.again;
+                const M _m138 = lanes_both(_m116, again);
                 {
-                    const LANES(hoop_bridge_curvature_out) _o143 =
+                    const LANES(hoop_bridge_curvature_out) _o139 =
                         LANES(hoop_bridge_curvature)();
-                    curving = lanes_select(_m142, _o143.curvature, curving);
+                    curving = lanes_select(_m138, _o139.curvature, curving);
                 }
-                const LANES(hoop_carry_flight_out) _o144 =
+                const LANES(hoop_carry_flight_out) _o140 =
                     LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m120, _o144.dx, dx);
-                dy = lanes_select(_m120, _o144.dy, dy);
-                dz = lanes_select(_m120, _o144.dz, dz);
-                dvx = lanes_select(_m120, _o144.dvx, dvx);
-                dvy = lanes_select(_m120, _o144.dvy, dvy);
-                dvz = lanes_select(_m120, _o144.dvz, dvz);
-                V delay = _o144.delay;
-                V shift = _o144.shift;
-                const LANES(hoop_delayed_out) _o145 =
+                dx = lanes_select(_m116, _o140.dx, dx);
+                dy = lanes_select(_m116, _o140.dy, dy);
+                dz = lanes_select(_m116, _o140.dz, dz);
+                dvx = lanes_select(_m116, _o140.dvx, dvx);
+                dvy = lanes_select(_m116, _o140.dvy, dvy);
+                dvz = lanes_select(_m116, _o140.dvz, dvz);
+                V delay = _o140.delay;
+                V shift = _o140.shift;
+                const LANES(hoop_delayed_out) _o141 =
                     LANES(hoop_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m120, _o145.clock_error, clock_error);
-                const M _m146 = lanes_both(_m120, ends);
+                clock_error = lanes_select(_m116, _o141.clock_error, clock_error);
+                const M _m142 = lanes_both(_m116, ends);
                 {
-                    const LANES(hoop_floored_out) _o147 =
+                    const LANES(hoop_floored_out) _o143 =
                         LANES(hoop_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m146, _o147.dx, dx);
-                    dy = lanes_select(_m146, _o147.dy, dy);
-                    dz = lanes_select(_m146, _o147.dz, dz);
+                    dx = lanes_select(_m142, _o143.dx, dx);
+                    dy = lanes_select(_m142, _o143.dy, dy);
+                    dz = lanes_select(_m142, _o143.dz, dz);
                 }
-                const LANES(hoop_unturned_out) _o148 =
+                const LANES(hoop_unturned_out) _o144 =
                     LANES(hoop_unturned)();
-                V dnx = _o148.dnx;
-                V dny = _o148.dny;
-                V dnz = _o148.dnz;
-                V turn = _o148.turn;
-                const LANES(hoop_here_out) _o149 =
+                V dnx = _o144.dnx;
+                V dny = _o144.dny;
+                V dnz = _o144.dnz;
+                V turn = _o144.turn;
+                const LANES(hoop_here_out) _o145 =
                     LANES(hoop_here)(K(0.0), which);
-                here = _o149.here;
-                const M _m150 = lanes_both(_m120, here);
-                if (lanes_any(_m150)) {
-                    const LANES(hoop_ring_carry_normal_out) _o151 =
+                here = _o145.here;
+                const M _m146 = lanes_both(_m116, here);
+                if (lanes_any(_m146)) {
+                    const LANES(hoop_ring_carry_normal_out) _o147 =
                         LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m150, _o151.dnx, dnx);
-                    dny = lanes_select(_m150, _o151.dny, dny);
-                    dnz = lanes_select(_m150, _o151.dnz, dnz);
-                    turn = lanes_select(_m150, _o151.turn, turn);
+                    dnx = lanes_select(_m146, _o147.dnx, dnx);
+                    dny = lanes_select(_m146, _o147.dny, dny);
+                    dnz = lanes_select(_m146, _o147.dnz, dnz);
+                    turn = lanes_select(_m146, _o147.turn, turn);
                 }
-                const M _m152 = lanes_both(_m120, touches);
-                if (lanes_any(_m152)) {
-                    const LANES(hoop_carry_impact_out) _o153 =
+                const M _m148 = lanes_both(_m116, touches);
+                if (lanes_any(_m148)) {
+                    const LANES(hoop_carry_impact_out) _o149 =
                         LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                    dvx = lanes_select(_m152, _o153.dvx, dvx);
-                    dvy = lanes_select(_m152, _o153.dvy, dvy);
-                    dvz = lanes_select(_m152, _o153.dvz, dvz);
-                    dwx = lanes_select(_m152, _o153.dwx, dwx);
-                    dwy = lanes_select(_m152, _o153.dwy, dwy);
-                    dwz = lanes_select(_m152, _o153.dwz, dwz);
-                    const LANES(hoop_impact_out) _o154 =
+                    dvx = lanes_select(_m148, _o149.dvx, dvx);
+                    dvy = lanes_select(_m148, _o149.dvy, dvy);
+                    dvz = lanes_select(_m148, _o149.dvz, dvz);
+                    dwx = lanes_select(_m148, _o149.dwx, dwx);
+                    dwy = lanes_select(_m148, _o149.dwy, dwy);
+                    dwz = lanes_select(_m148, _o149.dwz, dwz);
+                    const LANES(hoop_impact_out) _o150 =
                         LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m152, _o154.vx, vx);
-                    vy = lanes_select(_m152, _o154.vy, vy);
-                    vz = lanes_select(_m152, _o154.vz, vz);
-                    wx = lanes_select(_m152, _o154.wx, wx);
-                    wy = lanes_select(_m152, _o154.wy, wy);
-                    wz = lanes_select(_m152, _o154.wz, wz);
+                    vx = lanes_select(_m148, _o150.vx, vx);
+                    vy = lanes_select(_m148, _o150.vy, vy);
+                    vz = lanes_select(_m148, _o150.vz, vz);
+                    wx = lanes_select(_m148, _o150.wx, wx);
+                    wy = lanes_select(_m148, _o150.wy, wy);
+                    wz = lanes_select(_m148, _o150.wz, wz);
                 }
-                const LANES(hoop_here_out) _o155 =
+                const LANES(hoop_here_out) _o151 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o155.here;
-                const M _m156 = lanes_both(_m120, here);
+                here = _o151.here;
+                const M _m152 = lanes_both(_m116, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o157 =
+                    const LANES(hoop_backboard_place_out) _o153 =
                         LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m156, _o157.x, x);
-                    y = lanes_select(_m156, _o157.y, y);
-                    z = lanes_select(_m156, _o157.z, z);
+                    x = lanes_select(_m152, _o153.x, x);
+                    y = lanes_select(_m152, _o153.y, y);
+                    z = lanes_select(_m152, _o153.z, z);
                 }
-                const LANES(hoop_here_out) _o158 =
+                const LANES(hoop_here_out) _o154 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o158.here;
-                const M _m159 = lanes_both(_m120, here);
+                here = _o154.here;
+                const M _m155 = lanes_both(_m116, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o160 =
+                    const LANES(hoop_bridge_place_out) _o156 =
                         LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m159, _o160.x, x);
-                    y = lanes_select(_m159, _o160.y, y);
-                    z = lanes_select(_m159, _o160.z, z);
+                    x = lanes_select(_m155, _o156.x, x);
+                    y = lanes_select(_m155, _o156.y, y);
+                    z = lanes_select(_m155, _o156.z, z);
                 }
-                const M _m161 = lanes_both(_m120, touches);
+                const M _m157 = lanes_both(_m116, touches);
                 {
-                    const LANES(hoop_touched_out) _o162 =
+                    const LANES(hoop_touched_out) _o158 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m161, _o162.first, first);
-                    last = lanes_select(_m161, _o162.last, last);
+                    first = lanes_select(_m157, _o158.first, first);
+                    last = lanes_select(_m157, _o158.last, last);
                 }
             }
-            const M _m163 = lanes_both(rows, limited);
-            if (lanes_any(_m163)) {
-                const LANES(hoop_timed_out) _o164 =
+            const M _m159 = lanes_both(rows, limited);
+            if (lanes_any(_m159)) {
+                const LANES(hoop_timed_out) _o160 =
                     LANES(hoop_timed)(claims, K(4.0), which);
-                M timed = _o164.timed;
-                const M _m165 = lanes_both(_m163, timed);
-                if (lanes_any(_m165)) {
-                    const LANES(hoop_carry_time_out) _o166 =
+                M timed = _o160.timed;
+                const M _m161 = lanes_both(_m159, timed);
+                if (lanes_any(_m161)) {
+                    const LANES(hoop_carry_time_out) _o162 =
                         LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m165, _o166.dx, dx);
-                    dy = lanes_select(_m165, _o166.dy, dy);
-                    dz = lanes_select(_m165, _o166.dz, dz);
-                    dvx = lanes_select(_m165, _o166.dvx, dvx);
-                    dvy = lanes_select(_m165, _o166.dvy, dvy);
-                    dvz = lanes_select(_m165, _o166.dvz, dvz);
-                    clock_error = lanes_select(_m165, _o166.clock_error, clock_error);
+                    dx = lanes_select(_m161, _o162.dx, dx);
+                    dy = lanes_select(_m161, _o162.dy, dy);
+                    dz = lanes_select(_m161, _o162.dz, dz);
+                    dvx = lanes_select(_m161, _o162.dvx, dvx);
+                    dvy = lanes_select(_m161, _o162.dvy, dvy);
+                    dvz = lanes_select(_m161, _o162.dvz, dvz);
+                    clock_error = lanes_select(_m161, _o162.clock_error, clock_error);
                 }
             }
-            const LANES(hoop_closing_out) _o167 =
+            const LANES(hoop_closing_out) _o163 =
                 LANES(hoop_closing)(claims, outcome);
-            M closed = _o167.closed;
-            const M _m168 = lanes_both(rows, closed);
+            M closed = _o163.closed;
+            const M _m164 = lanes_both(rows, closed);
             {
-                const LANES(hoop_claimed_errors_out) _o169 =
+                const LANES(hoop_claimed_errors_out) _o165 =
                     LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m168, _o169.position_error, position_claim);
-                velocity_claim = lanes_select(_m168, _o169.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m168, _o169.spin_error, spin_claim);
-                time_claim = lanes_select(_m168, _o169.time_error, time_claim);
+                position_claim = lanes_select(_m164, _o165.position_error, position_claim);
+                velocity_claim = lanes_select(_m164, _o165.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m164, _o165.spin_error, spin_claim);
+                time_claim = lanes_select(_m164, _o165.time_error, time_claim);
             }
             lanes_store(lists->clock + i, clock);
             lanes_store(lists->clock_error + i, clock_error);

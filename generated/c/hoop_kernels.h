@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 666484b40949facc,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 5850b5d158b4c41b,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -571,7 +571,7 @@ LANES(hoop_exceeded)(V doubt, V excess, V t)
 }
 
 /* The search after a step: what it found, whether its window is exhausted, where it is.
-   Table 1. 13 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 2 selections. */
+   Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections. */
 typedef struct {
     V arrival;
     M certain;
@@ -585,31 +585,35 @@ LANES(hoop_advanced)(V arrival, M certain, V end, M hit, V next, V step, M sure,
 {
     const M _s0 = lanes_not(hit);
     const M _s1 = lanes_both(lanes_both(_s0, lanes_not(vague)), lanes_at_most(lanes_sub(end, t), step));
-    return (LANES(hoop_advanced_out)){ lanes_select(hit, t, arrival), lanes_either(certain, lanes_both(hit, sure)), _s1, lanes_both(_s0, lanes_not(_s1)), lanes_select(lanes_either(hit, vague), t, next) };
+    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, next, t), arrival), lanes_either(certain, lanes_both(hit, sure)), _s1, lanes_both(_s0, lanes_not(_s1)), lanes_select(lanes_either(hit, vague), t, next) };
 }
 
 /* Whether a search found an arrival.
    Table 1. 1 operation: 1 comparison. */
 typedef struct {
     M arrives;
+    M refining;
+    V rate;
 } LANES(hoop_found_out);
 
 LANES_INLINE LANES(hoop_found_out)
 LANES(hoop_found)(V arrival)
 {
-    return (LANES(hoop_found_out)){ lanes_less(arrival, K(INFINITY)) };
+    const M _s0 = lanes_less(arrival, K(INFINITY));
+    return (LANES(hoop_found_out)){ _s0, _s0, K(0.0) };
 }
 
-/* A root that is certain, refined.
-   Table 1. 1 operation: 1 selection. */
+/* A root that is certain, refined, and whether h is above 2^-24: then it is again.
+   Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
 typedef struct {
     V arrival;
+    M refining;
 } LANES(hoop_polished_out);
 
 LANES_INLINE LANES(hoop_polished_out)
-LANES(hoop_polished)(V arrival, M certain, V refined)
+LANES(hoop_polished)(V arrival, V ceiling, M certain, V gap, V rate, V refined)
 {
-    return (LANES(hoop_polished_out)){ lanes_select(certain, refined, arrival) };
+    return (LANES(hoop_polished_out)){ lanes_select(certain, refined, arrival), lanes_both(certain, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
 }
 
 /* The margin of the form that an arrival was found with.
@@ -1248,10 +1252,11 @@ LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V veloc
     return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s4)), lanes_mul(lanes_mul(K(5.00030517578125), _s0), _s6))), _s12, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_s4, _s1)), _s11)) };
 }
 
-/* Newton's next value of a root near t, and the rate there.
+/* Newton's next value of a root near t, and gap and rate there.
    Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
 typedef struct {
     V time;
+    V gap;
     V rate;
 } LANES(hoop_ring_refine_out);
 
@@ -1269,12 +1274,12 @@ LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_s
     const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s7)));
     const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s5)), lanes_mul(_s2, _s4));
     const V _s10 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s11 = lanes_div(lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), lanes_mul(_s10, _s10))), _s8);
-    return (LANES(hoop_ring_refine_out)){ lanes_sub(t, _s11), _s8 };
+    const V _s11 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), lanes_mul(_s10, _s10)));
+    return (LANES(hoop_ring_refine_out)){ lanes_sub(t, lanes_div(_s11, _s8)), _s11, _s8 };
 }
 
 /* Gap, rate, bend, a step without a root, its end, and the clearance of a root.
-   Newton from the left under a curvature bound. 144 operations: 29 additions, 16 subtractions, 54 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
+   Newton from the left under a curvature bound. 143 operations: 29 additions, 16 subtractions, 53 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
 typedef struct {
     V gap;
     V rate;
@@ -1330,7 +1335,7 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V _s40 = lanes_select(lanes_at_most(K(0.0), _s38), lanes_div(lanes_select(_s24, _s25, lanes_add(_s20, _s39)), lanes_select(_s24, lanes_sub(_s39, _s20), lanes_max(K(0.0), _s37))), K(INFINITY));
     const V _s41 = lanes_min(_s40, _s28);
     const V _s42 = lanes_neg(lanes_add(rate_margin, _s14));
-    return (LANES(hoop_ring_advance_out)){ _s10, _s14, lanes_sub(lanes_sub(steady, _s16), _s17), _s41, lanes_add(t, _s41), lanes_select(lanes_less(K(0.0), _s42), lanes_sub(lanes_mul(_s42, _s42), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s22)))), _s42) };
+    return (LANES(hoop_ring_advance_out)){ _s10, _s14, lanes_sub(lanes_sub(steady, _s16), _s17), _s41, lanes_add(t, _s41), lanes_select(lanes_less(K(0.0), _s42), lanes_sub(lanes_mul(_s42, _s42), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s25))), _s42) };
 }
 
 /* Errors that single precision comes to, whether it serves, and windows from t on.
@@ -1359,7 +1364,7 @@ LANES(hoop_ring_grain)(V t, V end, V leaving, V horizon, V speed, V position_err
     const V _s7 = lanes_max(_s5, _s6);
     const M _s8 = lanes_both(lanes_both(lanes_both(lanes_at_most(_s1, lanes_add(lanes_mul(K(128.0), p_ball_radius), lanes_mul(K(128.0), p_wire_radius))), lanes_at_most(_s3, lanes_mul(K(32.0), _s7))), lanes_at_most(_s3, lanes_add(lanes_mul(K(32.0), p_ball_radius), lanes_mul(K(32.0), p_wire_radius)))), lanes_at_most(_s3, K(4096.0)));
     const M _s9 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(_s8, lanes_at_most(K(0.000244140625), _s7)), lanes_at_most(_s4, K(4096.0))), lanes_at_most(p_gravity, K(4096.0))), lanes_at_most(K(0.000244140625), p_gravity)), lanes_at_most(lanes_mul(leaving, t), K(0.0)));
-    return (LANES(hoop_ring_grain_out)){ lanes_add(position_error, lanes_mul(K(1.9073486328125e-06), lanes_add(_s1, _s3))), lanes_add(velocity_error, lanes_mul(K(2.384185791015625e-07), _s4)), lanes_sub(end, t), lanes_sub(low1, t), lanes_sub(high1, t), lanes_sub(low2, t), lanes_sub(high2, t), _s9 };
+    return (LANES(hoop_ring_grain_out)){ lanes_add(position_error, lanes_mul(K(9.5367431640625e-07), lanes_add(_s1, _s3))), lanes_add(velocity_error, lanes_mul(K(2.384185791015625e-07), _s4)), lanes_sub(end, t), lanes_sub(low1, t), lanes_sub(high1, t), lanes_sub(low2, t), lanes_sub(high2, t), _s9 };
 }
 
 /* What a search needs to know, in single precision.
@@ -1425,7 +1430,7 @@ LANES(hoop_ring_leap)(S t, S end, S leaving, S rate_margin, S ceiling, S x, S y,
     const S _s17 = singles_add(p_ball_radius, p_wire_radius);
     const S _s18 = singles_sub(singles_select(_s14, singles_mul(t, singles_add(_s16, singles_mul(singles_add(z, _s10), _s9))), singles_sub(singles_add(singles_mul(_s7, _s7), singles_mul(_s10, _s10)), singles_mul(_s17, _s17))), _s15);
     const S _s19 = singles_max(_s18, KS(0.0));
-    const S _s20 = singles_select(singles_less(KS(0.0), _s12), singles_sub(singles_mul(_s12, _s12), singles_mul(singles_mul(KS(8.0), ceiling), singles_mul(KS(32.0), singles_add(singles_mul(KS(2.0), _s15), _s19)))), _s12);
+    const S _s20 = singles_select(singles_less(KS(0.0), _s12), singles_sub(singles_mul(_s12, _s12), singles_mul(singles_mul(KS(8.0), ceiling), singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s15), _s19)))), _s12);
     const Q _s21 = singles_less(KS(0.0), _s20);
     const S _s22 = singles_mul(KS(1.00006103515625), _s17);
     const S _s23 = singles_mul(KS(0.000244140625), singles_add(p_ring_radius, _s22));
@@ -1451,8 +1456,8 @@ LANES(hoop_ring_leap)(S t, S end, S leaving, S rate_margin, S ceiling, S x, S y,
     const S _s43 = singles_select(singles_at_most(KS(0.0), _s41), singles_div(singles_select(_s27, _s28, singles_add(_s24, _s42)), singles_select(_s27, singles_sub(_s42, _s24), singles_max(KS(0.0), _s40))), KS(INFINITY));
     const S _s44 = singles_min(_s43, _s31);
     const S _s45 = singles_add(t, _s44);
-    const Q _s46 = singles_either(_s21, singles_both(singles_not(_s21), singles_either(singles_both(singles_less(_s11, KS(0.0)), singles_at_most(_s18, _s15)), singles_not(singles_less(t, _s45)))));
-    const Q _s47 = singles_not(_s46);
+    const Q _s46 = singles_both(singles_not(_s21), singles_either(singles_both(singles_less(_s11, KS(0.0)), singles_at_most(_s18, _s15)), singles_not(singles_less(t, _s45))));
+    const Q _s47 = singles_not(singles_either(_s21, _s46));
     const Q _s48 = singles_both(_s47, singles_at_most(_s30, _s44));
     const S _s49 = singles_max(end, low1);
     const Q _s50 = singles_less(_s49, high1);

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 666484b40949facc,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 5850b5d158b4c41b,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -230,7 +230,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "exceeded": ("doubt", "excess", "t",),
     "advanced": ("arrival", "certain", "end", "hit", "next", "step", "sure", "t", "vague",),
     "found": ("arrival",),
-    "polished": ("arrival", "certain", "refined",),
+    "polished": ("arrival", "ceiling", "certain", "gap", "rate", "refined",),
     "own_margin": ("arrival", "flat", "leaving", "tilt",),
     "landed": ("arrival",),
     "landed_surely": ("arrives", "certain", "clearance", "delay", "doubt", "time",),
@@ -348,8 +348,8 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "finer": ("share",),
     "exceeded": ("doubt",),
     "advanced": ("arrival", "certain", "exhausted", "searching", "t",),
-    "found": ("arrives",),
-    "polished": ("arrival",),
+    "found": ("arrives", "refining", "rate",),
+    "polished": ("arrival", "refining",),
     "own_margin": ("margin",),
     "landed": ("time",),
     "landed_surely": ("delay", "doubt",),
@@ -385,7 +385,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_clear": ("clear",),
     "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "lost",),
     "ring_margins": ("margin", "leaving_margin", "rate_margin",),
-    "ring_refine": ("time", "rate",),
+    "ring_refine": ("time", "gap", "rate",),
     "ring_advance": ("gap", "rate", "bend", "step", "next", "clearance",),
     "ring_grain": ("place", "motion", "end", "low1", "high1", "low2", "high2", "fits",),
     "ring_narrow": ("t", "end", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "ceiling", "rate_margin", "leaving", "flat", "tilt", "low1", "high1", "low2", "high2",),
@@ -994,30 +994,31 @@ def exceeded(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
 def advanced(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, step: Any, sure: Any, t: Any, vague: Any) -> tuple[Any, ...]:
     """The search after a step: what it found, whether its window is exhausted, where it is.
 
-    Table 1. 13 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 2 selections.
+    Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections.
     Returns arrival, certain, exhausted, searching, t.
     """
     _s0 = _logical_not(hit)
     _s1 = _logical_and(_logical_and(_s0, _logical_not(vague)), ((end - t) <= step))
-    return _where(hit, t, arrival), _logical_or(certain, _logical_and(hit, sure)), _s1, _logical_and(_s0, _logical_not(_s1)), _where(_logical_or(hit, vague), t, next)
+    return _where(hit, _where(sure, next, t), arrival), _logical_or(certain, _logical_and(hit, sure)), _s1, _logical_and(_s0, _logical_not(_s1)), _where(_logical_or(hit, vague), t, next)
 
 
 def found(arrival: Any) -> tuple[Any, ...]:
     """Whether a search found an arrival.
 
     Table 1. 1 operation: 1 comparison.
-    Returns arrives.
+    Returns arrives, refining, rate.
     """
-    return arrival < _inf,
+    _s0 = arrival < _inf
+    return _s0, _s0, 0.0
 
 
-def polished(arrival: Any, certain: Any, refined: Any) -> tuple[Any, ...]:
-    """A root that is certain, refined.
+def polished(arrival: Any, ceiling: Any, certain: Any, gap: Any, rate: Any, refined: Any) -> tuple[Any, ...]:
+    """A root that is certain, refined, and whether h is above 2^-24: then it is again.
 
-    Table 1. 1 operation: 1 selection.
-    Returns arrival.
+    Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection.
+    Returns arrival, refining.
     """
-    return _where(certain, refined, arrival),
+    return _where(certain, refined, arrival), _logical_and(certain, ((5.960464477539063e-08 * (rate * rate)) < (ceiling * _absolute(gap))))
 
 
 def own_margin(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
@@ -1561,10 +1562,10 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Newton's next value of a root near t, and the rate there.
+    """Newton's next value of a root near t, and gap and rate there.
 
     Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection.
-    Returns time, rate.
+    Returns time, gap, rate.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
@@ -1578,14 +1579,14 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s8 = 2.0 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
     _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(2.0, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
-    _s11 = _divide(_select(0.0 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r5), _s8, _r5)
-    return t - _s11, _s8
+    _s11 = _result(0.0 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
+    return t - _divide(_s11, _s8, _r7), _s11, _s8
 
 
 def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Gap, rate, bend, a step without a root, its end, and the clearance of a root.
 
-    Newton from the left under a curvature bound. 144 operations: 29 additions, 16 subtractions, 54 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
+    Newton from the left under a curvature bound. 143 operations: 29 additions, 16 subtractions, 53 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
     Returns gap, rate, bend, step, next, clearance.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
@@ -1627,12 +1628,12 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s35 = _divide(1.0, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
     _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(9.094947017729282e-13, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
-    _s38 = _add(_multiply(_multiply(2.0, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r1), _r1)
+    _s38 = _add(_multiply(_multiply(2.0, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
-    _s40 = _select(0.0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r1), _r8), _select(_s24, _subtract(_s39, _s20, _r3), _select(0.0 < _s37, _s37, 0.0, _r5), _r0), _r8), _inf, _r1)
+    _s40 = _select(0.0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(0.0 < _s37, _s37, 0.0, _r5), _r1), _r7), _inf, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
-    _s42 = _negative(_add(rate_margin, _s14, _r0), _r0)
-    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(0.0 < _s42, _subtract(_multiply(_s42, _s42, _r1), _multiply(_multiply(8.0, ceiling, _r8), _add(margin, _multiply(32.0, _s22, _r9), _r9), _r8), _r8), _s42, _r0)
+    _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
+    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(0.0 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(8.0, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, speed: Any, position_error: Any, velocity_error: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1652,7 +1653,7 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, speed: Any, positio
     _s7 = _where(_s5 < _s6, _s6, _s5)
     _s8 = _logical_and(_logical_and(_logical_and((_s1 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_s3 <= (32.0 * _s7))), (_s3 <= ((32.0 * p_ball_radius) + (32.0 * p_wire_radius)))), (_s3 <= 4096.0))
     _s9 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and(_s8, (0.000244140625 <= _s7)), (_s4 <= 4096.0)), (p_gravity <= 4096.0)), (0.000244140625 <= p_gravity)), (_multiply(leaving, t, _r2) <= 0.0))
-    return position_error + _multiply(1.9073486328125e-06, _add(_s1, _s3, _r0), _r0), velocity_error + _multiply(2.384185791015625e-07, _s4, _r1), end - t, low1 - t, high1 - t, low2 - t, high2 - t, _s9
+    return position_error + _multiply(9.5367431640625e-07, _add(_s1, _s3, _r0), _r0), velocity_error + _multiply(2.384185791015625e-07, _s4, _r1), end - t, low1 - t, high1 - t, low2 - t, high2 - t, _s9
 
 
 def ring_narrow(end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, low1: Any, high1: Any, low2: Any, high2: Any) -> tuple[Any, ...]:
@@ -1734,7 +1735,7 @@ def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x:
     _s17 = p_ball_radius + p_wire_radius
     _s18 = _subtract(_select(_s14, _multiply(t, _add(_s16, _multiply(_add(z, _s10, _r13), _s9, _r13), _r13), _r13), _subtract(_add(_multiply(_s7, _s7, _r0), _multiply(_s10, _s10, _r4), _r4), _s17 * _s17, _r4), _r0), _s15, _r0)
     _s19 = _select(_s18 < 0.0, 0.0, _s18, _r4)
-    _s20 = _select(0.0 < _s12, _subtract(_multiply(_s12, _s12, _r13), _multiply(_multiply(8.0, ceiling, _r6), _multiply(32.0, _add(_multiply(2.0, _s15, _r14), _s19, _r14), _r14), _r6), _r6), _s12, _r13)
+    _s20 = _select(0.0 < _s12, _subtract(_multiply(_s12, _s12, _r13), _multiply(_multiply(8.0, ceiling, _r6), _multiply(2.0, _add(_multiply(2.0, _s15, _r14), _s19, _r14), _r14), _r6), _r6), _s12, _r13)
     _s21 = 0.0 < _s20
     _s22 = 1.00006103515625 * _s17
     _s23 = 0.000244140625 * (p_ring_radius + _s22)
@@ -1760,8 +1761,8 @@ def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x:
     _s43 = _select(0.0 <= _s41, _divide(_select(_s27, _s28, _add(_s24, _s42, _r4), _r1), _select(_s27, _subtract(_s42, _s24, _r3), _select(0.0 < _s40, _s40, 0.0, _r13), _r8), _r1), _inf, _r4)
     _s44 = _select(_s43 < _s31, _s43, _s31, _r8)
     _s45 = _add(t, _s44, _r13)
-    _s46 = _logical_or(_s21, _logical_and(_logical_not(_s21), _logical_or(_logical_and((_s11 < 0.0), (_s18 <= _s15)), _logical_not((t < _s45)))))
-    _s47 = _logical_not(_s46)
+    _s46 = _logical_and(_logical_not(_s21), _logical_or(_logical_and((_s11 < 0.0), (_s18 <= _s15)), _logical_not((t < _s45))))
+    _s47 = _logical_not(_logical_or(_s21, _s46))
     _s48 = _logical_and(_s47, (_s30 <= _s44))
     _s49 = _select(end < low1, low1, end, _r8)
     _s50 = _s49 < high1
@@ -2660,29 +2661,72 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _certain_1 = _put(_certain_1, _rows8, _certain_2, _count4)
             _flat_1 = _put(_flat_1, _rows8, _flat_2, _count4)
             _tilt_1 = _put(_tilt_1, _rows8, _tilt_2, _count4)
-        _arrives_1, = found(_arrival_1)
+        _arrives_1, _refining_1, *_ = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
-        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
-        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
-        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _rows17, _count18 = _rows(_refining_1, _count4)
+        if _count18:
+            _arrival_2 = _take(_arrival_1, _rows17)
+            _ceiling_2 = _take(_ceiling_1, _rows17)
+            _certain_2 = _take(_certain_1, _rows17)
+            _leaving_2 = _take(_leaving_1, _rows17)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows17)
+            _p_gravity_2 = _take(_p_gravity_1, _rows17)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows17)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows17)
+            _refining_2 = _take(_refining_1, _rows17)
+            _rho_start_2 = _take(_rho_start_1, _rows17)
+            _vx_2 = _take(_vx_1, _rows17)
+            _vy_2 = _take(_vy_1, _rows17)
+            _vz_2 = _take(_vz_1, _rows17)
+            _x_2 = _take(_x_1, _rows17)
+            _y_2 = _take(_y_1, _rows17)
+            _z_2 = _take(_z_1, _rows17)
+            _arrival_1 = _copy(_arrival_1, _count4)
+            for _ in range(8):
+                _room_2 = room(_count18)
+                _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
+                _going19 = _where_true(_refining_2)
+                if len(_going19) == _count18:
+                    continue
+                _done = _where_true(_logical_not(_refining_2))
+                _store(_arrival_1, _of(_rows17, _done), _arrival_2, _done)
+                _rows17, _count18 = _of(_rows17, _going19), len(_going19)
+                if not _count18:
+                    break
+                _arrival_2 = _take(_arrival_2, _going19)
+                _ceiling_2 = _take(_ceiling_2, _going19)
+                _certain_2 = _take(_certain_2, _going19)
+                _leaving_2 = _take(_leaving_2, _going19)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going19)
+                _p_gravity_2 = _take(_p_gravity_2, _going19)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going19)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going19)
+                _refining_2 = _take(_refining_2, _going19)
+                _rho_start_2 = _take(_rho_start_2, _going19)
+                _vx_2 = _take(_vx_2, _going19)
+                _vy_2 = _take(_vy_2, _going19)
+                _vz_2 = _take(_vz_2, _going19)
+                _x_2 = _take(_x_2, _going19)
+                _y_2 = _take(_y_2, _going19)
+                _z_2 = _take(_z_2, _going19)
+            else:
+                _store(_arrival_1, _rows17, _arrival_2, None)
         _time_1, = landed(_arrival_1)
         _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
         _when_0 = _put(_when_0, _rows3, _when_1, shots)
         _which_0 = _put(_which_0, _rows3, _which_1, shots)
-    _rows17, _count18 = _rows(_limited_0, shots)
-    if _count18:
-        _clock_1 = _take(_clock_0, _rows17)
-        _time_error_1 = _take(_time_error_0, _rows17)
-        _time_limit_1 = _take(_time_limit_0, _rows17)
-        _when_1 = _take(_when_0, _rows17)
-        _which_1 = _take(_which_0, _rows17)
+    _rows20, _count21 = _rows(_limited_0, shots)
+    if _count21:
+        _clock_1 = _take(_clock_0, _rows20)
+        _time_error_1 = _take(_time_error_0, _rows20)
+        _time_limit_1 = _take(_time_limit_0, _rows20)
+        _when_1 = _take(_when_0, _rows20)
+        _which_1 = _take(_which_0, _rows20)
         _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _time_error_1, _time_limit_1, _when_1, _which_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _when_0 = _put(_when_0, _rows17, _when_1, shots)
-        _which_0 = _put(_which_0, _rows17, _which_1, shots)
+        _when_0 = _put(_when_0, _rows20, _when_1, shots)
+        _which_0 = _put(_which_0, _rows20, _which_1, shots)
     _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
@@ -2694,19 +2738,19 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = _choose(_moves_0, _x_1, _x_0)
     _y_0 = _choose(_moves_0, _y_1, _y_0)
     _z_0 = _choose(_moves_0, _z_1, _z_0)
-    _rows19, _count20 = _rows(_limited_0, shots)
-    if _count20:
-        _body_1 = _take(_body_0, _rows19)
-        _clock_1 = _take(_clock_0, _rows19)
-        _ends_1 = _take(_ends_0, _rows19)
-        _reached_1 = _take(_reached_0, _rows19)
-        _time_limit_1 = _take(_time_limit_0, _rows19)
-        _which_1 = _take(_which_0, _rows19)
+    _rows22, _count23 = _rows(_limited_0, shots)
+    if _count23:
+        _body_1 = _take(_body_0, _rows22)
+        _clock_1 = _take(_clock_0, _rows22)
+        _ends_1 = _take(_ends_0, _rows22)
+        _reached_1 = _take(_reached_0, _rows22)
+        _time_limit_1 = _take(_time_limit_0, _rows22)
+        _which_1 = _take(_which_0, _rows22)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows19, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows19, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows19, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows19, _reached_1, shots)
+        _body_0 = _put(_body_0, _rows22, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows22, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows22, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows22, _reached_1, shots)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1)
@@ -3347,14 +3391,61 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _doubt_1 = _put(_doubt_1, _rows10, _doubt_2, _count6)
             _flat_1 = _put(_flat_1, _rows10, _flat_2, _count6)
             _tilt_1 = _put(_tilt_1, _rows10, _tilt_2, _count6)
-        _arrives_1, = found(_arrival_1)
+        _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
-        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
-        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
-        _refined_1, _rate_1 = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _rows19, _count20 = _rows(_refining_1, _count6)
+        if _count20:
+            _arrival_2 = _take(_arrival_1, _rows19)
+            _ceiling_2 = _take(_ceiling_1, _rows19)
+            _certain_2 = _take(_certain_1, _rows19)
+            _leaving_2 = _take(_leaving_1, _rows19)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows19)
+            _p_gravity_2 = _take(_p_gravity_1, _rows19)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows19)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows19)
+            _refining_2 = _take(_refining_1, _rows19)
+            _rho_start_2 = _take(_rho_start_1, _rows19)
+            _vx_2 = _take(_vx_1, _rows19)
+            _vy_2 = _take(_vy_1, _rows19)
+            _vz_2 = _take(_vz_1, _rows19)
+            _x_2 = _take(_x_1, _rows19)
+            _y_2 = _take(_y_1, _rows19)
+            _z_2 = _take(_z_1, _rows19)
+            _arrival_1 = _copy(_arrival_1, _count6)
+            _rate_1 = _copy(_rate_1, _count6)
+            for _ in range(8):
+                _room_2 = room(_count20)
+                _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
+                _going21 = _where_true(_refining_2)
+                if len(_going21) == _count20:
+                    continue
+                _done = _where_true(_logical_not(_refining_2))
+                _store(_arrival_1, _of(_rows19, _done), _arrival_2, _done)
+                _store(_rate_1, _of(_rows19, _done), _rate_2, _done)
+                _rows19, _count20 = _of(_rows19, _going21), len(_going21)
+                if not _count20:
+                    break
+                _arrival_2 = _take(_arrival_2, _going21)
+                _ceiling_2 = _take(_ceiling_2, _going21)
+                _certain_2 = _take(_certain_2, _going21)
+                _leaving_2 = _take(_leaving_2, _going21)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going21)
+                _p_gravity_2 = _take(_p_gravity_2, _going21)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going21)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going21)
+                _rate_2 = _take(_rate_2, _going21)
+                _refining_2 = _take(_refining_2, _going21)
+                _rho_start_2 = _take(_rho_start_2, _going21)
+                _vx_2 = _take(_vx_2, _going21)
+                _vy_2 = _take(_vy_2, _going21)
+                _vz_2 = _take(_vz_2, _going21)
+                _x_2 = _take(_x_2, _going21)
+                _y_2 = _take(_y_2, _going21)
+                _z_2 = _take(_z_2, _going21)
+            else:
+                _store(_arrival_1, _rows19, _arrival_2, None)
+                _store(_rate_1, _rows19, _rate_2, None)
         _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _margin_1, = own_margin(_arrival_1, _flat_1, _leaving_1, _tilt_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
@@ -3366,22 +3457,22 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _late_0 = _put(_late_0, _rows5, _late_1, shots)
         _when_0 = _put(_when_0, _rows5, _when_1, shots)
         _which_0 = _put(_which_0, _rows5, _which_1, shots)
-    _rows19, _count20 = _rows(_limited_0, shots)
-    if _count20:
-        _clock_1 = _take(_clock_0, _rows19)
-        _doubt_1 = _take(_doubt_0, _rows19)
-        _late_1 = _take(_late_0, _rows19)
-        _time_error_1 = _take(_time_error_0, _rows19)
-        _time_limit_1 = _take(_time_limit_0, _rows19)
-        _when_1 = _take(_when_0, _rows19)
-        _which_1 = _take(_which_0, _rows19)
+    _rows22, _count23 = _rows(_limited_0, shots)
+    if _count23:
+        _clock_1 = _take(_clock_0, _rows22)
+        _doubt_1 = _take(_doubt_0, _rows22)
+        _late_1 = _take(_late_0, _rows22)
+        _time_error_1 = _take(_time_error_0, _rows22)
+        _time_limit_1 = _take(_time_limit_0, _rows22)
+        _when_1 = _take(_when_0, _rows22)
+        _which_1 = _take(_which_0, _rows22)
         _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_clock_1, _doubt_1, _late_1, _time_error_1, _time_limit_1, _when_1, _which_1)
         _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _doubt_0 = _put(_doubt_0, _rows19, _doubt_1, shots)
-        _late_0 = _put(_late_0, _rows19, _late_1, shots)
-        _when_0 = _put(_when_0, _rows19, _when_1, shots)
-        _which_0 = _put(_which_0, _rows19, _which_1, shots)
+        _doubt_0 = _put(_doubt_0, _rows22, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows22, _late_1, shots)
+        _when_0 = _put(_when_0, _rows22, _when_1, shots)
+        _which_0 = _put(_which_0, _rows22, _which_1, shots)
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
@@ -3393,19 +3484,19 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = _choose(_moves_0, _x_1, _x_0)
     _y_0 = _choose(_moves_0, _y_1, _y_0)
     _z_0 = _choose(_moves_0, _z_1, _z_0)
-    _rows21, _count22 = _rows(_limited_0, shots)
-    if _count22:
-        _body_1 = _take(_body_0, _rows21)
-        _clock_1 = _take(_clock_0, _rows21)
-        _ends_1 = _take(_ends_0, _rows21)
-        _reached_1 = _take(_reached_0, _rows21)
-        _time_limit_1 = _take(_time_limit_0, _rows21)
-        _which_1 = _take(_which_0, _rows21)
+    _rows24, _count25 = _rows(_limited_0, shots)
+    if _count25:
+        _body_1 = _take(_body_0, _rows24)
+        _clock_1 = _take(_clock_0, _rows24)
+        _ends_1 = _take(_ends_0, _rows24)
+        _reached_1 = _take(_reached_0, _rows24)
+        _time_limit_1 = _take(_time_limit_0, _rows24)
+        _which_1 = _take(_which_0, _rows24)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows21, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows21, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows21, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows21, _reached_1, shots)
+        _body_0 = _put(_body_0, _rows24, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows24, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows24, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows24, _reached_1, shots)
     _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
