@@ -249,7 +249,8 @@ def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
             missing = _asked(node) - known
             check(node.body, known | set(node.names if isinstance(node, Each) else ()))
         if missing:
-            raise ValueError(f"unknown: {', '.join(sorted(missing))}, in {node}")
+            where = node.kernel.name if isinstance(node, Do) else f"a {type(node).__name__}"
+            raise ValueError(f"unknown: {', '.join(sorted(missing))}, in {where}")
     return known
 
 

@@ -32,12 +32,22 @@ from typing import ClassVar
 
 import sympy as sp
 
-from ..ground.choice import AtMost, Choose, Less, Not, every, hold, some
-from ..ground.rounding import position_error, speed, velocity_error
+from ..ground.choice import (
+    AtMost,
+    Choose,
+    Less,
+    Not,
+    every,
+    hold,
+    largest,
+    size,
+    smallest,
+    some,
+)
+from ..ground.rounding import SAFETY, extent, speed
 from ..ground.symbols import POSITION, VELOCITY, t
 from .decisions import flat, tilt
-from .events import ceiling, end, horizon, leaving, rate_margin
-from .polar import CONSTANTS
+from .events import SHARES, end, horizon, leaving
 from .ring import RingApproach
 from .windows import enter, opening
 
@@ -54,6 +64,8 @@ _NEAR = every(Less(0, leaving), Less(tilt * t, flat))
 class CoarseRing(RingApproach):
     """The search for the ring, as single precision has it."""
 
+    unit: ClassVar[sp.Expr] = sp.Rational(1, 2**24)
+    hardly: ClassVar[sp.Expr] = sp.Rational(1, 2**60)
     ease: ClassVar[sp.Expr] = sp.Rational(1, 2**12)
 
     @property
@@ -77,10 +89,37 @@ class CoarseRing(RingApproach):
     def _searched(self) -> sp.Expr:
         return Choose(_NEAR, hold(self.leaving_gap, r"F_\ell"), hold(self.gap, "F"))
 
-    def grain(self) -> dict[str, sp.Basic]:
-        """Return what errors single precision comes to, whether it serves, and windows from t on.
+    def opened(self) -> dict[str, sp.Basic]:
+        """Return the first window, the others, when the last one ends, and whether to rely on that.
 
-        `t` is where the first window opens, and `horizon` where the last one ends.
+        What is not of such sizes may over- or underflow.
+        """
+        innermost, outermost = self.radii()
+        latest = hold(horizon * (1 + sp.Rational(1, 2**22)))
+        found = [(hold(largest(0, low)), hold(smallest(latest, high))) for low, high in self.windows]
+        first = enter(found, *(sp.Integer(0),) * 3)
+        later = {
+            edge.name: value
+            for window, values in zip(self._later(), found[1:], strict=True)
+            for edge, value in zip(window, values, strict=True)
+        }
+        ends = hold(smallest(latest, largest(0, *(high for _, high in self.windows))))
+        sound = every(
+            AtMost(outermost, 2**5 * innermost),
+            AtMost(outermost, 2**5 * self.ring.reach),
+            AtMost(outermost, _LONGEST),
+            AtMost(_SHORTEST, innermost),
+            AtMost(self.gravity, _LONGEST),
+            AtMost(_SHORTEST, self.gravity),
+            AtMost(extent, _LONGEST),
+            AtMost(speed, _LONGEST),
+        )
+        return first | later | {"latest": ends, "sound": sound}
+
+    def grain(self) -> dict[str, sp.Basic]:
+        """Return the search from t on, where the first window opens: all that `leap` is given.
+
+        The state is that at t, and `horizon` is when the last window ends.
         """
         innermost, outermost = self.radii()
         lasting = hold(horizon - t)
@@ -88,35 +127,31 @@ class CoarseRing(RingApproach):
         fastest = hold(speed + self.gravity * horizon)
         fits = every(
             AtMost(dropped, 2**7 * self.ring.reach),
-            AtMost(outermost, 2**5 * innermost),
-            AtMost(outermost, 2**5 * self.ring.reach),
-            AtMost(outermost, _LONGEST),
-            AtMost(_SHORTEST, innermost),
-            AtMost(fastest, _LONGEST),
-            AtMost(self.gravity, _LONGEST),
-            AtMost(_SHORTEST, self.gravity),
             # F/t is of the place where the ball left.
             AtMost(leaving * t, 0),
         )
-        shift = sp.Rational(1, 2**20) * hold(outermost + dropped)
-        blur = sp.Rational(1, 2**22) * fastest
-        windows = {
-            name: symbol - t
-            for low, high in self._later()
-            for name, symbol in ((low.name, low), (high.name, high))
-        }
+        carried = SHARES[0] * hold(extent + horizon * fastest)
+        place = SAFETY * hold(carried + sp.Rational(1, 2**20) * hold(outermost + dropped))
+        motion = (SHARES[0] + sp.Rational(1, 2**22)) * fastest
+        reach = hold(self.ring.reach, "R")
+        stretch = largest(1, reach / innermost)
+        slope = hold(5 * hold(reach * motion + hold(stretch * fastest) * place))
+        constants = {name: hold(value) for name, value in self.constants.items()}
+        turn = constants["swing"] * hold(1 / innermost) ** 3
+        bend = hold(size(constants["steady"]) + 6 * self.gravity * self.reach + turn)
+        windows = {edge.name: edge - t for window in self._later() for edge in window}
         return {
-            "place": position_error + shift,
-            "motion": velocity_error + blur,
+            "t": sp.Integer(0),
             "end": end - t,
+            **{s.name: s for s in (*POSITION, *VELOCITY, leaving)},
+            **constants,
+            "ceiling": SAFETY * bend,
+            "flat": 5 * reach * place,
+            "tilt": slope,
+            "rate_margin": slope,
             **windows,
             "fits": fits,
         }
-
-    def narrow(self) -> dict[str, sp.Expr]:
-        """Return what the search needs to know, for single precision to round."""
-        known = (*POSITION, *VELOCITY, *CONSTANTS, ceiling, rate_margin, leaving, *self.passed)
-        return {"t": sp.Integer(0), **{s.name: s for s in (end, *known)}}
 
     def leap(self) -> dict[str, sp.Basic]:
         """Return where the search is after a step, in which window, and how it stands.
@@ -131,7 +166,7 @@ class CoarseRing(RingApproach):
         closing = every(Less(rate, 0), AtMost(gap - allowed, allowed))
         stuck = every(Not(sure), some(closing, Not(Less(t, following))))
         exhausted = every(Not(some(sure, stuck)), AtMost(end - t, step))
-        entered = enter(len(self.windows), 1, end, sp.oo)
+        entered = enter(self._later(), end, sp.oo)
         more = entered["searching"]
         return {
             "t": Choose(exhausted, entered["t"], Choose(stuck, t, following)),

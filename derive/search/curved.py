@@ -15,7 +15,7 @@ from .approach import Approach
 from .coarse import TURNS, CoarseRing
 from .decisions import KERNELS, side
 from .search import Formula, Parts, Search, bounded, edges, given, proposed
-from .windows import enter
+from .windows import enter, opening
 
 STEP_LIMIT = 201
 """Steps after which a search gives up and the shot is uncertain; a search takes about five."""
@@ -89,7 +89,7 @@ class CurvedSearch(Search):
     @property
     def single(self) -> frozenset[str]:
         """What of the search in single precision is computed in it."""
-        return frozenset({"narrow", "leap"})
+        return frozenset({"opened", "grain", "leap"})
 
     @property
     def decisions(self) -> dict[str, Kernel]:
@@ -97,7 +97,7 @@ class CurvedSearch(Search):
         return edges(self.surface) | {
             "enter": decision(
                 f"{self.surface.name}_enter",
-                enter(len(self.approach.windows)),
+                enter(opening(len(self.approach.windows))),
                 "The first window that ends later than a time, if there is one, from then on.",
             )
         }
@@ -108,21 +108,21 @@ class CurvedSearch(Search):
         yield given(own["clear"], horizon="until")
         yield Do(common.get("opens_in_flight", KERNELS["opens"]))
         step = _bounded_step if self.surface.bounds else _step
-        begun = (
-            given(own["prepare"], horizon="until"),
-            Do(KERNELS["beginning"]),
-            Do(own["enter"], {"after": 0.0, "t": 0.0, "end": 0.0}),
-        )
+        prepared = given(own["prepare"], horizon="until")
+        allowing = tuple(_allowing(common, own))
         found = (
             Repeat("searching", STEP_LIMIT, tuple(step(common, own, index))),
             Do(KERNELS["questioned"], {"unsure": "searching", "time": "t"}),
         )
         if self.coarse is None:
-            allowing = (*_allowing(common, own), Do(KERNELS["beyond"]), Do(KERNELS["outside"]))
-            search: tuple[Node, ...] = (*begun, *allowing, *found)
+            first = Do(own["enter"], {"after": 0.0, "t": 0.0, "end": 0.0})
+            begun = (prepared, Do(KERNELS["beginning"]), *allowing, Do(KERNELS["beyond"]), first)
+            search: tuple[Node, ...] = (*begun, Do(KERNELS["outside"]), *found)
         else:
-            again = (*_allowing(common, own), Do(own["enter"], {"after": "t"}), *found)
-            search = (*begun, *_leaping(common, own, index), Guard("searching", again))
+            entered = Do(own["enter"], {"after": "t", "end": 0.0})
+            again = (prepared, *allowing, entered, *found)
+            leaping = _leaping(common, own, index)
+            search = (*leaping, Guard("searching", again), Do(own["started"]))
         yield Guard("open", (*search, *_landing(common, own, index), *proposed(index)))
 
 
@@ -130,59 +130,71 @@ def _coarse(coarse: CoarseRing) -> dict[str, Formula]:
     """Return the kernels of the search in single precision."""
     source = "Newton from the left under a curvature bound, in single precision"
     return {
+        "opened": (
+            coarse.opened(),
+            "Windows of the search along a flight, and whether single precision serves for it.",
+            _BOUNDS,
+        ),
         "grain": (
             coarse.grain(),
-            "Errors that single precision comes to, whether it serves, and windows from t on.",
+            "What a search in single precision is given, from where it begins.",
             "running error analysis",
         ),
-        "narrow": (coarse.narrow(), "What a search needs to know, in single precision.", source),
         "leap": (
             coarse.leap(),
             "Where a search is after a step, in which window, whether surely before a root, "
             "and whether it goes on.",
-            source,
+            "Newton from the left under a curvature bound",
+        ),
+        "started": (
+            {"rho_start": coarse.constants["rho_start"]},
+            "The distance from the axis at the start of the flight.",
+            "Table 2",
+        ),
+        "lost": (
+            {"lost": coarse.lost},
+            "Positive where the bounds of the search do not hold.",
+            _BOUNDS,
         ),
     }
 
 
 def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     """Search in single precision, from where the first window opens."""
-    yield Do(common["allowance"], {"horizon": "latest"})
-    yield Do(KERNELS["beyond"])
+    yield Do(KERNELS["beginning"])
     yield Do(KERNELS["left"], {"index": index})
-    levels = {"position_error": "position_level", "velocity_error": "velocity_level"}
-    grain = given(own["grain"], horizon="latest", **levels)
-    passed = {"place", "motion", "fits"}
-    since = {name: f"near_{name}" for name in grain.kernel.output_names if name not in passed}
-    yield Do(grain.kernel, grain.inputs, since)
-    yield _margins(own, "place", "motion")
+    opened = given(own["opened"], horizon="until")
+    windows = ("end", "low1", "high1", "low2", "high2")
+    wide = {name: f"wide_{name}" for name in windows if name in opened.kernel.output_names}
+    yield Do(opened.kernel, opened.inputs, {**wide, "t": "onset", "latest": "ended"})
+    yield Do(KERNELS["opened"], {"time": "onset", "horizon": "ended"}, {"time": "since"})
+    yield Do(common["allowance"], {"horizon": "latest"})
+    yield given(own["lost"], horizon="latest")
+    yield Do(KERNELS["beyond"])
     there = {name: f"near_{name}" for name in ("x", "y", "z", "vz")}
-    yield Do(common["flight"], {}, there, frozenset(there))
-    narrow = own["narrow"]
-    inputs = since | there | {"rate_margin": "rate_slack"}
-    short = {name: f"short_{name}" for name in narrow.output_names}
-    names = set(map(variable, narrow.arguments))
-    yield Do(narrow, {k: v for k, v in inputs.items() if k in names}, short)
-    yield Do(KERNELS["coarse"])
+    yield Do(common["flight"], {"t": "since"}, there, frozenset(there))
+    grain = given(own["grain"], t="onset", horizon="ended", **wide, **there)
+    given_away = ("ceiling", "flat", "tilt")
+    short = {name: f"short_{name}" for name in grain.kernel.output_names if name != "fits"}
+    yield Do(grain.kernel, grain.inputs, short)
+    yield Do(KERNELS["coarse"], {name: short[name] for name in given_away})
     leap = own["leap"]
     kept = {name: short[name] for name in map(variable, leap.arguments) if name in short}
     yield Repeat("leaping", TURNS, (Do(leap, kept, {"t": "short_t", "end": "short_end"}),))
     yield Do(KERNELS["leapt"], {"lasting": "short_t"})
 
 
-def _margins(own: Parts, place: str, motion: str) -> Do:
-    """Return the margins of the search, given the names of what errors it allows for."""
-    margins = given(
-        own["margins"], horizon="latest", position_error=place, velocity_error=motion
-    )
-    renamed = {"margin": "flat", "leaving_margin": "tilt", "rate_margin": "rate_slack"}
-    return Do(margins.kernel, margins.inputs, renamed)
-
-
 def _allowing(common: Parts, own: Parts) -> Iterator[Node]:
     """Allow for errors that are a share of the flight."""
     yield Do(common["allowance"], {"horizon": "latest"})
-    yield _margins(own, "position_level", "velocity_level")
+    margins = given(
+        own["margins"],
+        horizon="latest",
+        position_error="position_level",
+        velocity_error="velocity_level",
+    )
+    renamed = {"margin": "flat", "leaving_margin": "tilt", "rate_margin": "rate_slack"}
+    yield Do(margins.kernel, margins.inputs, renamed)
 
 
 def _step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:

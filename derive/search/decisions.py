@@ -22,7 +22,7 @@ from ..ground.choice import (
     some,
 )
 from ..ground.kernel import decision
-from .events import SHARES, ceiling
+from .events import SHARES, ceiling, horizon
 
 when, which, last, index, time, doubt, delay = sp.symbols(
     "when which last index time doubt delay", real=True
@@ -41,15 +41,13 @@ side, candidate = sp.symbols("side candidate", real=True)
 through = sp.Symbol("through", real=True)
 """1 for a ball that has fallen through the scene's passage, where it has one."""
 flat, tilt, arrival, t, end, refined = sp.symbols("flat tilt arrival t end refined", real=True)
-lasting = sp.Symbol("lasting", real=True)
-"""How long after its beginning a search in single precision is; infinite behind all windows."""
-unsure, arrives, certain, hit, sure, vague, met, sunk, searching, fits = map(
-    Truth,
-    (
-        *("unsure", "arrives", "certain", "hit", "sure", "vague", "met", "sunk"),
-        *("searching", "fits"),
-    ),
+since, lasting = sp.symbols("since lasting", real=True)
+"""When a search in single precision began, and how long after that it is; infinite behind all
+windows."""
+unsure, arrives, certain, hit, sure, vague, met, sunk = map(
+    Truth, ("unsure", "arrives", "certain", "hit", "sure", "vague", "met", "sunk")
 )
+searching, sound, fits = map(Truth, ("searching", "sound", "fits"))
 
 
 def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
@@ -145,15 +143,26 @@ KERNELS = {
             "1 near the surface that the ball left, where F/t is known better than F; the margin.",
         ),
         decision(
+            "opened",
+            {"time": time, "latest": horizon},
+            "When the first window opens, in single precision, and when the last one ends.",
+        ),
+        decision(
             "coarse",
-            {"leaping": every(searching, fits)},
-            "Whether a search begins in single precision.",
+            {
+                "leaping": every(searching, sound, fits),
+                "searching": some(searching, Not(sound)),
+                "ceiling": ceiling,
+                "flat": flat,
+                "tilt": tilt,
+            },
+            "Whether a search begins in single precision, and what it is known by.",
         ),
         decision(
             "leapt",
             {
-                "arrival": Choose(certain, t + lasting, arrival),
-                "t": t + lasting,
+                "arrival": Choose(certain, since + lasting, arrival),
+                "t": Choose(every(sound, fits), since + lasting, 0),
                 "searching": every(searching, Not(certain), Less(lasting, sp.oo)),
             },
             "What a search in single precision found, and whether it goes on, and from when.",

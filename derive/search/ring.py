@@ -31,6 +31,12 @@ from .polar import PolarApproach, rho_start, steady, swing
 class RingApproach(PolarApproach):
     """The search for the ring: windows, curvature and margins in closed form."""
 
+    unit: ClassVar[sp.Expr] = UNIT_ROUNDOFF
+    """The unit roundoff of what windows are computed in."""
+
+    hardly: ClassVar[sp.Expr] = sp.Rational(1, 2**600)
+    """The square of a horizontal speed at which no times of windows are known."""
+
     ease: ClassVar[sp.Expr] = sp.Rational(1, 2**40)
     """More than what roundings make of the bound on F'', of its size, and of z and rho in it."""
 
@@ -69,11 +75,11 @@ class RingApproach(PolarApproach):
         _, _, z = POSITION
         _, _, vz = VELOCITY
         reach = self.reach
-        error = 8 * UNIT_ROUNDOFF * hold(vz**2 + 2 * g * (sp.Abs(z) + reach))
+        error = 8 * self.unit * hold(vz**2 + 2 * g * (sp.Abs(z) + reach))
         to_bottom = hold(vz**2 + 2 * g * hold(z + reach) + error)
         to_top = hold(vz**2 + 2 * g * hold(z - reach) - error)
         outer, inner = sp.sqrt(to_bottom), sp.sqrt(largest(to_top, 0))
-        pad = hold(16 * UNIT_ROUNDOFF * hold(sp.Abs(vz) + outer), "p_Z")
+        pad = hold(16 * self.unit * hold(sp.Abs(vz) + outer), "p_Z")
         per_g = hold(1 / g)
         first = IfAtMost(0, to_bottom, hold(vz - outer - pad) * per_g, sp.oo)
         last = IfAtMost(0, to_bottom, hold(vz + outer + pad) * per_g, -sp.oo)
@@ -90,13 +96,13 @@ class RingApproach(PolarApproach):
         """
         rho_squared, q, speed_squared, moment = self.polar()
         innermost, outermost = self.radii()
-        error = 16 * UNIT_ROUNDOFF * speed_squared * hold(rho_squared + outermost**2)
+        error = 16 * self.unit * speed_squared * hold(rho_squared + outermost**2)
         enters = hold(speed_squared * outermost**2 - moment**2 + error)
         passes = hold(speed_squared * innermost**2 - moment**2 - error)
         outer, inner = sp.sqrt(enters), sp.sqrt(largest(passes, 0))
-        pad = hold(16 * UNIT_ROUNDOFF * hold(size(q) + size(moment) + outer), "p_A")
+        pad = hold(16 * self.unit * hold(size(q) + size(moment) + outer), "p_A")
         per = hold(1 / speed_squared)
-        hardly = sp.Rational(1, 2**600)
+        hardly = self.hardly
         first = IfAtMost(0, enters, hold(-q - outer - pad) * per, sp.oo)
         last = IfAtMost(0, enters, hold(-q + outer + pad) * per, -sp.oo)
         first = IfLess(hardly, speed_squared, first, -sp.oo)

@@ -43,28 +43,29 @@ def opening(count: int) -> list[tuple[sp.Symbol, sp.Symbol]]:
 
 
 def enter(
-    count: int, first: int = 0, since: sp.Expr = after, without: sp.Expr = t
+    found: Sequence[Window],
+    since: sp.Expr = after,
+    without: sp.Expr = t,
+    stop: sp.Expr = end,
 ) -> dict[str, sp.Basic]:
     """Return the first window that ends later than a time, from then on.
 
     Parameters
     ----------
-    count
-        How many windows a search has.
-    first
-        Those before it have ended by then.
+    found
+        The windows, in order.
     since
         The time.
-    without
-        The time where there is no such window.
+    without, stop
+        The time where there is no such window, and its end.
     """
-    start, stop, found = without, end, Nowhere()
-    for low, high in reversed(opening(count)[first:]):
+    start, opened = without, Nowhere()
+    for low, high in reversed(found):
         begins = hold(largest(since, low))
         opens = Less(begins, high)
         start, stop = Choose(opens, begins, start), Choose(opens, high, stop)
-        found = Either(found, opens)
-    return {"t": start, "end": stop, "searching": found}
+        opened = Either(opened, opens)
+    return {"t": start, "end": stop, "searching": opened}
 
 
 def windows(axes: Sequence[Axis], halves: Sequence[sp.Expr | None]) -> list[Window]:

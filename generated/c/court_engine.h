@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 9a7e37915ce1ad85,
+   Generated from templates/c/engine.h.j2, scene court, derivation 0c69fbe08f24561f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -163,22 +163,13 @@ typedef struct {
     LANES(court_column) open_arrival;
     LANES(court_column) open_ceiling;
     LANES(court_column) open_certain;
-    LANES(court_column) open_end;
+    LANES(court_column) open_fits;
     LANES(court_column) open_flat;
-    LANES(court_column) open_high0;
-    LANES(court_column) open_high1;
-    LANES(court_column) open_high2;
-    LANES(court_column) open_latest;
-    LANES(court_column) open_low0;
-    LANES(court_column) open_low1;
-    LANES(court_column) open_low2;
-    LANES(court_column) open_rho_start;
     LANES(court_column) open_searching;
     LANES(court_column) open_share;
     LANES(court_singles) open_short_t;
-    LANES(court_column) open_steady;
-    LANES(court_column) open_swing;
-    LANES(court_column) open_t;
+    LANES(court_column) open_since;
+    LANES(court_column) open_sound;
     LANES(court_column) open_tilt;
     LANES(court_column) open_leaping_row;
     LANES(court_column) open_leaping_leaping;
@@ -208,34 +199,24 @@ typedef struct {
     LANES(court_singles) open_leaping_short_z;
     LANES(court_column) open_searching_row;
     LANES(court_column) open_searching_arrival;
-    LANES(court_column) open_searching_ceiling;
     LANES(court_column) open_searching_certain;
-    LANES(court_column) open_searching_end;
     LANES(court_column) open_searching_extent;
-    LANES(court_column) open_searching_high0;
-    LANES(court_column) open_searching_high1;
-    LANES(court_column) open_searching_high2;
     LANES(court_column) open_searching_last;
-    LANES(court_column) open_searching_latest;
-    LANES(court_column) open_searching_low0;
-    LANES(court_column) open_searching_low1;
-    LANES(court_column) open_searching_low2;
     LANES(court_column) open_searching_p_ball_radius;
     LANES(court_column) open_searching_p_gravity;
     LANES(court_column) open_searching_p_ring_radius;
     LANES(court_column) open_searching_p_wire_radius;
-    LANES(court_column) open_searching_rho_start;
     LANES(court_column) open_searching_share;
     LANES(court_column) open_searching_speed;
-    LANES(court_column) open_searching_steady;
-    LANES(court_column) open_searching_swing;
     LANES(court_column) open_searching_t;
+    LANES(court_column) open_searching_until;
     LANES(court_column) open_searching_vx;
     LANES(court_column) open_searching_vy;
     LANES(court_column) open_searching_vz;
     LANES(court_column) open_searching_x;
     LANES(court_column) open_searching_y;
     LANES(court_column) open_searching_z;
+    LANES(court_column) open_searching_ceiling;
     LANES(court_column) open_searching_flat;
     LANES(court_column) open_searching_tilt;
     LANES(court_column) open_searching_searching_row;
@@ -295,6 +276,12 @@ typedef struct {
     LANES(court_column) open_p_board_half_width;
     LANES(court_column) open_p_board_thickness;
     LANES(court_column) open_p_board_top;
+    LANES(court_column) open_searching_end;
+    LANES(court_column) open_searching_high0;
+    LANES(court_column) open_searching_high1;
+    LANES(court_column) open_searching_latest;
+    LANES(court_column) open_searching_low0;
+    LANES(court_column) open_searching_low1;
     LANES(court_column) open_searching_p_board_bottom;
     LANES(court_column) open_searching_p_board_distance;
     LANES(court_column) open_searching_p_board_half_width;
@@ -795,114 +782,114 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o101 =
+        const LANES(court_resumed_out) _o100 =
             LANES(court_resumed)(clock, mode, K(0.0), K(0.0));
-        V which = _o101.which;
-        V began = _o101.began;
-        M begins = _o101.begins;
-        M rolling = _o101.rolling;
-        M leaves = _o101.leaves;
-        V nx = _o101.nx;
-        V ny = _o101.ny;
-        V nz = _o101.nz;
-        V gap = _o101.gap;
-        V bent_x = _o101.bent_x;
-        V bent_y = _o101.bent_y;
-        V bent_z = _o101.bent_z;
-        V lift = _o101.lift;
-        V surge = _o101.surge;
-        V snap = _o101.snap;
-        V per_reach = _o101.per_reach;
-        const M _m102 = lanes_both(rows, begins);
-        if (lanes_any(_m102)) {
-            const LANES(court_holding_out) _o103 =
+        V which = _o100.which;
+        V began = _o100.began;
+        M begins = _o100.begins;
+        M rolling = _o100.rolling;
+        M leaves = _o100.leaves;
+        V nx = _o100.nx;
+        V ny = _o100.ny;
+        V nz = _o100.nz;
+        V gap = _o100.gap;
+        V bent_x = _o100.bent_x;
+        V bent_y = _o100.bent_y;
+        V bent_z = _o100.bent_z;
+        V lift = _o100.lift;
+        V surge = _o100.surge;
+        V snap = _o100.snap;
+        V per_reach = _o100.per_reach;
+        const M _m101 = lanes_both(rows, begins);
+        if (lanes_any(_m101)) {
+            const LANES(court_holding_out) _o102 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o103.here;
-            const M _m104 = lanes_both(_m102, here);
+            M here = _o102.here;
+            const M _m103 = lanes_both(_m101, here);
             {
-                const LANES(court_ring_normal_out) _o105 =
+                const LANES(court_ring_normal_out) _o104 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m104, _o105.nx, nx);
-                ny = lanes_select(_m104, _o105.ny, ny);
-                nz = lanes_select(_m104, _o105.nz, nz);
+                nx = lanes_select(_m103, _o104.nx, nx);
+                ny = lanes_select(_m103, _o104.ny, ny);
+                nz = lanes_select(_m103, _o104.nz, nz);
             }
-            const LANES(court_holding_out) _o106 =
+            const LANES(court_holding_out) _o105 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o106.here;
-            const M _m107 = lanes_both(_m102, here);
+            here = _o105.here;
+            const M _m106 = lanes_both(_m101, here);
             {
-                const LANES(court_backboard_normal_out) _o108 =
+                const LANES(court_backboard_normal_out) _o107 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m107, _o108.nx, nx);
-                ny = lanes_select(_m107, _o108.ny, ny);
-                nz = lanes_select(_m107, _o108.nz, nz);
+                nx = lanes_select(_m106, _o107.nx, nx);
+                ny = lanes_select(_m106, _o107.ny, ny);
+                nz = lanes_select(_m106, _o107.nz, nz);
             }
-            const LANES(court_holding_out) _o109 =
+            const LANES(court_holding_out) _o108 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o109.here;
-            const M _m110 = lanes_both(_m102, here);
+            here = _o108.here;
+            const M _m109 = lanes_both(_m101, here);
             {
-                const LANES(court_bridge_normal_out) _o111 =
+                const LANES(court_bridge_normal_out) _o110 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m110, _o111.nx, nx);
-                ny = lanes_select(_m110, _o111.ny, ny);
-                nz = lanes_select(_m110, _o111.nz, nz);
+                nx = lanes_select(_m109, _o110.nx, nx);
+                ny = lanes_select(_m109, _o110.ny, ny);
+                nz = lanes_select(_m109, _o110.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o112 =
+            const LANES(court_roll_turn_rate_out) _o111 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o112.turn_rate;
-            const LANES(court_gripped_out) _o113 =
+            V turn_rate = _o111.turn_rate;
+            const LANES(court_gripped_out) _o112 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o113.rolled_x;
-            V rolled_y = _o113.rolled_y;
-            V rolled_z = _o113.rolled_z;
-            const LANES(court_holding_out) _o114 =
+            V rolled_x = _o112.rolled_x;
+            V rolled_y = _o112.rolled_y;
+            V rolled_z = _o112.rolled_z;
+            const LANES(court_holding_out) _o113 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o114.here;
-            const M _m115 = lanes_both(_m102, here);
+            here = _o113.here;
+            const M _m114 = lanes_both(_m101, here);
             {
-                const LANES(court_ring_off_out) _o116 =
+                const LANES(court_ring_off_out) _o115 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m115, _o116.gap, gap);
+                gap = lanes_select(_m114, _o115.gap, gap);
             }
-            const LANES(court_holding_out) _o117 =
+            const LANES(court_holding_out) _o116 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o117.here;
-            const M _m118 = lanes_both(_m102, here);
+            here = _o116.here;
+            const M _m117 = lanes_both(_m101, here);
             {
-                const LANES(court_backboard_off_out) _o119 =
+                const LANES(court_backboard_off_out) _o118 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m118, _o119.gap, gap);
+                gap = lanes_select(_m117, _o118.gap, gap);
             }
-            const LANES(court_holding_out) _o120 =
+            const LANES(court_holding_out) _o119 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o120.here;
-            const M _m121 = lanes_both(_m102, here);
+            here = _o119.here;
+            const M _m120 = lanes_both(_m101, here);
             {
-                const LANES(court_bridge_off_out) _o122 =
+                const LANES(court_bridge_off_out) _o121 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m121, _o122.gap, gap);
+                gap = lanes_select(_m120, _o121.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o123 =
+            const LANES(court_roll_placed_out) _o122 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m102, _o123.x, x);
-            y = lanes_select(_m102, _o123.y, y);
-            z = lanes_select(_m102, _o123.z, z);
-            vx = lanes_select(_m102, _o123.vx, vx);
-            vy = lanes_select(_m102, _o123.vy, vy);
-            vz = lanes_select(_m102, _o123.vz, vz);
-            wx = lanes_select(_m102, _o123.wx, wx);
-            wy = lanes_select(_m102, _o123.wy, wy);
-            wz = lanes_select(_m102, _o123.wz, wz);
-            const LANES(court_beginning_contact_out) _o124 =
+            x = lanes_select(_m101, _o122.x, x);
+            y = lanes_select(_m101, _o122.y, y);
+            z = lanes_select(_m101, _o122.z, z);
+            vx = lanes_select(_m101, _o122.vx, vx);
+            vy = lanes_select(_m101, _o122.vy, vy);
+            vz = lanes_select(_m101, _o122.vz, vz);
+            wx = lanes_select(_m101, _o122.wx, wx);
+            wy = lanes_select(_m101, _o122.wy, wy);
+            wz = lanes_select(_m101, _o122.wz, wz);
+            const LANES(court_beginning_contact_out) _o123 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m102, _o124.which, which);
-            circled = lanes_select(_m102, _o124.circled, circled);
+            which = lanes_select(_m101, _o123.which, which);
+            circled = lanes_select(_m101, _o123.circled, circled);
         }
-        const LANES(court_circles_out) _o125 =
+        const LANES(court_circles_out) _o124 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o125.circling;
-        rolling = _o125.rolling;
+        M circling = _o124.circling;
+        rolling = _o124.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -1055,388 +1042,388 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_holding_out) _o126 =
+            const LANES(court_holding_out) _o125 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o126.here;
-            const M _m127 = lanes_both(active, here);
-            if (lanes_any(_m127)) {
-                const LANES(court_backboard_normal_out) _o128 =
+            M here = _o125.here;
+            const M _m126 = lanes_both(active, here);
+            if (lanes_any(_m126)) {
+                const LANES(court_backboard_normal_out) _o127 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m127, _o128.nx, nx);
-                ny = lanes_select(_m127, _o128.ny, ny);
-                nz = lanes_select(_m127, _o128.nz, nz);
-                const LANES(court_backboard_tube_out) _o129 =
+                nx = lanes_select(_m126, _o127.nx, nx);
+                ny = lanes_select(_m126, _o127.ny, ny);
+                nz = lanes_select(_m126, _o127.nz, nz);
+                const LANES(court_backboard_tube_out) _o128 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m127, _o129.bent_x, bent_x);
-                bent_y = lanes_select(_m127, _o129.bent_y, bent_y);
-                bent_z = lanes_select(_m127, _o129.bent_z, bent_z);
-                per_reach = lanes_select(_m127, _o129.per_reach, per_reach);
+                bent_x = lanes_select(_m126, _o128.bent_x, bent_x);
+                bent_y = lanes_select(_m126, _o128.bent_y, bent_y);
+                bent_z = lanes_select(_m126, _o128.bent_z, bent_z);
+                per_reach = lanes_select(_m126, _o128.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o130 =
+            const LANES(court_holding_out) _o129 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o130.here;
-            const M _m131 = lanes_both(active, here);
-            if (lanes_any(_m131)) {
-                const LANES(court_bridge_normal_out) _o132 =
+            here = _o129.here;
+            const M _m130 = lanes_both(active, here);
+            if (lanes_any(_m130)) {
+                const LANES(court_bridge_normal_out) _o131 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m131, _o132.nx, nx);
-                ny = lanes_select(_m131, _o132.ny, ny);
-                nz = lanes_select(_m131, _o132.nz, nz);
-                const LANES(court_bridge_tube_out) _o133 =
+                nx = lanes_select(_m130, _o131.nx, nx);
+                ny = lanes_select(_m130, _o131.ny, ny);
+                nz = lanes_select(_m130, _o131.nz, nz);
+                const LANES(court_bridge_tube_out) _o132 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m131, _o133.bent_x, bent_x);
-                bent_y = lanes_select(_m131, _o133.bent_y, bent_y);
-                bent_z = lanes_select(_m131, _o133.bent_z, bent_z);
-                per_reach = lanes_select(_m131, _o133.per_reach, per_reach);
+                bent_x = lanes_select(_m130, _o132.bent_x, bent_x);
+                bent_y = lanes_select(_m130, _o132.bent_y, bent_y);
+                bent_z = lanes_select(_m130, _o132.bent_z, bent_z);
+                per_reach = lanes_select(_m130, _o132.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o134 =
+            const LANES(court_roll_start_out) _o133 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o134.vx_0;
-            V vy_0 = _o134.vy_0;
-            V vz_0 = _o134.vz_0;
-            V nx_0 = _o134.nx_0;
-            V ny_0 = _o134.ny_0;
-            V nz_0 = _o134.nz_0;
-            V turn_rate_0 = _o134.turn_rate_0;
-            const LANES(court_roll_0_out) _o135 =
+            V vx_0 = _o133.vx_0;
+            V vy_0 = _o133.vy_0;
+            V vz_0 = _o133.vz_0;
+            V nx_0 = _o133.nx_0;
+            V ny_0 = _o133.ny_0;
+            V nz_0 = _o133.nz_0;
+            V turn_rate_0 = _o133.turn_rate_0;
+            const LANES(court_roll_0_out) _o134 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o135.lift_0;
-            V tx_0 = _o135.tx_0;
-            V ty_0 = _o135.ty_0;
-            V tz_0 = _o135.tz_0;
-            V vx_1 = _o135.vx_1;
-            V vy_1 = _o135.vy_1;
-            V vz_1 = _o135.vz_1;
-            V nx_1 = _o135.nx_1;
-            V ny_1 = _o135.ny_1;
-            V nz_1 = _o135.nz_1;
-            V turn_rate_1 = _o135.turn_rate_1;
-            const LANES(court_roll_1_out) _o136 =
+            V lift_0 = _o134.lift_0;
+            V tx_0 = _o134.tx_0;
+            V ty_0 = _o134.ty_0;
+            V tz_0 = _o134.tz_0;
+            V vx_1 = _o134.vx_1;
+            V vy_1 = _o134.vy_1;
+            V vz_1 = _o134.vz_1;
+            V nx_1 = _o134.nx_1;
+            V ny_1 = _o134.ny_1;
+            V nz_1 = _o134.nz_1;
+            V turn_rate_1 = _o134.turn_rate_1;
+            const LANES(court_roll_1_out) _o135 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o136.lift_1;
-            V tx_1 = _o136.tx_1;
-            V ty_1 = _o136.ty_1;
-            V tz_1 = _o136.tz_1;
-            V vx_2 = _o136.vx_2;
-            V vy_2 = _o136.vy_2;
-            V vz_2 = _o136.vz_2;
-            V nx_2 = _o136.nx_2;
-            V ny_2 = _o136.ny_2;
-            V nz_2 = _o136.nz_2;
-            V turn_rate_2 = _o136.turn_rate_2;
-            const LANES(court_roll_2_out) _o137 =
+            V lift_1 = _o135.lift_1;
+            V tx_1 = _o135.tx_1;
+            V ty_1 = _o135.ty_1;
+            V tz_1 = _o135.tz_1;
+            V vx_2 = _o135.vx_2;
+            V vy_2 = _o135.vy_2;
+            V vz_2 = _o135.vz_2;
+            V nx_2 = _o135.nx_2;
+            V ny_2 = _o135.ny_2;
+            V nz_2 = _o135.nz_2;
+            V turn_rate_2 = _o135.turn_rate_2;
+            const LANES(court_roll_2_out) _o136 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o137.lift_2;
-            V tx_2 = _o137.tx_2;
-            V ty_2 = _o137.ty_2;
-            V tz_2 = _o137.tz_2;
-            V vx_3 = _o137.vx_3;
-            V vy_3 = _o137.vy_3;
-            V vz_3 = _o137.vz_3;
-            V nx_3 = _o137.nx_3;
-            V ny_3 = _o137.ny_3;
-            V nz_3 = _o137.nz_3;
-            V turn_rate_3 = _o137.turn_rate_3;
-            const LANES(court_roll_3_out) _o138 =
+            V lift_2 = _o136.lift_2;
+            V tx_2 = _o136.tx_2;
+            V ty_2 = _o136.ty_2;
+            V tz_2 = _o136.tz_2;
+            V vx_3 = _o136.vx_3;
+            V vy_3 = _o136.vy_3;
+            V vz_3 = _o136.vz_3;
+            V nx_3 = _o136.nx_3;
+            V ny_3 = _o136.ny_3;
+            V nz_3 = _o136.nz_3;
+            V turn_rate_3 = _o136.turn_rate_3;
+            const LANES(court_roll_3_out) _o137 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o138.lift_3;
-            V tx_3 = _o138.tx_3;
-            V ty_3 = _o138.ty_3;
-            V tz_3 = _o138.tz_3;
-            V vx_4 = _o138.vx_4;
-            V vy_4 = _o138.vy_4;
-            V vz_4 = _o138.vz_4;
-            V nx_4 = _o138.nx_4;
-            V ny_4 = _o138.ny_4;
-            V nz_4 = _o138.nz_4;
-            V turn_rate_4 = _o138.turn_rate_4;
-            const LANES(court_roll_4_out) _o139 =
+            V lift_3 = _o137.lift_3;
+            V tx_3 = _o137.tx_3;
+            V ty_3 = _o137.ty_3;
+            V tz_3 = _o137.tz_3;
+            V vx_4 = _o137.vx_4;
+            V vy_4 = _o137.vy_4;
+            V vz_4 = _o137.vz_4;
+            V nx_4 = _o137.nx_4;
+            V ny_4 = _o137.ny_4;
+            V nz_4 = _o137.nz_4;
+            V turn_rate_4 = _o137.turn_rate_4;
+            const LANES(court_roll_4_out) _o138 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o139.lift_4;
-            V tx_4 = _o139.tx_4;
-            V ty_4 = _o139.ty_4;
-            V tz_4 = _o139.tz_4;
-            V vx_5 = _o139.vx_5;
-            V vy_5 = _o139.vy_5;
-            V vz_5 = _o139.vz_5;
-            V nx_5 = _o139.nx_5;
-            V ny_5 = _o139.ny_5;
-            V nz_5 = _o139.nz_5;
-            V turn_rate_5 = _o139.turn_rate_5;
-            const LANES(court_roll_5_out) _o140 =
+            V lift_4 = _o138.lift_4;
+            V tx_4 = _o138.tx_4;
+            V ty_4 = _o138.ty_4;
+            V tz_4 = _o138.tz_4;
+            V vx_5 = _o138.vx_5;
+            V vy_5 = _o138.vy_5;
+            V vz_5 = _o138.vz_5;
+            V nx_5 = _o138.nx_5;
+            V ny_5 = _o138.ny_5;
+            V nz_5 = _o138.nz_5;
+            V turn_rate_5 = _o138.turn_rate_5;
+            const LANES(court_roll_5_out) _o139 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o140.lift_5;
-            V tx_5 = _o140.tx_5;
-            V ty_5 = _o140.ty_5;
-            V tz_5 = _o140.tz_5;
-            V vx_6 = _o140.vx_6;
-            V vy_6 = _o140.vy_6;
-            V vz_6 = _o140.vz_6;
-            V nx_6 = _o140.nx_6;
-            V ny_6 = _o140.ny_6;
-            V nz_6 = _o140.nz_6;
-            V turn_rate_6 = _o140.turn_rate_6;
-            const LANES(court_roll_6_out) _o141 =
+            V lift_5 = _o139.lift_5;
+            V tx_5 = _o139.tx_5;
+            V ty_5 = _o139.ty_5;
+            V tz_5 = _o139.tz_5;
+            V vx_6 = _o139.vx_6;
+            V vy_6 = _o139.vy_6;
+            V vz_6 = _o139.vz_6;
+            V nx_6 = _o139.nx_6;
+            V ny_6 = _o139.ny_6;
+            V nz_6 = _o139.nz_6;
+            V turn_rate_6 = _o139.turn_rate_6;
+            const LANES(court_roll_6_out) _o140 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o141.lift_6;
-            V tx_6 = _o141.tx_6;
-            V ty_6 = _o141.ty_6;
-            V tz_6 = _o141.tz_6;
-            V vx_7 = _o141.vx_7;
-            V vy_7 = _o141.vy_7;
-            V vz_7 = _o141.vz_7;
-            V nx_7 = _o141.nx_7;
-            V ny_7 = _o141.ny_7;
-            V nz_7 = _o141.nz_7;
-            V turn_rate_7 = _o141.turn_rate_7;
-            const LANES(court_roll_7_out) _o142 =
+            V lift_6 = _o140.lift_6;
+            V tx_6 = _o140.tx_6;
+            V ty_6 = _o140.ty_6;
+            V tz_6 = _o140.tz_6;
+            V vx_7 = _o140.vx_7;
+            V vy_7 = _o140.vy_7;
+            V vz_7 = _o140.vz_7;
+            V nx_7 = _o140.nx_7;
+            V ny_7 = _o140.ny_7;
+            V nz_7 = _o140.nz_7;
+            V turn_rate_7 = _o140.turn_rate_7;
+            const LANES(court_roll_7_out) _o141 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o142.lift_7;
-            V vx_8 = _o142.vx_8;
-            V vy_8 = _o142.vy_8;
-            V vz_8 = _o142.vz_8;
-            V nx_8 = _o142.nx_8;
-            V ny_8 = _o142.ny_8;
-            V nz_8 = _o142.nz_8;
-            V turn_rate_8 = _o142.turn_rate_8;
-            const LANES(court_roll_pace_out) _o143 =
+            V lift_7 = _o141.lift_7;
+            V vx_8 = _o141.vx_8;
+            V vy_8 = _o141.vy_8;
+            V vz_8 = _o141.vz_8;
+            V nx_8 = _o141.nx_8;
+            V ny_8 = _o141.ny_8;
+            V nz_8 = _o141.nz_8;
+            V turn_rate_8 = _o141.turn_rate_8;
+            const LANES(court_roll_pace_out) _o142 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o143.stride;
-            V strongest = _o143.strongest;
-            V fastest = _o143.fastest;
-            V force = _o143.force;
-            V force_rate = _o143.force_rate;
-            V force_bend = _o143.force_bend;
-            V brace = _o143.brace;
-            const LANES(court_leaving_force_out) _o144 =
+            V stride = _o142.stride;
+            V strongest = _o142.strongest;
+            V fastest = _o142.fastest;
+            V force = _o142.force;
+            V force_rate = _o142.force_rate;
+            V force_bend = _o142.force_bend;
+            V brace = _o142.brace;
+            const LANES(court_leaving_force_out) _o143 =
                 LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o144.stride;
-            which = _o144.which;
-            M rests = _o144.rests;
-            const LANES(court_beside_out) _o145 =
+            stride = _o143.stride;
+            which = _o143.which;
+            M rests = _o143.rests;
+            const LANES(court_beside_out) _o144 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o145.beside;
-            const M _m146 = lanes_both(active, beside);
-            if (lanes_any(_m146)) {
-                const LANES(court_ring_beside_out) _o147 =
+            M beside = _o144.beside;
+            const M _m145 = lanes_both(active, beside);
+            if (lanes_any(_m145)) {
+                const LANES(court_ring_beside_out) _o146 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o147.gap;
-                V nearing = _o147.nearing;
-                V dent = _o147.dent;
-                const LANES(court_beside_body_out) _o148 =
+                V gap = _o146.gap;
+                V nearing = _o146.nearing;
+                V dent = _o146.dent;
+                const LANES(court_beside_body_out) _o147 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(0.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m146, _o148.stride, stride);
-                which = lanes_select(_m146, _o148.which, which);
+                stride = lanes_select(_m145, _o147.stride, stride);
+                which = lanes_select(_m145, _o147.which, which);
             }
-            const LANES(court_beside_out) _o149 =
+            const LANES(court_beside_out) _o148 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o149.beside;
-            const M _m150 = lanes_both(active, beside);
-            if (lanes_any(_m150)) {
-                const LANES(court_backboard_beside_out) _o151 =
+            beside = _o148.beside;
+            const M _m149 = lanes_both(active, beside);
+            if (lanes_any(_m149)) {
+                const LANES(court_backboard_beside_out) _o150 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o151.gap;
-                V nearing = _o151.nearing;
-                V dent = _o151.dent;
-                const LANES(court_beside_body_out) _o152 =
+                V gap = _o150.gap;
+                V nearing = _o150.nearing;
+                V dent = _o150.dent;
+                const LANES(court_beside_body_out) _o151 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m150, _o152.stride, stride);
-                which = lanes_select(_m150, _o152.which, which);
+                stride = lanes_select(_m149, _o151.stride, stride);
+                which = lanes_select(_m149, _o151.which, which);
             }
-            const LANES(court_beside_out) _o153 =
+            const LANES(court_beside_out) _o152 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o153.beside;
-            const M _m154 = lanes_both(active, beside);
-            if (lanes_any(_m154)) {
-                const LANES(court_bridge_beside_out) _o155 =
+            beside = _o152.beside;
+            const M _m153 = lanes_both(active, beside);
+            if (lanes_any(_m153)) {
+                const LANES(court_bridge_beside_out) _o154 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o155.gap;
-                V nearing = _o155.nearing;
-                V dent = _o155.dent;
-                const LANES(court_beside_body_out) _o156 =
+                V gap = _o154.gap;
+                V nearing = _o154.nearing;
+                V dent = _o154.dent;
+                const LANES(court_beside_body_out) _o155 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m154, _o156.stride, stride);
-                which = lanes_select(_m154, _o156.which, which);
+                stride = lanes_select(_m153, _o155.stride, stride);
+                which = lanes_select(_m153, _o155.which, which);
             }
-            const LANES(court_end_beside_out) _o157 =
+            const LANES(court_end_beside_out) _o156 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o157.gap;
-            V nearing = _o157.nearing;
-            V dent = _o157.dent;
-            const LANES(court_beside_gate_out) _o158 =
+            V gap = _o156.gap;
+            V nearing = _o156.nearing;
+            V dent = _o156.dent;
+            const LANES(court_beside_gate_out) _o157 =
                 LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o158.stride;
-            which = _o158.which;
-            const LANES(court_holding_out) _o159 =
+            stride = _o157.stride;
+            which = _o157.which;
+            const LANES(court_holding_out) _o158 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o159.here;
-            const M _m160 = lanes_both(active, here);
-            if (lanes_any(_m160)) {
-                const LANES(court_backboard_seam0_out) _o161 =
+            here = _o158.here;
+            const M _m159 = lanes_both(active, here);
+            if (lanes_any(_m159)) {
+                const LANES(court_backboard_seam0_out) _o160 =
                     LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m160, _o161.gap, gap);
-                V nearing = _o161.nearing;
-                V near = _o161.near;
-                const LANES(court_beside_seam_out) _o162 =
+                gap = lanes_select(_m159, _o160.gap, gap);
+                V nearing = _o160.nearing;
+                V near = _o160.near;
+                const LANES(court_beside_seam_out) _o161 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m160, _o162.stride, stride);
-                const LANES(court_backboard_seam1_out) _o163 =
+                stride = lanes_select(_m159, _o161.stride, stride);
+                const LANES(court_backboard_seam1_out) _o162 =
                     LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m160, _o163.gap, gap);
-                nearing = _o163.nearing;
-                near = _o163.near;
-                const LANES(court_beside_seam_out) _o164 =
+                gap = lanes_select(_m159, _o162.gap, gap);
+                nearing = _o162.nearing;
+                near = _o162.near;
+                const LANES(court_beside_seam_out) _o163 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m160, _o164.stride, stride);
-                const LANES(court_backboard_seam2_out) _o165 =
+                stride = lanes_select(_m159, _o163.stride, stride);
+                const LANES(court_backboard_seam2_out) _o164 =
                     LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m160, _o165.gap, gap);
-                nearing = _o165.nearing;
-                near = _o165.near;
-                const LANES(court_beside_seam_out) _o166 =
+                gap = lanes_select(_m159, _o164.gap, gap);
+                nearing = _o164.nearing;
+                near = _o164.near;
+                const LANES(court_beside_seam_out) _o165 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m160, _o166.stride, stride);
-                const LANES(court_backboard_seam3_out) _o167 =
+                stride = lanes_select(_m159, _o165.stride, stride);
+                const LANES(court_backboard_seam3_out) _o166 =
                     LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m160, _o167.gap, gap);
-                nearing = _o167.nearing;
-                near = _o167.near;
-                const LANES(court_beside_seam_out) _o168 =
+                gap = lanes_select(_m159, _o166.gap, gap);
+                nearing = _o166.nearing;
+                near = _o166.near;
+                const LANES(court_beside_seam_out) _o167 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m160, _o168.stride, stride);
-                const LANES(court_backboard_seam4_out) _o169 =
+                stride = lanes_select(_m159, _o167.stride, stride);
+                const LANES(court_backboard_seam4_out) _o168 =
                     LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m160, _o169.gap, gap);
-                nearing = _o169.nearing;
-                near = _o169.near;
-                const LANES(court_beside_seam_out) _o170 =
+                gap = lanes_select(_m159, _o168.gap, gap);
+                nearing = _o168.nearing;
+                near = _o168.near;
+                const LANES(court_beside_seam_out) _o169 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m160, _o170.stride, stride);
-                const LANES(court_backboard_seam5_out) _o171 =
+                stride = lanes_select(_m159, _o169.stride, stride);
+                const LANES(court_backboard_seam5_out) _o170 =
                     LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m160, _o171.gap, gap);
-                nearing = _o171.nearing;
-                near = _o171.near;
-                const LANES(court_beside_seam_out) _o172 =
+                gap = lanes_select(_m159, _o170.gap, gap);
+                nearing = _o170.nearing;
+                near = _o170.near;
+                const LANES(court_beside_seam_out) _o171 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m160, _o172.stride, stride);
+                stride = lanes_select(_m159, _o171.stride, stride);
             }
-            const LANES(court_holding_out) _o173 =
+            const LANES(court_holding_out) _o172 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o173.here;
-            const M _m174 = lanes_both(active, here);
-            if (lanes_any(_m174)) {
-                const LANES(court_bridge_seam0_out) _o175 =
+            here = _o172.here;
+            const M _m173 = lanes_both(active, here);
+            if (lanes_any(_m173)) {
+                const LANES(court_bridge_seam0_out) _o174 =
                     LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m174, _o175.gap, gap);
-                V nearing = _o175.nearing;
-                V near = _o175.near;
-                const LANES(court_beside_seam_out) _o176 =
+                gap = lanes_select(_m173, _o174.gap, gap);
+                V nearing = _o174.nearing;
+                V near = _o174.near;
+                const LANES(court_beside_seam_out) _o175 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m174, _o176.stride, stride);
-                const LANES(court_bridge_seam1_out) _o177 =
+                stride = lanes_select(_m173, _o175.stride, stride);
+                const LANES(court_bridge_seam1_out) _o176 =
                     LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m174, _o177.gap, gap);
-                nearing = _o177.nearing;
-                near = _o177.near;
-                const LANES(court_beside_seam_out) _o178 =
+                gap = lanes_select(_m173, _o176.gap, gap);
+                nearing = _o176.nearing;
+                near = _o176.near;
+                const LANES(court_beside_seam_out) _o177 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m174, _o178.stride, stride);
-                const LANES(court_bridge_seam2_out) _o179 =
+                stride = lanes_select(_m173, _o177.stride, stride);
+                const LANES(court_bridge_seam2_out) _o178 =
                     LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m174, _o179.gap, gap);
-                nearing = _o179.nearing;
-                near = _o179.near;
-                const LANES(court_beside_seam_out) _o180 =
+                gap = lanes_select(_m173, _o178.gap, gap);
+                nearing = _o178.nearing;
+                near = _o178.near;
+                const LANES(court_beside_seam_out) _o179 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m174, _o180.stride, stride);
-                const LANES(court_bridge_seam3_out) _o181 =
+                stride = lanes_select(_m173, _o179.stride, stride);
+                const LANES(court_bridge_seam3_out) _o180 =
                     LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m174, _o181.gap, gap);
-                nearing = _o181.nearing;
-                near = _o181.near;
-                const LANES(court_beside_seam_out) _o182 =
+                gap = lanes_select(_m173, _o180.gap, gap);
+                nearing = _o180.nearing;
+                near = _o180.near;
+                const LANES(court_beside_seam_out) _o181 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m174, _o182.stride, stride);
-                const LANES(court_bridge_seam4_out) _o183 =
+                stride = lanes_select(_m173, _o181.stride, stride);
+                const LANES(court_bridge_seam4_out) _o182 =
                     LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m174, _o183.gap, gap);
-                nearing = _o183.nearing;
-                near = _o183.near;
-                const LANES(court_beside_seam_out) _o184 =
+                gap = lanes_select(_m173, _o182.gap, gap);
+                nearing = _o182.nearing;
+                near = _o182.near;
+                const LANES(court_beside_seam_out) _o183 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m174, _o184.stride, stride);
-                const LANES(court_bridge_seam5_out) _o185 =
+                stride = lanes_select(_m173, _o183.stride, stride);
+                const LANES(court_bridge_seam5_out) _o184 =
                     LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m174, _o185.gap, gap);
-                nearing = _o185.nearing;
-                near = _o185.near;
-                const LANES(court_beside_seam_out) _o186 =
+                gap = lanes_select(_m173, _o184.gap, gap);
+                nearing = _o184.nearing;
+                near = _o184.near;
+                const LANES(court_beside_seam_out) _o185 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m174, _o186.stride, stride);
+                stride = lanes_select(_m173, _o185.stride, stride);
             }
-            const LANES(court_beside_time_out) _o187 =
+            const LANES(court_beside_time_out) _o186 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o187.stride;
-            which = _o187.which;
-            const LANES(court_passing_from_out) _o188 =
+            stride = _o186.stride;
+            which = _o186.which;
+            const LANES(court_passing_from_out) _o187 =
                 LANES(court_passing_from)(z);
-            M over = _o188.over;
-            const LANES(court_roll_moved_out) _o189 =
+            M over = _o187.over;
+            const LANES(court_roll_moved_out) _o188 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o189.x;
-            vx = _o189.vx;
-            y = _o189.y;
-            vy = _o189.vy;
-            z = _o189.z;
-            vz = _o189.vz;
-            V turn_rate = _o189.turn_rate;
-            const LANES(court_holding_out) _o190 =
+            x = _o188.x;
+            vx = _o188.vx;
+            y = _o188.y;
+            vy = _o188.vy;
+            z = _o188.z;
+            vz = _o188.vz;
+            V turn_rate = _o188.turn_rate;
+            const LANES(court_holding_out) _o189 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o190.here;
-            const M _m191 = lanes_both(active, here);
-            if (lanes_any(_m191)) {
-                const LANES(court_backboard_normal_out) _o192 =
+            here = _o189.here;
+            const M _m190 = lanes_both(active, here);
+            if (lanes_any(_m190)) {
+                const LANES(court_backboard_normal_out) _o191 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m191, _o192.nx, nx);
-                ny = lanes_select(_m191, _o192.ny, ny);
-                nz = lanes_select(_m191, _o192.nz, nz);
-                const LANES(court_backboard_off_out) _o193 =
+                nx = lanes_select(_m190, _o191.nx, nx);
+                ny = lanes_select(_m190, _o191.ny, ny);
+                nz = lanes_select(_m190, _o191.nz, nz);
+                const LANES(court_backboard_off_out) _o192 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m191, _o193.gap, gap);
+                gap = lanes_select(_m190, _o192.gap, gap);
             }
-            const LANES(court_holding_out) _o194 =
+            const LANES(court_holding_out) _o193 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o194.here;
-            const M _m195 = lanes_both(active, here);
-            if (lanes_any(_m195)) {
-                const LANES(court_bridge_normal_out) _o196 =
+            here = _o193.here;
+            const M _m194 = lanes_both(active, here);
+            if (lanes_any(_m194)) {
+                const LANES(court_bridge_normal_out) _o195 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m195, _o196.nx, nx);
-                ny = lanes_select(_m195, _o196.ny, ny);
-                nz = lanes_select(_m195, _o196.nz, nz);
-                const LANES(court_bridge_off_out) _o197 =
+                nx = lanes_select(_m194, _o195.nx, nx);
+                ny = lanes_select(_m194, _o195.ny, ny);
+                nz = lanes_select(_m194, _o195.nz, nz);
+                const LANES(court_bridge_off_out) _o196 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m195, _o197.gap, gap);
+                gap = lanes_select(_m194, _o196.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o198 =
+            const LANES(court_roll_placed_out) _o197 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o198.x;
-            y = _o198.y;
-            z = _o198.z;
-            vx = _o198.vx;
-            vy = _o198.vy;
-            vz = _o198.vz;
-            wx = _o198.wx;
-            wy = _o198.wy;
-            wz = _o198.wz;
-            const LANES(court_passing_in_contact_out) _o199 =
+            x = _o197.x;
+            y = _o197.y;
+            z = _o197.z;
+            vx = _o197.vx;
+            vy = _o197.vy;
+            vz = _o197.vz;
+            wx = _o197.wx;
+            wy = _o197.wy;
+            wz = _o197.wz;
+            const LANES(court_passing_in_contact_out) _o198 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o199.through;
-            const LANES(court_rolled_on_out) _o200 =
+            through = _o198.through;
+            const LANES(court_rolled_on_out) _o199 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o200.clock;
-            rolling = _o200.rolling;
+            clock = _o199.clock;
+            rolling = _o199.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -1639,320 +1626,320 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_ring_tube_out) _o201 =
+            const LANES(court_ring_tube_out) _o200 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o201.per_reach;
-            const LANES(court_ring_round_start_out) _o202 =
+            V per_reach = _o200.per_reach;
+            const LANES(court_ring_round_start_out) _o201 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o202.cosine_0;
-            V sine_0 = _o202.sine_0;
-            V climb_0 = _o202.climb_0;
-            V along_0 = _o202.along_0;
-            V turn_rate_0 = _o202.turn_rate_0;
-            V cos_0 = _o202.cos_0;
-            V sin_0 = _o202.sin_0;
-            V near_0 = _o202.near_0;
-            const LANES(court_ring_round_0_out) _o203 =
+            V cosine_0 = _o201.cosine_0;
+            V sine_0 = _o201.sine_0;
+            V climb_0 = _o201.climb_0;
+            V along_0 = _o201.along_0;
+            V turn_rate_0 = _o201.turn_rate_0;
+            V cos_0 = _o201.cos_0;
+            V sin_0 = _o201.sin_0;
+            V near_0 = _o201.near_0;
+            const LANES(court_ring_round_0_out) _o202 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o203.omega_0;
-            V around_0 = _o203.around_0;
-            V tilted_0 = _o203.tilted_0;
-            V pressed_0 = _o203.pressed_0;
-            V force_0 = _o203.force_0;
-            V cosine_1 = _o203.cosine_1;
-            V sine_1 = _o203.sine_1;
-            V climb_1 = _o203.climb_1;
-            V along_1 = _o203.along_1;
-            V turn_rate_1 = _o203.turn_rate_1;
-            V cos_1 = _o203.cos_1;
-            V sin_1 = _o203.sin_1;
-            const LANES(court_ring_round_1_out) _o204 =
+            V omega_0 = _o202.omega_0;
+            V around_0 = _o202.around_0;
+            V tilted_0 = _o202.tilted_0;
+            V pressed_0 = _o202.pressed_0;
+            V force_0 = _o202.force_0;
+            V cosine_1 = _o202.cosine_1;
+            V sine_1 = _o202.sine_1;
+            V climb_1 = _o202.climb_1;
+            V along_1 = _o202.along_1;
+            V turn_rate_1 = _o202.turn_rate_1;
+            V cos_1 = _o202.cos_1;
+            V sin_1 = _o202.sin_1;
+            const LANES(court_ring_round_1_out) _o203 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o204.near_1;
-            V omega_1 = _o204.omega_1;
-            V around_1 = _o204.around_1;
-            V tilted_1 = _o204.tilted_1;
-            V pressed_1 = _o204.pressed_1;
-            V force_1 = _o204.force_1;
-            V cosine_2 = _o204.cosine_2;
-            V sine_2 = _o204.sine_2;
-            V climb_2 = _o204.climb_2;
-            V along_2 = _o204.along_2;
-            V turn_rate_2 = _o204.turn_rate_2;
-            V cos_2 = _o204.cos_2;
-            V sin_2 = _o204.sin_2;
-            const LANES(court_ring_round_2_out) _o205 =
+            V near_1 = _o203.near_1;
+            V omega_1 = _o203.omega_1;
+            V around_1 = _o203.around_1;
+            V tilted_1 = _o203.tilted_1;
+            V pressed_1 = _o203.pressed_1;
+            V force_1 = _o203.force_1;
+            V cosine_2 = _o203.cosine_2;
+            V sine_2 = _o203.sine_2;
+            V climb_2 = _o203.climb_2;
+            V along_2 = _o203.along_2;
+            V turn_rate_2 = _o203.turn_rate_2;
+            V cos_2 = _o203.cos_2;
+            V sin_2 = _o203.sin_2;
+            const LANES(court_ring_round_2_out) _o204 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o205.near_2;
-            V omega_2 = _o205.omega_2;
-            V around_2 = _o205.around_2;
-            V tilted_2 = _o205.tilted_2;
-            V pressed_2 = _o205.pressed_2;
-            V force_2 = _o205.force_2;
-            V cosine_3 = _o205.cosine_3;
-            V sine_3 = _o205.sine_3;
-            V climb_3 = _o205.climb_3;
-            V along_3 = _o205.along_3;
-            V turn_rate_3 = _o205.turn_rate_3;
-            V cos_3 = _o205.cos_3;
-            V sin_3 = _o205.sin_3;
-            const LANES(court_ring_round_3_out) _o206 =
+            V near_2 = _o204.near_2;
+            V omega_2 = _o204.omega_2;
+            V around_2 = _o204.around_2;
+            V tilted_2 = _o204.tilted_2;
+            V pressed_2 = _o204.pressed_2;
+            V force_2 = _o204.force_2;
+            V cosine_3 = _o204.cosine_3;
+            V sine_3 = _o204.sine_3;
+            V climb_3 = _o204.climb_3;
+            V along_3 = _o204.along_3;
+            V turn_rate_3 = _o204.turn_rate_3;
+            V cos_3 = _o204.cos_3;
+            V sin_3 = _o204.sin_3;
+            const LANES(court_ring_round_3_out) _o205 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o206.near_3;
-            V omega_3 = _o206.omega_3;
-            V around_3 = _o206.around_3;
-            V tilted_3 = _o206.tilted_3;
-            V pressed_3 = _o206.pressed_3;
-            V force_3 = _o206.force_3;
-            V cosine_4 = _o206.cosine_4;
-            V sine_4 = _o206.sine_4;
-            V climb_4 = _o206.climb_4;
-            V along_4 = _o206.along_4;
-            V turn_rate_4 = _o206.turn_rate_4;
-            V cos_4 = _o206.cos_4;
-            V sin_4 = _o206.sin_4;
-            const LANES(court_ring_round_4_out) _o207 =
+            V near_3 = _o205.near_3;
+            V omega_3 = _o205.omega_3;
+            V around_3 = _o205.around_3;
+            V tilted_3 = _o205.tilted_3;
+            V pressed_3 = _o205.pressed_3;
+            V force_3 = _o205.force_3;
+            V cosine_4 = _o205.cosine_4;
+            V sine_4 = _o205.sine_4;
+            V climb_4 = _o205.climb_4;
+            V along_4 = _o205.along_4;
+            V turn_rate_4 = _o205.turn_rate_4;
+            V cos_4 = _o205.cos_4;
+            V sin_4 = _o205.sin_4;
+            const LANES(court_ring_round_4_out) _o206 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o207.near_4;
-            V omega_4 = _o207.omega_4;
-            V around_4 = _o207.around_4;
-            V tilted_4 = _o207.tilted_4;
-            V pressed_4 = _o207.pressed_4;
-            V force_4 = _o207.force_4;
-            V cosine_5 = _o207.cosine_5;
-            V sine_5 = _o207.sine_5;
-            V climb_5 = _o207.climb_5;
-            V along_5 = _o207.along_5;
-            V turn_rate_5 = _o207.turn_rate_5;
-            V cos_5 = _o207.cos_5;
-            V sin_5 = _o207.sin_5;
-            const LANES(court_ring_round_5_out) _o208 =
+            V near_4 = _o206.near_4;
+            V omega_4 = _o206.omega_4;
+            V around_4 = _o206.around_4;
+            V tilted_4 = _o206.tilted_4;
+            V pressed_4 = _o206.pressed_4;
+            V force_4 = _o206.force_4;
+            V cosine_5 = _o206.cosine_5;
+            V sine_5 = _o206.sine_5;
+            V climb_5 = _o206.climb_5;
+            V along_5 = _o206.along_5;
+            V turn_rate_5 = _o206.turn_rate_5;
+            V cos_5 = _o206.cos_5;
+            V sin_5 = _o206.sin_5;
+            const LANES(court_ring_round_5_out) _o207 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o208.near_5;
-            V omega_5 = _o208.omega_5;
-            V around_5 = _o208.around_5;
-            V tilted_5 = _o208.tilted_5;
-            V pressed_5 = _o208.pressed_5;
-            V force_5 = _o208.force_5;
-            V cosine_6 = _o208.cosine_6;
-            V sine_6 = _o208.sine_6;
-            V climb_6 = _o208.climb_6;
-            V along_6 = _o208.along_6;
-            V turn_rate_6 = _o208.turn_rate_6;
-            V cos_6 = _o208.cos_6;
-            V sin_6 = _o208.sin_6;
-            const LANES(court_ring_round_6_out) _o209 =
+            V near_5 = _o207.near_5;
+            V omega_5 = _o207.omega_5;
+            V around_5 = _o207.around_5;
+            V tilted_5 = _o207.tilted_5;
+            V pressed_5 = _o207.pressed_5;
+            V force_5 = _o207.force_5;
+            V cosine_6 = _o207.cosine_6;
+            V sine_6 = _o207.sine_6;
+            V climb_6 = _o207.climb_6;
+            V along_6 = _o207.along_6;
+            V turn_rate_6 = _o207.turn_rate_6;
+            V cos_6 = _o207.cos_6;
+            V sin_6 = _o207.sin_6;
+            const LANES(court_ring_round_6_out) _o208 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o209.near_6;
-            V omega_6 = _o209.omega_6;
-            V around_6 = _o209.around_6;
-            V tilted_6 = _o209.tilted_6;
-            V pressed_6 = _o209.pressed_6;
-            V force_6 = _o209.force_6;
-            V cosine_7 = _o209.cosine_7;
-            V sine_7 = _o209.sine_7;
-            V climb_7 = _o209.climb_7;
-            V along_7 = _o209.along_7;
-            V turn_rate_7 = _o209.turn_rate_7;
-            V cos_7 = _o209.cos_7;
-            V sin_7 = _o209.sin_7;
-            const LANES(court_ring_round_7_out) _o210 =
+            V near_6 = _o208.near_6;
+            V omega_6 = _o208.omega_6;
+            V around_6 = _o208.around_6;
+            V tilted_6 = _o208.tilted_6;
+            V pressed_6 = _o208.pressed_6;
+            V force_6 = _o208.force_6;
+            V cosine_7 = _o208.cosine_7;
+            V sine_7 = _o208.sine_7;
+            V climb_7 = _o208.climb_7;
+            V along_7 = _o208.along_7;
+            V turn_rate_7 = _o208.turn_rate_7;
+            V cos_7 = _o208.cos_7;
+            V sin_7 = _o208.sin_7;
+            const LANES(court_ring_round_7_out) _o209 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o210.near_7;
-            V omega_7 = _o210.omega_7;
-            V around_7 = _o210.around_7;
-            V tilted_7 = _o210.tilted_7;
-            V pressed_7 = _o210.pressed_7;
-            V force_7 = _o210.force_7;
-            V cosine_8 = _o210.cosine_8;
-            V sine_8 = _o210.sine_8;
-            V climb_8 = _o210.climb_8;
-            V along_8 = _o210.along_8;
-            V turn_rate_8 = _o210.turn_rate_8;
-            V cos_8 = _o210.cos_8;
-            V sin_8 = _o210.sin_8;
-            const LANES(court_ring_round_8_out) _o211 =
+            V near_7 = _o209.near_7;
+            V omega_7 = _o209.omega_7;
+            V around_7 = _o209.around_7;
+            V tilted_7 = _o209.tilted_7;
+            V pressed_7 = _o209.pressed_7;
+            V force_7 = _o209.force_7;
+            V cosine_8 = _o209.cosine_8;
+            V sine_8 = _o209.sine_8;
+            V climb_8 = _o209.climb_8;
+            V along_8 = _o209.along_8;
+            V turn_rate_8 = _o209.turn_rate_8;
+            V cos_8 = _o209.cos_8;
+            V sin_8 = _o209.sin_8;
+            const LANES(court_ring_round_8_out) _o210 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o211.near_8;
-            V omega_8 = _o211.omega_8;
-            V around_8 = _o211.around_8;
-            V tilted_8 = _o211.tilted_8;
-            V pressed_8 = _o211.pressed_8;
-            V force_8 = _o211.force_8;
-            V cosine_9 = _o211.cosine_9;
-            V sine_9 = _o211.sine_9;
-            V climb_9 = _o211.climb_9;
-            V along_9 = _o211.along_9;
-            V turn_rate_9 = _o211.turn_rate_9;
-            V cos_9 = _o211.cos_9;
-            V sin_9 = _o211.sin_9;
-            const LANES(court_ring_round_9_out) _o212 =
+            V near_8 = _o210.near_8;
+            V omega_8 = _o210.omega_8;
+            V around_8 = _o210.around_8;
+            V tilted_8 = _o210.tilted_8;
+            V pressed_8 = _o210.pressed_8;
+            V force_8 = _o210.force_8;
+            V cosine_9 = _o210.cosine_9;
+            V sine_9 = _o210.sine_9;
+            V climb_9 = _o210.climb_9;
+            V along_9 = _o210.along_9;
+            V turn_rate_9 = _o210.turn_rate_9;
+            V cos_9 = _o210.cos_9;
+            V sin_9 = _o210.sin_9;
+            const LANES(court_ring_round_9_out) _o211 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o212.near_9;
-            V omega_9 = _o212.omega_9;
-            V around_9 = _o212.around_9;
-            V tilted_9 = _o212.tilted_9;
-            V pressed_9 = _o212.pressed_9;
-            V force_9 = _o212.force_9;
-            V cosine_10 = _o212.cosine_10;
-            V sine_10 = _o212.sine_10;
-            V climb_10 = _o212.climb_10;
-            V along_10 = _o212.along_10;
-            V turn_rate_10 = _o212.turn_rate_10;
-            V cos_10 = _o212.cos_10;
-            V sin_10 = _o212.sin_10;
-            const LANES(court_ring_round_10_out) _o213 =
+            V near_9 = _o211.near_9;
+            V omega_9 = _o211.omega_9;
+            V around_9 = _o211.around_9;
+            V tilted_9 = _o211.tilted_9;
+            V pressed_9 = _o211.pressed_9;
+            V force_9 = _o211.force_9;
+            V cosine_10 = _o211.cosine_10;
+            V sine_10 = _o211.sine_10;
+            V climb_10 = _o211.climb_10;
+            V along_10 = _o211.along_10;
+            V turn_rate_10 = _o211.turn_rate_10;
+            V cos_10 = _o211.cos_10;
+            V sin_10 = _o211.sin_10;
+            const LANES(court_ring_round_10_out) _o212 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o213.near_10;
-            V omega_10 = _o213.omega_10;
-            V around_10 = _o213.around_10;
-            V tilted_10 = _o213.tilted_10;
-            V pressed_10 = _o213.pressed_10;
-            V force_10 = _o213.force_10;
-            V cosine_11 = _o213.cosine_11;
-            V sine_11 = _o213.sine_11;
-            V climb_11 = _o213.climb_11;
-            V along_11 = _o213.along_11;
-            V turn_rate_11 = _o213.turn_rate_11;
-            V cos_11 = _o213.cos_11;
-            V sin_11 = _o213.sin_11;
-            const LANES(court_ring_round_11_out) _o214 =
+            V near_10 = _o212.near_10;
+            V omega_10 = _o212.omega_10;
+            V around_10 = _o212.around_10;
+            V tilted_10 = _o212.tilted_10;
+            V pressed_10 = _o212.pressed_10;
+            V force_10 = _o212.force_10;
+            V cosine_11 = _o212.cosine_11;
+            V sine_11 = _o212.sine_11;
+            V climb_11 = _o212.climb_11;
+            V along_11 = _o212.along_11;
+            V turn_rate_11 = _o212.turn_rate_11;
+            V cos_11 = _o212.cos_11;
+            V sin_11 = _o212.sin_11;
+            const LANES(court_ring_round_11_out) _o213 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o214.force_11;
-            V cosine_12 = _o214.cosine_12;
-            V sine_12 = _o214.sine_12;
-            V climb_12 = _o214.climb_12;
-            V along_12 = _o214.along_12;
-            V turn_rate_12 = _o214.turn_rate_12;
-            V cos_12 = _o214.cos_12;
-            V sin_12 = _o214.sin_12;
-            const LANES(court_ring_round_pace_out) _o215 =
+            V force_11 = _o213.force_11;
+            V cosine_12 = _o213.cosine_12;
+            V sine_12 = _o213.sine_12;
+            V climb_12 = _o213.climb_12;
+            V along_12 = _o213.along_12;
+            V turn_rate_12 = _o213.turn_rate_12;
+            V cos_12 = _o213.cos_12;
+            V sin_12 = _o213.sin_12;
+            const LANES(court_ring_round_pace_out) _o214 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V stride = _o215.stride;
-            V strongest = _o215.strongest;
-            V fastest = _o215.fastest;
-            V sway = _o215.sway;
-            V force = _o215.force;
-            V force_rate = _o215.force_rate;
-            V force_bend = _o215.force_bend;
-            V brace = _o215.brace;
-            V vx_1 = _o215.vx_1;
-            V vy_1 = _o215.vy_1;
-            V vz_1 = _o215.vz_1;
-            const LANES(court_leaving_force_out) _o216 =
+            V stride = _o214.stride;
+            V strongest = _o214.strongest;
+            V fastest = _o214.fastest;
+            V sway = _o214.sway;
+            V force = _o214.force;
+            V force_rate = _o214.force_rate;
+            V force_bend = _o214.force_bend;
+            V brace = _o214.brace;
+            V vx_1 = _o214.vx_1;
+            V vy_1 = _o214.vy_1;
+            V vz_1 = _o214.vz_1;
+            const LANES(court_leaving_force_out) _o215 =
                 LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o216.stride;
-            which = _o216.which;
-            M rests = _o216.rests;
-            const LANES(court_backboard_beside_out) _o217 =
+            stride = _o215.stride;
+            which = _o215.which;
+            M rests = _o215.rests;
+            const LANES(court_backboard_beside_out) _o216 =
                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o217.gap;
-            V nearing = _o217.nearing;
-            V dent = _o217.dent;
-            const LANES(court_beside_body_out) _o218 =
+            V gap = _o216.gap;
+            V nearing = _o216.nearing;
+            V dent = _o216.dent;
+            const LANES(court_beside_body_out) _o217 =
                 LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o218.stride;
-            which = _o218.which;
-            const LANES(court_bridge_beside_out) _o219 =
+            stride = _o217.stride;
+            which = _o217.which;
+            const LANES(court_bridge_beside_out) _o218 =
                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o219.gap;
-            nearing = _o219.nearing;
-            dent = _o219.dent;
-            const LANES(court_beside_body_out) _o220 =
+            gap = _o218.gap;
+            nearing = _o218.nearing;
+            dent = _o218.dent;
+            const LANES(court_beside_body_out) _o219 =
                 LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o220.stride;
-            which = _o220.which;
-            const LANES(court_end_beside_out) _o221 =
+            stride = _o219.stride;
+            which = _o219.which;
+            const LANES(court_end_beside_out) _o220 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o221.gap;
-            nearing = _o221.nearing;
-            dent = _o221.dent;
-            const LANES(court_beside_gate_out) _o222 =
+            gap = _o220.gap;
+            nearing = _o220.nearing;
+            dent = _o220.dent;
+            const LANES(court_beside_gate_out) _o221 =
                 LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o221.stride;
+            which = _o221.which;
+            const LANES(court_beside_time_out) _o222 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
             stride = _o222.stride;
             which = _o222.which;
-            const LANES(court_beside_time_out) _o223 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o223.stride;
-            which = _o223.which;
-            const LANES(court_passing_from_out) _o224 =
+            const LANES(court_passing_from_out) _o223 =
                 LANES(court_passing_from)(z);
-            M over = _o224.over;
-            const LANES(court_alone_out) _o225 =
+            M over = _o223.over;
+            const LANES(court_alone_out) _o224 =
                 LANES(court_alone)();
-            V berth = _o225.nearest;
-            const LANES(court_leaps_out) _o226 =
+            V berth = _o224.nearest;
+            const LANES(court_leaps_out) _o225 =
                 LANES(court_leaps)(stride);
-            V forth = _o226.forth;
-            V back = _o226.back;
-            const LANES(court_backboard_around_out) _o227 =
+            V forth = _o225.forth;
+            V back = _o225.back;
+            const LANES(court_backboard_around_out) _o226 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o227.gap;
-            nearing = _o227.nearing;
-            const LANES(court_cleared_out) _o228 =
+            gap = _o226.gap;
+            nearing = _o226.nearing;
+            const LANES(court_cleared_out) _o227 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o228.berth;
-            const LANES(court_bridge_around_out) _o229 =
+            berth = _o227.berth;
+            const LANES(court_bridge_around_out) _o228 =
                 LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o229.gap;
-            nearing = _o229.nearing;
-            const LANES(court_cleared_out) _o230 =
+            gap = _o228.gap;
+            nearing = _o228.nearing;
+            const LANES(court_cleared_out) _o229 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o230.berth;
-            const LANES(court_end_around_out) _o231 =
+            berth = _o229.berth;
+            const LANES(court_end_around_out) _o230 =
                 LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o231.gap;
-            nearing = _o231.nearing;
-            const LANES(court_cleared_out) _o232 =
+            gap = _o230.gap;
+            nearing = _o230.nearing;
+            const LANES(court_cleared_out) _o231 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o232.berth;
-            const LANES(court_ring_round_moved_out) _o233 =
+            berth = _o231.berth;
+            const LANES(court_ring_round_moved_out) _o232 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o233.x;
-            y = _o233.y;
-            z = _o233.z;
-            vx = _o233.vx;
-            vy = _o233.vy;
-            vz = _o233.vz;
-            wx = _o233.wx;
-            wy = _o233.wy;
-            wz = _o233.wz;
-            V climb = _o233.climb;
-            const LANES(court_passing_in_contact_out) _o234 =
+            x = _o232.x;
+            y = _o232.y;
+            z = _o232.z;
+            vx = _o232.vx;
+            vy = _o232.vy;
+            vz = _o232.vz;
+            wx = _o232.wx;
+            wy = _o232.wy;
+            wz = _o232.wz;
+            V climb = _o232.climb;
+            const LANES(court_passing_in_contact_out) _o233 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o234.through;
-            const LANES(court_backboard_around_out) _o235 =
+            through = _o233.through;
+            const LANES(court_backboard_around_out) _o234 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o235.gap;
-            nearing = _o235.nearing;
-            const LANES(court_cleared_out) _o236 =
+            gap = _o234.gap;
+            nearing = _o234.nearing;
+            const LANES(court_cleared_out) _o235 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o236.berth;
-            const LANES(court_bridge_around_out) _o237 =
+            berth = _o235.berth;
+            const LANES(court_bridge_around_out) _o236 =
                 LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o237.gap;
-            nearing = _o237.nearing;
-            const LANES(court_cleared_out) _o238 =
+            gap = _o236.gap;
+            nearing = _o236.nearing;
+            const LANES(court_cleared_out) _o237 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o238.berth;
-            const LANES(court_end_around_out) _o239 =
+            berth = _o237.berth;
+            const LANES(court_end_around_out) _o238 =
                 LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o239.gap;
-            nearing = _o239.nearing;
-            const LANES(court_cleared_out) _o240 =
+            gap = _o238.gap;
+            nearing = _o238.nearing;
+            const LANES(court_cleared_out) _o239 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o240.berth;
-            const LANES(court_ring_swung_out) _o241 =
+            berth = _o239.berth;
+            const LANES(court_ring_swung_out) _o240 =
                 LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, K(0.0), stride, sway, K(0.0), which, p_wire_radius);
-            circled = _o241.circled;
-            M endless = _o241.endless;
-            const LANES(court_for_ever_out) _o242 =
+            circled = _o240.circled;
+            M endless = _o240.endless;
+            const LANES(court_for_ever_out) _o241 =
                 LANES(court_for_ever)(endless, which);
-            which = _o242.which;
-            const LANES(court_rolled_on_out) _o243 =
+            which = _o241.which;
+            const LANES(court_rolled_on_out) _o242 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o243.clock;
-            circling = _o243.rolling;
+            clock = _o242.clock;
+            circling = _o242.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -2046,110 +2033,110 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o244 =
+        const LANES(court_rejoined_out) _o243 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o244.rolling;
-        const M _m245 = lanes_both(rows, leaves);
-        if (lanes_any(_m245)) {
-            const LANES(court_holding_out) _o246 =
+        rolling = _o243.rolling;
+        const M _m244 = lanes_both(rows, leaves);
+        if (lanes_any(_m244)) {
+            const LANES(court_holding_out) _o245 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o246.here;
-            const M _m247 = lanes_both(_m245, here);
-            if (lanes_any(_m247)) {
-                const LANES(court_ring_tube_out) _o248 =
+            M here = _o245.here;
+            const M _m246 = lanes_both(_m244, here);
+            if (lanes_any(_m246)) {
+                const LANES(court_ring_tube_out) _o247 =
                     LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-                per_reach = lanes_select(_m247, _o248.per_reach, per_reach);
-                const LANES(court_ring_parting_out) _o249 =
+                per_reach = lanes_select(_m246, _o247.per_reach, per_reach);
+                const LANES(court_ring_parting_out) _o248 =
                     LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m247, _o249.lift, lift);
-                surge = lanes_select(_m247, _o249.surge, surge);
-                snap = lanes_select(_m247, _o249.snap, snap);
+                lift = lanes_select(_m246, _o248.lift, lift);
+                surge = lanes_select(_m246, _o248.surge, surge);
+                snap = lanes_select(_m246, _o248.snap, snap);
             }
-            const LANES(court_holding_out) _o250 =
+            const LANES(court_holding_out) _o249 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o250.here;
-            const M _m251 = lanes_both(_m245, here);
-            if (lanes_any(_m251)) {
-                const LANES(court_backboard_tube_out) _o252 =
+            here = _o249.here;
+            const M _m250 = lanes_both(_m244, here);
+            if (lanes_any(_m250)) {
+                const LANES(court_backboard_tube_out) _o251 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                per_reach = lanes_select(_m251, _o252.per_reach, per_reach);
-                const LANES(court_backboard_parting_out) _o253 =
+                per_reach = lanes_select(_m250, _o251.per_reach, per_reach);
+                const LANES(court_backboard_parting_out) _o252 =
                     LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m251, _o253.lift, lift);
-                surge = lanes_select(_m251, _o253.surge, surge);
-                snap = lanes_select(_m251, _o253.snap, snap);
+                lift = lanes_select(_m250, _o252.lift, lift);
+                surge = lanes_select(_m250, _o252.surge, surge);
+                snap = lanes_select(_m250, _o252.snap, snap);
             }
-            const LANES(court_holding_out) _o254 =
+            const LANES(court_holding_out) _o253 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o254.here;
-            const M _m255 = lanes_both(_m245, here);
-            if (lanes_any(_m255)) {
-                const LANES(court_bridge_tube_out) _o256 =
+            here = _o253.here;
+            const M _m254 = lanes_both(_m244, here);
+            if (lanes_any(_m254)) {
+                const LANES(court_bridge_tube_out) _o255 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                per_reach = lanes_select(_m255, _o256.per_reach, per_reach);
-                const LANES(court_bridge_parting_out) _o257 =
+                per_reach = lanes_select(_m254, _o255.per_reach, per_reach);
+                const LANES(court_bridge_parting_out) _o256 =
                     LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                lift = lanes_select(_m255, _o257.lift, lift);
-                surge = lanes_select(_m255, _o257.surge, surge);
-                snap = lanes_select(_m255, _o257.snap, snap);
+                lift = lanes_select(_m254, _o256.lift, lift);
+                surge = lanes_select(_m254, _o256.surge, surge);
+                snap = lanes_select(_m254, _o256.snap, snap);
             }
-            const LANES(court_alone_out) _o258 =
+            const LANES(court_alone_out) _o257 =
                 LANES(court_alone)();
-            V nearest = _o258.nearest;
-            const LANES(court_beside_out) _o259 =
+            V nearest = _o257.nearest;
+            const LANES(court_beside_out) _o258 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o259.beside;
-            const M _m260 = lanes_both(_m245, beside);
-            if (lanes_any(_m260)) {
-                const LANES(court_ring_beside_out) _o261 =
+            M beside = _o258.beside;
+            const M _m259 = lanes_both(_m244, beside);
+            if (lanes_any(_m259)) {
+                const LANES(court_ring_beside_out) _o260 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o261.gap;
-                const LANES(court_neared_out) _o262 =
+                V gap = _o260.gap;
+                const LANES(court_neared_out) _o261 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m260, _o262.nearest, nearest);
+                nearest = lanes_select(_m259, _o261.nearest, nearest);
             }
-            const LANES(court_beside_out) _o263 =
+            const LANES(court_beside_out) _o262 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o263.beside;
-            const M _m264 = lanes_both(_m245, beside);
-            if (lanes_any(_m264)) {
-                const LANES(court_backboard_beside_out) _o265 =
+            beside = _o262.beside;
+            const M _m263 = lanes_both(_m244, beside);
+            if (lanes_any(_m263)) {
+                const LANES(court_backboard_beside_out) _o264 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o265.gap;
-                const LANES(court_neared_out) _o266 =
+                V gap = _o264.gap;
+                const LANES(court_neared_out) _o265 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m264, _o266.nearest, nearest);
+                nearest = lanes_select(_m263, _o265.nearest, nearest);
             }
-            const LANES(court_beside_out) _o267 =
+            const LANES(court_beside_out) _o266 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o267.beside;
-            const M _m268 = lanes_both(_m245, beside);
-            if (lanes_any(_m268)) {
-                const LANES(court_bridge_beside_out) _o269 =
+            beside = _o266.beside;
+            const M _m267 = lanes_both(_m244, beside);
+            if (lanes_any(_m267)) {
+                const LANES(court_bridge_beside_out) _o268 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o269.gap;
-                const LANES(court_neared_out) _o270 =
+                V gap = _o268.gap;
+                const LANES(court_neared_out) _o269 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m268, _o270.nearest, nearest);
+                nearest = lanes_select(_m267, _o269.nearest, nearest);
             }
-            const LANES(court_beside_out) _o271 =
+            const LANES(court_beside_out) _o270 =
                 LANES(court_beside)(held, K(3.0));
-            beside = _o271.beside;
-            const M _m272 = lanes_both(_m245, beside);
+            beside = _o270.beside;
+            const M _m271 = lanes_both(_m244, beside);
             {
-                const LANES(court_end_beside_out) _o273 =
+                const LANES(court_end_beside_out) _o272 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o273.gap;
-                const LANES(court_neared_out) _o274 =
+                V gap = _o272.gap;
+                const LANES(court_neared_out) _o273 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m272, _o274.nearest, nearest);
+                nearest = lanes_select(_m271, _o273.nearest, nearest);
             }
-            const LANES(court_parted_out) _o275 =
+            const LANES(court_parted_out) _o274 =
                 LANES(court_parted)(K(INFINITY), p_gravity, lift, nearest, per_reach, K(0.0), snap, surge, K(0.0), vx, vy, vz);
-            when = lanes_select(_m245, _o275.when, when);
-            const LANES(court_hopping_out) _o276 =
+            when = lanes_select(_m244, _o274.when, when);
+            const LANES(court_hopping_out) _o275 =
                 LANES(court_hopping)();
-            which = lanes_select(_m245, _o276.which, which);
+            which = lanes_select(_m244, _o275.which, which);
         }
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         lanes_store(lists->kept_when + i, when);
@@ -2396,101 +2383,74 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_ring_prepare_out) _o19 =
-                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o19.steady;
-            V swing = _o19.swing;
-            V rho_start = _o19.rho_start;
-            V low0 = _o19.low0;
-            V high0 = _o19.high0;
-            V low1 = _o19.low1;
-            V high1 = _o19.high1;
-            V low2 = _o19.low2;
-            V high2 = _o19.high2;
-            V ceiling = _o19.ceiling;
-            V latest = _o19.latest;
-            const LANES(court_beginning_out) _o20 =
+            const LANES(court_beginning_out) _o19 =
                 LANES(court_beginning)();
-            V share = _o20.share;
-            V arrival = _o20.arrival;
-            M certain = _o20.certain;
-            const LANES(court_ring_enter_out) _o21 =
-                LANES(court_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o21.t;
-            V end = _o21.end;
-            M searching = _o21.searching;
-            const LANES(court_allowance_out) _o22 =
-                LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o22.position_level;
-            V velocity_level = _o22.velocity_level;
-            const LANES(court_left_out) _o23 =
+            V share = _o19.share;
+            V arrival = _o19.arrival;
+            M certain = _o19.certain;
+            const LANES(court_left_out) _o20 =
                 LANES(court_left)(K(0.0), last);
-            V leaving = _o23.leaving;
+            V leaving = _o20.leaving;
+            const LANES(court_ring_opened_out) _o21 =
+                LANES(court_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S onset = _o21.t;
+            S wide_end = _o21.end;
+            M searching = _o21.searching;
+            S wide_low1 = _o21.low1;
+            S wide_high1 = _o21.high1;
+            S wide_low2 = _o21.low2;
+            S wide_high2 = _o21.high2;
+            S ended = _o21.latest;
+            M sound = _o21.sound;
+            const LANES(court_opened_out) _o22 =
+                LANES(court_opened)(lanes_wide(ended), lanes_wide(onset));
+            V since = _o22.time;
+            const LANES(court_flight_out) _o23 =
+                LANES(court_flight)(since, x, y, z, vx, vy, vz, p_gravity);
+            V near_x = _o23.x;
+            V near_y = _o23.y;
+            V near_z = _o23.z;
+            V near_vz = _o23.vz;
             const LANES(court_ring_grain_out) _o24 =
-                LANES(court_ring_grain)(t, end, leaving, latest, speed, position_level, velocity_level, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V place = _o24.place;
-            V motion = _o24.motion;
-            V near_end = _o24.end;
-            V near_low1 = _o24.low1;
-            V near_high1 = _o24.high1;
-            V near_low2 = _o24.low2;
-            V near_high2 = _o24.high2;
+                LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S short_t = _o24.t;
+            S short_end = _o24.end;
+            S short_x = _o24.x;
+            S short_y = _o24.y;
+            S short_z = _o24.z;
+            S short_vx = _o24.vx;
+            S short_vy = _o24.vy;
+            S short_vz = _o24.vz;
+            S short_leaving = _o24.leaving;
+            S short_steady = _o24.steady;
+            S short_swing = _o24.swing;
+            S short_rho_start = _o24.rho_start;
+            S short_ceiling = _o24.ceiling;
+            S short_flat = _o24.flat;
+            S short_tilt = _o24.tilt;
+            S short_rate_margin = _o24.rate_margin;
+            S short_low1 = _o24.low1;
+            S short_high1 = _o24.high1;
+            S short_low2 = _o24.low2;
+            S short_high2 = _o24.high2;
             M fits = _o24.fits;
-            const LANES(court_ring_margins_out) _o25 =
-                LANES(court_ring_margins)(latest, extent, speed, place, motion, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o25.margin;
-            V tilt = _o25.leaving_margin;
-            V rate_slack = _o25.rate_margin;
-            const LANES(court_flight_out) _o26 =
-                LANES(court_flight)(t, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o26.x;
-            V near_y = _o26.y;
-            V near_z = _o26.z;
-            V near_vz = _o26.vz;
-            const LANES(court_ring_narrow_out) _o27 =
-                LANES(court_ring_narrow)(lanes_narrow(near_end), lanes_narrow(leaving), lanes_narrow(rate_slack), lanes_narrow(ceiling), lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(steady), lanes_narrow(swing), lanes_narrow(rho_start), lanes_narrow(flat), lanes_narrow(tilt), lanes_narrow(near_low1), lanes_narrow(near_high1), lanes_narrow(near_low2), lanes_narrow(near_high2));
-            S short_t = _o27.t;
-            S short_end = _o27.end;
-            S short_x = _o27.x;
-            S short_y = _o27.y;
-            S short_z = _o27.z;
-            S short_vx = _o27.vx;
-            S short_vy = _o27.vy;
-            S short_vz = _o27.vz;
-            S short_steady = _o27.steady;
-            S short_swing = _o27.swing;
-            S short_rho_start = _o27.rho_start;
-            S short_ceiling = _o27.ceiling;
-            S short_rate_margin = _o27.rate_margin;
-            S short_leaving = _o27.leaving;
-            S short_flat = _o27.flat;
-            S short_tilt = _o27.tilt;
-            S short_low1 = _o27.low1;
-            S short_high1 = _o27.high1;
-            S short_low2 = _o27.low2;
-            S short_high2 = _o27.high2;
-            const LANES(court_coarse_out) _o28 =
-                LANES(court_coarse)(fits, searching);
-            M leaping = _o28.leaping;
+            const LANES(court_coarse_out) _o25 =
+                LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), searching, sound, lanes_wide(short_tilt));
+            M leaping = _o25.leaping;
+            searching = _o25.searching;
+            V ceiling = _o25.ceiling;
+            V flat = _o25.flat;
+            V tilt = _o25.tilt;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
-            lanes_store(lists->open_end + i, end);
+            lanes_store(lists->open_fits + i, lanes_select(fits, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
-            lanes_store(lists->open_high0 + i, high0);
-            lanes_store(lists->open_high1 + i, high1);
-            lanes_store(lists->open_high2 + i, high2);
-            lanes_store(lists->open_latest + i, latest);
-            lanes_store(lists->open_low0 + i, low0);
-            lanes_store(lists->open_low1 + i, low1);
-            lanes_store(lists->open_low2 + i, low2);
-            lanes_store(lists->open_rho_start + i, rho_start);
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
             singles_store(lists->open_short_t + i, short_t);
-            lanes_store(lists->open_steady + i, steady);
-            lanes_store(lists->open_swing + i, swing);
-            lanes_store(lists->open_t + i, t);
+            lanes_store(lists->open_since + i, since);
+            lanes_store(lists->open_sound + i, lanes_select(sound, K(1.0), K(0.0)));
             lanes_store(lists->open_tilt + i, tilt);
             const M packed = lanes_both(rows, leaping);
             if (lanes_any(packed)) {
@@ -2593,12 +2553,12 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(court_ring_leap_out) _o29 =
+                const LANES(court_ring_leap_out) _o26 =
                     LANES(court_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o29.t;
-                short_end = _o29.end;
-                M certain = _o29.certain;
-                leaping = _o29.leaping;
+                short_t = _o26.t;
+                short_end = _o26.end;
+                M certain = _o26.certain;
+                leaping = _o26.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -2625,58 +2585,40 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
-            V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
-            V end = lanes_load(lists->open_end + i);
             V extent = lanes_load(lists->open_extent + i);
-            V high0 = lanes_load(lists->open_high0 + i);
-            V high1 = lanes_load(lists->open_high1 + i);
-            V high2 = lanes_load(lists->open_high2 + i);
+            M fits = lanes_less(K(0.0), lanes_load(lists->open_fits + i));
             V last = lanes_load(lists->open_last + i);
-            V latest = lanes_load(lists->open_latest + i);
-            V low0 = lanes_load(lists->open_low0 + i);
-            V low1 = lanes_load(lists->open_low1 + i);
-            V low2 = lanes_load(lists->open_low2 + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V rho_start = lanes_load(lists->open_rho_start + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             V share = lanes_load(lists->open_share + i);
             S short_t = singles_load(lists->open_short_t + i);
+            V since = lanes_load(lists->open_since + i);
+            M sound = lanes_less(K(0.0), lanes_load(lists->open_sound + i));
             V speed = lanes_load(lists->open_speed + i);
-            V steady = lanes_load(lists->open_steady + i);
-            V swing = lanes_load(lists->open_swing + i);
-            V t = lanes_load(lists->open_t + i);
+            V until = lanes_load(lists->open_until + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_leapt_out) _o30 =
-                LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, t);
-            arrival = _o30.arrival;
-            t = _o30.t;
-            searching = _o30.searching;
+            const LANES(court_leapt_out) _o27 =
+                LANES(court_leapt)(arrival, certain, fits, lanes_wide(short_t), searching, since, sound);
+            arrival = _o27.arrival;
+            V t = _o27.t;
+            searching = _o27.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
                 lanes_pack(lists->open_searching_arrival + open_searching_shots, packed, arrival);
-                lanes_pack(lists->open_searching_ceiling + open_searching_shots, packed, ceiling);
                 lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
                 lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
-                lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
-                lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
-                lanes_pack(lists->open_searching_high2 + open_searching_shots, packed, high2);
                 lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                lanes_pack(lists->open_searching_latest + open_searching_shots, packed, latest);
-                lanes_pack(lists->open_searching_low0 + open_searching_shots, packed, low0);
-                lanes_pack(lists->open_searching_low1 + open_searching_shots, packed, low1);
-                lanes_pack(lists->open_searching_low2 + open_searching_shots, packed, low2);
                 if (varying)
                     lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
                 if (varying)
@@ -2685,12 +2627,10 @@ static void LANES(court_plain)(const court_job *job)
                     lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, p_ring_radius);
                 if (varying)
                     lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_searching_rho_start + open_searching_shots, packed, rho_start);
                 lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
                 lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
-                lanes_pack(lists->open_searching_steady + open_searching_shots, packed, steady);
-                lanes_pack(lists->open_searching_swing + open_searching_shots, packed, swing);
                 lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
+                lanes_pack(lists->open_searching_until + open_searching_shots, packed, until);
                 lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
                 lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
                 lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
@@ -2705,48 +2645,51 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
-            V ceiling = lanes_load(lists->open_searching_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
-            V end = lanes_load(lists->open_searching_end + i);
             V extent = lanes_load(lists->open_searching_extent + i);
-            V high0 = lanes_load(lists->open_searching_high0 + i);
-            V high1 = lanes_load(lists->open_searching_high1 + i);
-            V high2 = lanes_load(lists->open_searching_high2 + i);
             V last = lanes_load(lists->open_searching_last + i);
-            V latest = lanes_load(lists->open_searching_latest + i);
-            V low0 = lanes_load(lists->open_searching_low0 + i);
-            V low1 = lanes_load(lists->open_searching_low1 + i);
-            V low2 = lanes_load(lists->open_searching_low2 + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_searching_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius);
-            V rho_start = lanes_load(lists->open_searching_rho_start + i);
             V share = lanes_load(lists->open_searching_share + i);
             V speed = lanes_load(lists->open_searching_speed + i);
-            V steady = lanes_load(lists->open_searching_steady + i);
-            V swing = lanes_load(lists->open_searching_swing + i);
             V t = lanes_load(lists->open_searching_t + i);
+            V until = lanes_load(lists->open_searching_until + i);
             V vx = lanes_load(lists->open_searching_vx + i);
             V vy = lanes_load(lists->open_searching_vy + i);
             V vz = lanes_load(lists->open_searching_vz + i);
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(court_allowance_out) _o31 =
+            const LANES(court_ring_prepare_out) _o28 =
+                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V steady = _o28.steady;
+            V swing = _o28.swing;
+            V rho_start = _o28.rho_start;
+            V low0 = _o28.low0;
+            V high0 = _o28.high0;
+            V low1 = _o28.low1;
+            V high1 = _o28.high1;
+            V low2 = _o28.low2;
+            V high2 = _o28.high2;
+            V ceiling = _o28.ceiling;
+            V latest = _o28.latest;
+            const LANES(court_allowance_out) _o29 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o31.position_level;
-            V velocity_level = _o31.velocity_level;
-            const LANES(court_ring_margins_out) _o32 =
+            V position_level = _o29.position_level;
+            V velocity_level = _o29.velocity_level;
+            const LANES(court_ring_margins_out) _o30 =
                 LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o32.margin;
-            V tilt = _o32.leaving_margin;
-            V rate_slack = _o32.rate_margin;
-            const LANES(court_ring_enter_out) _o33 =
-                LANES(court_ring_enter)(t, end, high0, high1, high2, low0, low1, low2, t);
-            t = _o33.t;
-            end = _o33.end;
-            M searching = _o33.searching;
+            V flat = _o30.margin;
+            V tilt = _o30.leaving_margin;
+            V rate_slack = _o30.rate_margin;
+            const LANES(court_ring_enter_out) _o31 =
+                LANES(court_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
+            t = _o31.t;
+            V end = _o31.end;
+            M searching = _o31.searching;
+            lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_tilt + i, tilt);
             const M packed = lanes_both(rows, searching);
@@ -2874,52 +2817,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o34 =
+                const LANES(court_nearby_out) _o32 =
                     LANES(court_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o34.leaving;
-                V margin = _o34.margin;
-                const LANES(court_ring_advance_out) _o35 =
+                V leaving = _o32.leaving;
+                V margin = _o32.margin;
+                const LANES(court_ring_advance_out) _o33 =
                     LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o35.gap;
-                V rate = _o35.rate;
-                V bend = _o35.bend;
-                V step = _o35.step;
-                V next = _o35.next;
-                V clearance = _o35.clearance;
-                const LANES(court_struck_out) _o36 =
+                V gap = _o33.gap;
+                V rate = _o33.rate;
+                V bend = _o33.bend;
+                V step = _o33.step;
+                V next = _o33.next;
+                V clearance = _o33.clearance;
+                const LANES(court_struck_out) _o34 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o36.hit;
-                M sure = _o36.sure;
-                M vague = _o36.vague;
-                const M _m37 = lanes_both(active, vague);
-                if (lanes_any(_m37)) {
-                    const LANES(court_finer_out) _o38 =
+                M hit = _o34.hit;
+                M sure = _o34.sure;
+                M vague = _o34.vague;
+                const M _m35 = lanes_both(active, vague);
+                if (lanes_any(_m35)) {
+                    const LANES(court_finer_out) _o36 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m37, _o38.share, share);
-                    const LANES(court_allowance_out) _o39 =
+                    share = lanes_select(_m35, _o36.share, share);
+                    const LANES(court_allowance_out) _o37 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o39.position_level;
-                    V velocity_level = _o39.velocity_level;
-                    const LANES(court_ring_margins_out) _o40 =
+                    V position_level = _o37.position_level;
+                    V velocity_level = _o37.velocity_level;
+                    const LANES(court_ring_margins_out) _o38 =
                         LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m37, _o40.margin, flat);
-                    tilt = lanes_select(_m37, _o40.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m37, _o40.rate_margin, rate_slack);
+                    flat = lanes_select(_m35, _o38.margin, flat);
+                    tilt = lanes_select(_m35, _o38.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m35, _o38.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o41 =
+                const LANES(court_advanced_out) _o39 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o41.arrival;
-                certain = _o41.certain;
-                M exhausted = _o41.exhausted;
-                searching = _o41.searching;
-                t = _o41.t;
-                const M _m42 = lanes_both(active, exhausted);
+                arrival = _o39.arrival;
+                certain = _o39.certain;
+                M exhausted = _o39.exhausted;
+                searching = _o39.searching;
+                t = _o39.t;
+                const M _m40 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_ring_enter_out) _o43 =
+                    const LANES(court_ring_enter_out) _o41 =
                         LANES(court_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m42, _o43.t, t);
-                    end = lanes_select(_m42, _o43.end, end);
-                    searching = lanes_choose(_m42, _o43.searching, searching);
+                    t = lanes_select(_m40, _o41.t, t);
+                    end = lanes_select(_m40, _o41.end, end);
+                    searching = lanes_choose(_m40, _o41.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -2951,6 +2894,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t k = 0; k < open_searching_shots; k++) {
             const size_t row = (size_t)lists->open_searching_row[k];
             lists->open_arrival[row] = lists->open_searching_arrival[k];
+            lists->open_ceiling[row] = lists->open_searching_ceiling[k];
             lists->open_certain[row] = lists->open_searching_certain[k];
             lists->open_flat[row] = lists->open_searching_flat[k];
             lists->open_tilt[row] = lists->open_searching_tilt[k];
@@ -2969,7 +2913,6 @@ static void LANES(court_plain)(const court_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V rho_start = lanes_load(lists->open_rho_start + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
@@ -2977,13 +2920,16 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o44 =
+            const LANES(court_ring_started_out) _o42 =
+                LANES(court_ring_started)(x, y);
+            V rho_start = _o42.rho_start;
+            const LANES(court_found_out) _o43 =
                 LANES(court_found)(arrival);
-            M arrives = _o44.arrives;
-            M refining = _o44.refining;
-            const LANES(court_nearby_out) _o45 =
+            M arrives = _o43.arrives;
+            M refining = _o43.refining;
+            const LANES(court_nearby_out) _o44 =
                 LANES(court_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o45.leaving;
+            V leaving = _o44.leaving;
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
@@ -3059,15 +3005,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_ring_refine_out) _o46 =
+                const LANES(court_ring_refine_out) _o45 =
                     LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o46.time;
-                V gap = _o46.gap;
-                V rate = _o46.rate;
-                const LANES(court_polished_out) _o47 =
+                V refined = _o45.time;
+                V gap = _o45.gap;
+                V rate = _o45.rate;
+                const LANES(court_polished_out) _o46 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o47.arrival;
-                refining = _o47.refining;
+                arrival = _o46.arrival;
+                refining = _o46.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -3091,13 +3037,13 @@ static void LANES(court_plain)(const court_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_landed_out) _o48 =
+            const LANES(court_landed_out) _o47 =
                 LANES(court_landed)(arrival);
-            V time = _o48.time;
-            const LANES(court_sooner_out) _o49 =
+            V time = _o47.time;
+            const LANES(court_sooner_out) _o48 =
                 LANES(court_sooner)(arrives, K(0.0), time, when, which);
-            when = _o49.when;
-            which = _o49.which;
+            when = _o48.when;
+            which = _o48.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -3130,15 +3076,15 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o50 =
+            const LANES(court_horizon_out) _o49 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o50.horizon;
-            const LANES(court_backboard_clear_out) _o51 =
+            V until = _o49.horizon;
+            const LANES(court_backboard_clear_out) _o50 =
                 LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V clear = _o51.clear;
-            const LANES(court_opens_in_flight_out) _o52 =
+            V clear = _o50.clear;
+            const LANES(court_opens_in_flight_out) _o51 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o52.open;
+            M open = _o51.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -3192,33 +3138,33 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_backboard_prepare_out) _o53 =
+            const LANES(court_backboard_prepare_out) _o52 =
                 LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V low0 = _o53.low0;
-            V high0 = _o53.high0;
-            V low1 = _o53.low1;
-            V high1 = _o53.high1;
-            V ceiling = _o53.ceiling;
-            V latest = _o53.latest;
-            const LANES(court_beginning_out) _o54 =
+            V low0 = _o52.low0;
+            V high0 = _o52.high0;
+            V low1 = _o52.low1;
+            V high1 = _o52.high1;
+            V ceiling = _o52.ceiling;
+            V latest = _o52.latest;
+            const LANES(court_beginning_out) _o53 =
                 LANES(court_beginning)();
-            V share = _o54.share;
-            V arrival = _o54.arrival;
-            M certain = _o54.certain;
-            const LANES(court_backboard_enter_out) _o55 =
-                LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o55.t;
-            V end = _o55.end;
-            M searching = _o55.searching;
-            const LANES(court_allowance_out) _o56 =
+            V share = _o53.share;
+            V arrival = _o53.arrival;
+            M certain = _o53.certain;
+            const LANES(court_allowance_out) _o54 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o56.position_level;
-            V velocity_level = _o56.velocity_level;
-            const LANES(court_backboard_margins_out) _o57 =
+            V position_level = _o54.position_level;
+            V velocity_level = _o54.velocity_level;
+            const LANES(court_backboard_margins_out) _o55 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o57.margin;
-            V tilt = _o57.leaving_margin;
-            V rate_slack = _o57.rate_margin;
+            V flat = _o55.margin;
+            V tilt = _o55.leaving_margin;
+            V rate_slack = _o55.rate_margin;
+            const LANES(court_backboard_enter_out) _o56 =
+                LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
+            V t = _o56.t;
+            V end = _o56.end;
+            M searching = _o56.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -3346,52 +3292,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o58 =
+                const LANES(court_nearby_out) _o57 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o58.leaving;
-                V margin = _o58.margin;
-                const LANES(court_backboard_advance_out) _o59 =
+                V leaving = _o57.leaving;
+                V margin = _o57.margin;
+                const LANES(court_backboard_advance_out) _o58 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V gap = _o59.gap;
-                V rate = _o59.rate;
-                V bend = _o59.bend;
-                V step = _o59.step;
-                V next = _o59.next;
-                V clearance = _o59.clearance;
-                const LANES(court_struck_out) _o60 =
+                V gap = _o58.gap;
+                V rate = _o58.rate;
+                V bend = _o58.bend;
+                V step = _o58.step;
+                V next = _o58.next;
+                V clearance = _o58.clearance;
+                const LANES(court_struck_out) _o59 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o60.hit;
-                M sure = _o60.sure;
-                M vague = _o60.vague;
-                const M _m61 = lanes_both(active, vague);
-                if (lanes_any(_m61)) {
-                    const LANES(court_finer_out) _o62 =
+                M hit = _o59.hit;
+                M sure = _o59.sure;
+                M vague = _o59.vague;
+                const M _m60 = lanes_both(active, vague);
+                if (lanes_any(_m60)) {
+                    const LANES(court_finer_out) _o61 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m61, _o62.share, share);
-                    const LANES(court_allowance_out) _o63 =
+                    share = lanes_select(_m60, _o61.share, share);
+                    const LANES(court_allowance_out) _o62 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o63.position_level;
-                    V velocity_level = _o63.velocity_level;
-                    const LANES(court_backboard_margins_out) _o64 =
+                    V position_level = _o62.position_level;
+                    V velocity_level = _o62.velocity_level;
+                    const LANES(court_backboard_margins_out) _o63 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = lanes_select(_m61, _o64.margin, flat);
-                    tilt = lanes_select(_m61, _o64.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m61, _o64.rate_margin, rate_slack);
+                    flat = lanes_select(_m60, _o63.margin, flat);
+                    tilt = lanes_select(_m60, _o63.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m60, _o63.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o65 =
+                const LANES(court_advanced_out) _o64 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o65.arrival;
-                certain = _o65.certain;
-                M exhausted = _o65.exhausted;
-                searching = _o65.searching;
-                t = _o65.t;
-                const M _m66 = lanes_both(active, exhausted);
+                arrival = _o64.arrival;
+                certain = _o64.certain;
+                M exhausted = _o64.exhausted;
+                searching = _o64.searching;
+                t = _o64.t;
+                const M _m65 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o67 =
+                    const LANES(court_backboard_enter_out) _o66 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m66, _o67.t, t);
-                    end = lanes_select(_m66, _o67.end, end);
-                    searching = lanes_choose(_m66, _o67.searching, searching);
+                    t = lanes_select(_m65, _o66.t, t);
+                    end = lanes_select(_m65, _o66.end, end);
+                    searching = lanes_choose(_m65, _o66.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3443,13 +3389,13 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o68 =
+            const LANES(court_found_out) _o67 =
                 LANES(court_found)(arrival);
-            M arrives = _o68.arrives;
-            M refining = _o68.refining;
-            const LANES(court_nearby_out) _o69 =
+            M arrives = _o67.arrives;
+            M refining = _o67.refining;
+            const LANES(court_nearby_out) _o68 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o69.leaving;
+            V leaving = _o68.leaving;
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
@@ -3534,15 +3480,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_backboard_refine_out) _o70 =
+                const LANES(court_backboard_refine_out) _o69 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o70.time;
-                V gap = _o70.gap;
-                V rate = _o70.rate;
-                const LANES(court_polished_out) _o71 =
+                V refined = _o69.time;
+                V gap = _o69.gap;
+                V rate = _o69.rate;
+                const LANES(court_polished_out) _o70 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o71.arrival;
-                refining = _o71.refining;
+                arrival = _o70.arrival;
+                refining = _o70.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -3566,13 +3512,13 @@ static void LANES(court_plain)(const court_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_landed_out) _o72 =
+            const LANES(court_landed_out) _o71 =
                 LANES(court_landed)(arrival);
-            V time = _o72.time;
-            const LANES(court_sooner_out) _o73 =
+            V time = _o71.time;
+            const LANES(court_sooner_out) _o72 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o73.when;
-            which = _o73.which;
+            when = _o72.when;
+            which = _o72.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -3605,15 +3551,15 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o74 =
+            const LANES(court_horizon_out) _o73 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o74.horizon;
-            const LANES(court_bridge_clear_out) _o75 =
+            V until = _o73.horizon;
+            const LANES(court_bridge_clear_out) _o74 =
                 LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V clear = _o75.clear;
-            const LANES(court_opens_in_flight_out) _o76 =
+            V clear = _o74.clear;
+            const LANES(court_opens_in_flight_out) _o75 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o76.open;
+            M open = _o75.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -3667,33 +3613,33 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_bridge_prepare_out) _o77 =
+            const LANES(court_bridge_prepare_out) _o76 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o77.low0;
-            V high0 = _o77.high0;
-            V low1 = _o77.low1;
-            V high1 = _o77.high1;
-            V ceiling = _o77.ceiling;
-            V latest = _o77.latest;
-            const LANES(court_beginning_out) _o78 =
+            V low0 = _o76.low0;
+            V high0 = _o76.high0;
+            V low1 = _o76.low1;
+            V high1 = _o76.high1;
+            V ceiling = _o76.ceiling;
+            V latest = _o76.latest;
+            const LANES(court_beginning_out) _o77 =
                 LANES(court_beginning)();
-            V share = _o78.share;
-            V arrival = _o78.arrival;
-            M certain = _o78.certain;
-            const LANES(court_bridge_enter_out) _o79 =
-                LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o79.t;
-            V end = _o79.end;
-            M searching = _o79.searching;
-            const LANES(court_allowance_out) _o80 =
+            V share = _o77.share;
+            V arrival = _o77.arrival;
+            M certain = _o77.certain;
+            const LANES(court_allowance_out) _o78 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o80.position_level;
-            V velocity_level = _o80.velocity_level;
-            const LANES(court_bridge_margins_out) _o81 =
+            V position_level = _o78.position_level;
+            V velocity_level = _o78.velocity_level;
+            const LANES(court_bridge_margins_out) _o79 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o81.margin;
-            V tilt = _o81.leaving_margin;
-            V rate_slack = _o81.rate_margin;
+            V flat = _o79.margin;
+            V tilt = _o79.leaving_margin;
+            V rate_slack = _o79.rate_margin;
+            const LANES(court_bridge_enter_out) _o80 =
+                LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
+            V t = _o80.t;
+            V end = _o80.end;
+            M searching = _o80.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -3821,52 +3767,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o82 =
+                const LANES(court_nearby_out) _o81 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o82.leaving;
-                V margin = _o82.margin;
-                const LANES(court_bridge_advance_out) _o83 =
+                V leaving = _o81.leaving;
+                V margin = _o81.margin;
+                const LANES(court_bridge_advance_out) _o82 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o83.gap;
-                V rate = _o83.rate;
-                V bend = _o83.bend;
-                V step = _o83.step;
-                V next = _o83.next;
-                V clearance = _o83.clearance;
-                const LANES(court_struck_out) _o84 =
+                V gap = _o82.gap;
+                V rate = _o82.rate;
+                V bend = _o82.bend;
+                V step = _o82.step;
+                V next = _o82.next;
+                V clearance = _o82.clearance;
+                const LANES(court_struck_out) _o83 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o84.hit;
-                M sure = _o84.sure;
-                M vague = _o84.vague;
-                const M _m85 = lanes_both(active, vague);
-                if (lanes_any(_m85)) {
-                    const LANES(court_finer_out) _o86 =
+                M hit = _o83.hit;
+                M sure = _o83.sure;
+                M vague = _o83.vague;
+                const M _m84 = lanes_both(active, vague);
+                if (lanes_any(_m84)) {
+                    const LANES(court_finer_out) _o85 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m85, _o86.share, share);
-                    const LANES(court_allowance_out) _o87 =
+                    share = lanes_select(_m84, _o85.share, share);
+                    const LANES(court_allowance_out) _o86 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o87.position_level;
-                    V velocity_level = _o87.velocity_level;
-                    const LANES(court_bridge_margins_out) _o88 =
+                    V position_level = _o86.position_level;
+                    V velocity_level = _o86.velocity_level;
+                    const LANES(court_bridge_margins_out) _o87 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m85, _o88.margin, flat);
-                    tilt = lanes_select(_m85, _o88.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m85, _o88.rate_margin, rate_slack);
+                    flat = lanes_select(_m84, _o87.margin, flat);
+                    tilt = lanes_select(_m84, _o87.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m84, _o87.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o89 =
+                const LANES(court_advanced_out) _o88 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o89.arrival;
-                certain = _o89.certain;
-                M exhausted = _o89.exhausted;
-                searching = _o89.searching;
-                t = _o89.t;
-                const M _m90 = lanes_both(active, exhausted);
+                arrival = _o88.arrival;
+                certain = _o88.certain;
+                M exhausted = _o88.exhausted;
+                searching = _o88.searching;
+                t = _o88.t;
+                const M _m89 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o91 =
+                    const LANES(court_bridge_enter_out) _o90 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m90, _o91.t, t);
-                    end = lanes_select(_m90, _o91.end, end);
-                    searching = lanes_choose(_m90, _o91.searching, searching);
+                    t = lanes_select(_m89, _o90.t, t);
+                    end = lanes_select(_m89, _o90.end, end);
+                    searching = lanes_choose(_m89, _o90.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3918,13 +3864,13 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o92 =
+            const LANES(court_found_out) _o91 =
                 LANES(court_found)(arrival);
-            M arrives = _o92.arrives;
-            M refining = _o92.refining;
-            const LANES(court_nearby_out) _o93 =
+            M arrives = _o91.arrives;
+            M refining = _o91.refining;
+            const LANES(court_nearby_out) _o92 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o93.leaving;
+            V leaving = _o92.leaving;
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
@@ -4009,15 +3955,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o94 =
+                const LANES(court_bridge_refine_out) _o93 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o94.time;
-                V gap = _o94.gap;
-                V rate = _o94.rate;
-                const LANES(court_polished_out) _o95 =
+                V refined = _o93.time;
+                V gap = _o93.gap;
+                V rate = _o93.rate;
+                const LANES(court_polished_out) _o94 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o95.arrival;
-                refining = _o95.refining;
+                arrival = _o94.arrival;
+                refining = _o94.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -4041,13 +3987,13 @@ static void LANES(court_plain)(const court_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_landed_out) _o96 =
+            const LANES(court_landed_out) _o95 =
                 LANES(court_landed)(arrival);
-            V time = _o96.time;
-            const LANES(court_sooner_out) _o97 =
+            V time = _o95.time;
+            const LANES(court_sooner_out) _o96 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o97.when;
-            which = _o97.which;
+            when = _o96.when;
+            which = _o96.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -4093,16 +4039,16 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m98 = lanes_both(rows, limited);
-            if (lanes_any(_m98)) {
-                const LANES(court_expiry_out) _o99 =
+            const M _m97 = lanes_both(rows, limited);
+            if (lanes_any(_m97)) {
+                const LANES(court_expiry_out) _o98 =
                     LANES(court_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o99.time;
-                M arrives = _o99.arrives;
-                const LANES(court_sooner_out) _o100 =
+                V time = _o98.time;
+                M arrives = _o98.arrives;
+                const LANES(court_sooner_out) _o99 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m98, _o100.when, when);
-                which = lanes_select(_m98, _o100.which, which);
+                when = lanes_select(_m97, _o99.when, when);
+                which = lanes_select(_m97, _o99.which, which);
             }
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
@@ -4225,69 +4171,69 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o277 =
+            const LANES(court_departed_out) _o276 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o277.moves;
-            M ends = _o277.ends;
-            M touches = _o277.touches;
-            V reached = _o277.reached;
-            const LANES(court_body_of_out) _o278 =
+            M moves = _o276.moves;
+            M ends = _o276.ends;
+            M touches = _o276.touches;
+            V reached = _o276.reached;
+            const LANES(court_body_of_out) _o277 =
                 LANES(court_body_of)(which);
-            V body = _o278.body;
-            const M _m279 = lanes_both(rows, moves);
-            if (lanes_any(_m279)) {
-                const LANES(court_passing_out) _o280 =
+            V body = _o277.body;
+            const M _m278 = lanes_both(rows, moves);
+            if (lanes_any(_m278)) {
+                const LANES(court_passing_out) _o279 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m279, _o280.through, through);
-                const LANES(court_flight_out) _o281 =
+                through = lanes_select(_m278, _o279.through, through);
+                const LANES(court_flight_out) _o280 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m279, _o281.x, x);
-                y = lanes_select(_m279, _o281.y, y);
-                z = lanes_select(_m279, _o281.z, z);
-                vx = lanes_select(_m279, _o281.vx, vx);
-                vy = lanes_select(_m279, _o281.vy, vy);
-                vz = lanes_select(_m279, _o281.vz, vz);
-                const LANES(court_ticked_out) _o282 =
+                x = lanes_select(_m278, _o280.x, x);
+                y = lanes_select(_m278, _o280.y, y);
+                z = lanes_select(_m278, _o280.z, z);
+                vx = lanes_select(_m278, _o280.vx, vx);
+                vy = lanes_select(_m278, _o280.vy, vy);
+                vz = lanes_select(_m278, _o280.vz, vz);
+                const LANES(court_ticked_out) _o281 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m279, _o282.clock, clock);
+                clock = lanes_select(_m278, _o281.clock, clock);
             }
-            const M _m283 = lanes_both(rows, limited);
-            if (lanes_any(_m283)) {
-                const LANES(court_expired_out) _o284 =
+            const M _m282 = lanes_both(rows, limited);
+            if (lanes_any(_m282)) {
+                const LANES(court_expired_out) _o283 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m283, _o284.clock, clock);
-                body = lanes_select(_m283, _o284.body, body);
-                reached = lanes_select(_m283, _o284.reached, reached);
-                ends = lanes_choose(_m283, _o284.ends, ends);
+                clock = lanes_select(_m282, _o283.clock, clock);
+                body = lanes_select(_m282, _o283.body, body);
+                reached = lanes_select(_m282, _o283.reached, reached);
+                ends = lanes_choose(_m282, _o283.ends, ends);
             }
-            const M _m285 = lanes_both(rows, kept);
-            if (lanes_any(_m285)) {
-                const LANES(court_kept_on_out) _o286 =
+            const M _m284 = lanes_both(rows, kept);
+            if (lanes_any(_m284)) {
+                const LANES(court_kept_on_out) _o285 =
                     LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m285, _o286.body, body);
-                reached = lanes_select(_m285, _o286.reached, reached);
-                ends = lanes_choose(_m285, _o286.ends, ends);
-                last = lanes_select(_m285, _o286.last, last);
-                mode = lanes_select(_m285, _o286.mode, mode);
-                held = lanes_select(_m285, _o286.held, held);
-                rolls = lanes_select(_m285, _o286.rolls, rolls);
+                body = lanes_select(_m284, _o285.body, body);
+                reached = lanes_select(_m284, _o285.reached, reached);
+                ends = lanes_choose(_m284, _o285.ends, ends);
+                last = lanes_select(_m284, _o285.last, last);
+                mode = lanes_select(_m284, _o285.mode, mode);
+                held = lanes_select(_m284, _o285.held, held);
+                rolls = lanes_select(_m284, _o285.rolls, rolls);
             }
-            const LANES(court_here_out) _o287 =
+            const LANES(court_here_out) _o286 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o287.here;
-            const M _m288 = lanes_both(rows, here);
+            M here = _o286.here;
+            const M _m287 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o289 =
+                const LANES(court_end_bounds_out) _o288 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o289.g0;
-                const LANES(court_end_reached_out) _o290 =
+                V g0 = _o288.g0;
+                const LANES(court_end_reached_out) _o289 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m288, _o290.reached, reached);
+                reached = lanes_select(_m287, _o289.reached, reached);
             }
-            const LANES(court_accounted_out) _o291 =
+            const LANES(court_accounted_out) _o290 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o291.contacts;
-            V outcome = _o291.outcome;
+            contacts = _o290.contacts;
+            V outcome = _o290.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -4300,304 +4246,304 @@ static void LANES(court_plain)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o292 =
+            const LANES(court_meeting_out) _o291 =
                 LANES(court_meeting)(K(0.0), ends, touches);
-            M meeting = _o292.meeting;
-            const M _m293 = lanes_both(rows, meeting);
-            if (lanes_any(_m293)) {
-                const LANES(court_end_normal_out) _o294 =
+            M meeting = _o291.meeting;
+            const M _m292 = lanes_both(rows, meeting);
+            if (lanes_any(_m292)) {
+                const LANES(court_end_normal_out) _o293 =
                     LANES(court_end_normal)();
-                V nx = _o294.nx;
-                V ny = _o294.ny;
-                V nz = _o294.nz;
-                const LANES(court_here_out) _o295 =
+                V nx = _o293.nx;
+                V ny = _o293.ny;
+                V nz = _o293.nz;
+                const LANES(court_here_out) _o294 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o295.here;
-                const M _m296 = lanes_both(_m293, here);
+                M here = _o294.here;
+                const M _m295 = lanes_both(_m292, here);
                 {
-                    const LANES(court_ring_normal_out) _o297 =
+                    const LANES(court_ring_normal_out) _o296 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m296, _o297.nx, nx);
-                    ny = lanes_select(_m296, _o297.ny, ny);
-                    nz = lanes_select(_m296, _o297.nz, nz);
-                    const LANES(court_counted_out) _o298 =
+                    nx = lanes_select(_m295, _o296.nx, nx);
+                    ny = lanes_select(_m295, _o296.ny, ny);
+                    nz = lanes_select(_m295, _o296.nz, nz);
+                    const LANES(court_counted_out) _o297 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m296, _o298.count, count_0);
+                    count_0 = lanes_select(_m295, _o297.count, count_0);
                 }
-                const LANES(court_here_out) _o299 =
+                const LANES(court_here_out) _o298 =
                     LANES(court_here)(K(1.0), which);
-                here = _o299.here;
-                const M _m300 = lanes_both(_m293, here);
+                here = _o298.here;
+                const M _m299 = lanes_both(_m292, here);
                 {
-                    const LANES(court_backboard_normal_out) _o301 =
+                    const LANES(court_backboard_normal_out) _o300 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m300, _o301.nx, nx);
-                    ny = lanes_select(_m300, _o301.ny, ny);
-                    nz = lanes_select(_m300, _o301.nz, nz);
-                    const LANES(court_counted_out) _o302 =
+                    nx = lanes_select(_m299, _o300.nx, nx);
+                    ny = lanes_select(_m299, _o300.ny, ny);
+                    nz = lanes_select(_m299, _o300.nz, nz);
+                    const LANES(court_counted_out) _o301 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m300, _o302.count, count_1);
+                    count_1 = lanes_select(_m299, _o301.count, count_1);
                 }
-                const LANES(court_here_out) _o303 =
+                const LANES(court_here_out) _o302 =
                     LANES(court_here)(K(2.0), which);
-                here = _o303.here;
-                const M _m304 = lanes_both(_m293, here);
+                here = _o302.here;
+                const M _m303 = lanes_both(_m292, here);
                 {
-                    const LANES(court_bridge_normal_out) _o305 =
+                    const LANES(court_bridge_normal_out) _o304 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m304, _o305.nx, nx);
-                    ny = lanes_select(_m304, _o305.ny, ny);
-                    nz = lanes_select(_m304, _o305.nz, nz);
-                    const LANES(court_counted_out) _o306 =
+                    nx = lanes_select(_m303, _o304.nx, nx);
+                    ny = lanes_select(_m303, _o304.ny, ny);
+                    nz = lanes_select(_m303, _o304.nz, nz);
+                    const LANES(court_counted_out) _o305 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m304, _o306.count, count_2);
+                    count_2 = lanes_select(_m303, _o305.count, count_2);
                 }
                 {
-                    const double *const _t308[][2] = {
+                    const double *const _t307[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t309[][1] = {
+                    static const double _t308[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k307 = 0; _k307 < 3; _k307++) {
-                        const V own_1 = lanes_load(_t308[_k307][0] + (i & varying));
-                        const V own_2 = lanes_load(_t308[_k307][1] + (i & varying));
-                        const V own_index = K(_t309[_k307][0]);
-                        const LANES(court_here_out) _o310 =
+                    for (size_t _k306 = 0; _k306 < 3; _k306++) {
+                        const V own_1 = lanes_load(_t307[_k306][0] + (i & varying));
+                        const V own_2 = lanes_load(_t307[_k306][1] + (i & varying));
+                        const V own_index = K(_t308[_k306][0]);
+                        const LANES(court_here_out) _o309 =
                             LANES(court_here)(own_index, which);
-                        M here = _o310.here;
-                        const M _m311 = lanes_both(_m293, here);
-                        if (lanes_any(_m311)) {
-                            const LANES(court_ring_impact_out) _o312 =
+                        M here = _o309.here;
+                        const M _m310 = lanes_both(_m292, here);
+                        if (lanes_any(_m310)) {
+                            const LANES(court_ring_impact_out) _o311 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m311, _o312.vx, vx);
-                            vy = lanes_select(_m311, _o312.vy, vy);
-                            vz = lanes_select(_m311, _o312.vz, vz);
-                            wx = lanes_select(_m311, _o312.wx, wx);
-                            wy = lanes_select(_m311, _o312.wy, wy);
-                            wz = lanes_select(_m311, _o312.wz, wz);
+                            vx = lanes_select(_m310, _o311.vx, vx);
+                            vy = lanes_select(_m310, _o311.vy, vy);
+                            vz = lanes_select(_m310, _o311.vz, vz);
+                            wx = lanes_select(_m310, _o311.wx, wx);
+                            wy = lanes_select(_m310, _o311.wy, wy);
+                            wz = lanes_select(_m310, _o311.wz, wz);
                         }
                     }
                 }
-                const M _m313 = lanes_both(_m293, touches);
+                const M _m312 = lanes_both(_m292, touches);
                 {
-                    const LANES(court_touched_out) _o314 =
+                    const LANES(court_touched_out) _o313 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m313, _o314.first, first);
-                    last = lanes_select(_m313, _o314.last, last);
+                    first = lanes_select(_m312, _o313.first, first);
+                    last = lanes_select(_m312, _o313.last, last);
                 }
-                const M _m315 = lanes_both(_m293, touches);
-                if (lanes_any(_m315)) {
-                    const LANES(court_slowed_out) _o316 =
+                const M _m314 = lanes_both(_m292, touches);
+                if (lanes_any(_m314)) {
+                    const LANES(court_slowed_out) _o315 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o316.slow;
-                    const M _m317 = lanes_both(_m315, slow);
-                    if (lanes_any(_m317)) {
-                        const LANES(court_gripped_out) _o318 =
+                    M slow = _o315.slow;
+                    const M _m316 = lanes_both(_m314, slow);
+                    if (lanes_any(_m316)) {
+                        const LANES(court_gripped_out) _o317 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o318.rolled_x;
-                        V rolled_y = _o318.rolled_y;
-                        V rolled_z = _o318.rolled_z;
-                        V slip = _o318.slip;
-                        V bounce = _o318.bounce;
-                        const LANES(court_here_out) _o319 =
+                        V rolled_x = _o317.rolled_x;
+                        V rolled_y = _o317.rolled_y;
+                        V rolled_z = _o317.rolled_z;
+                        V slip = _o317.slip;
+                        V bounce = _o317.bounce;
+                        const LANES(court_here_out) _o318 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o319.here;
-                        const M _m320 = lanes_both(_m317, here);
-                        if (lanes_any(_m320)) {
-                            const LANES(court_ring_turning_out) _o321 =
+                        M here = _o318.here;
+                        const M _m319 = lanes_both(_m316, here);
+                        if (lanes_any(_m319)) {
+                            const LANES(court_ring_turning_out) _o320 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o321.turning_x;
-                            V turning_y = _o321.turning_y;
-                            V turning_z = _o321.turning_z;
-                            const LANES(court_pressed_on_out) _o322 =
+                            V turning_x = _o320.turning_x;
+                            V turning_y = _o320.turning_y;
+                            V turning_z = _o320.turning_z;
+                            const LANES(court_pressed_on_out) _o321 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o322.press;
-                            V weight = _o322.weight;
-                            V drag = _o322.drag;
-                            V thrust_x = _o322.thrust_x;
-                            V thrust_y = _o322.thrust_y;
-                            V thrust_z = _o322.thrust_z;
-                            const LANES(court_alone_out) _o323 =
+                            V press = _o321.press;
+                            V weight = _o321.weight;
+                            V drag = _o321.drag;
+                            V thrust_x = _o321.thrust_x;
+                            V thrust_y = _o321.thrust_y;
+                            V thrust_z = _o321.thrust_z;
+                            const LANES(court_alone_out) _o322 =
                                 LANES(court_alone)();
-                            V nearest = _o323.nearest;
-                            V wedge = _o323.wedge;
-                            const LANES(court_backboard_closing_out) _o324 =
+                            V nearest = _o322.nearest;
+                            V wedge = _o322.wedge;
+                            const LANES(court_backboard_closing_out) _o323 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o324.gap;
-                            V nearing = _o324.nearing;
-                            V swerve = _o324.swerve;
-                            V facing = _o324.facing;
-                            const LANES(court_neared_body_out) _o325 =
+                            V gap = _o323.gap;
+                            V nearing = _o323.nearing;
+                            V swerve = _o323.swerve;
+                            V facing = _o323.facing;
+                            const LANES(court_neared_body_out) _o324 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o325.nearest;
-                            wedge = _o325.wedge;
-                            const LANES(court_bridge_closing_out) _o326 =
+                            nearest = _o324.nearest;
+                            wedge = _o324.wedge;
+                            const LANES(court_bridge_closing_out) _o325 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o326.gap;
-                            nearing = _o326.nearing;
-                            swerve = _o326.swerve;
-                            facing = _o326.facing;
-                            const LANES(court_neared_body_out) _o327 =
+                            gap = _o325.gap;
+                            nearing = _o325.nearing;
+                            swerve = _o325.swerve;
+                            facing = _o325.facing;
+                            const LANES(court_neared_body_out) _o326 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o327.nearest;
-                            wedge = _o327.wedge;
-                            const LANES(court_end_beside_out) _o328 =
+                            nearest = _o326.nearest;
+                            wedge = _o326.wedge;
+                            const LANES(court_end_beside_out) _o327 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o328.gap;
-                            const LANES(court_neared_out) _o329 =
+                            gap = _o327.gap;
+                            const LANES(court_neared_out) _o328 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o329.nearest;
-                            const LANES(court_ring_parting_out) _o330 =
+                            nearest = _o328.nearest;
+                            const LANES(court_ring_parting_out) _o329 =
                                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o330.lift;
-                            const LANES(court_ring_impact_settling_out) _o331 =
+                            V lift = _o329.lift;
+                            const LANES(court_ring_impact_settling_out) _o330 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o331.settles;
-                            M lodges = _o331.lodges;
-                            M slides = _o331.slides;
-                            M parts = _o331.parts;
-                            M unsure = _o331.unsure;
-                            const LANES(court_settled_out) _o332 =
+                            M settles = _o330.settles;
+                            M lodges = _o330.lodges;
+                            M slides = _o330.slides;
+                            M parts = _o330.parts;
+                            M unsure = _o330.unsure;
+                            const LANES(court_settled_out) _o331 =
                                 LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m320, _o332.mode, mode);
-                            held = lanes_select(_m320, _o332.held, held);
-                            outcome = lanes_select(_m320, _o332.outcome, outcome);
-                            slip_left = lanes_select(_m320, _o332.slip_left, slip_left);
+                            mode = lanes_select(_m319, _o331.mode, mode);
+                            held = lanes_select(_m319, _o331.held, held);
+                            outcome = lanes_select(_m319, _o331.outcome, outcome);
+                            slip_left = lanes_select(_m319, _o331.slip_left, slip_left);
                         }
-                        const LANES(court_here_out) _o333 =
+                        const LANES(court_here_out) _o332 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o333.here;
-                        const M _m334 = lanes_both(_m317, here);
-                        if (lanes_any(_m334)) {
-                            const LANES(court_backboard_turning_out) _o335 =
+                        here = _o332.here;
+                        const M _m333 = lanes_both(_m316, here);
+                        if (lanes_any(_m333)) {
+                            const LANES(court_backboard_turning_out) _o334 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o335.turning_x;
-                            V turning_y = _o335.turning_y;
-                            V turning_z = _o335.turning_z;
-                            const LANES(court_pressed_on_out) _o336 =
+                            V turning_x = _o334.turning_x;
+                            V turning_y = _o334.turning_y;
+                            V turning_z = _o334.turning_z;
+                            const LANES(court_pressed_on_out) _o335 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o336.press;
-                            V weight = _o336.weight;
-                            V drag = _o336.drag;
-                            V thrust_x = _o336.thrust_x;
-                            V thrust_y = _o336.thrust_y;
-                            V thrust_z = _o336.thrust_z;
-                            const LANES(court_alone_out) _o337 =
+                            V press = _o335.press;
+                            V weight = _o335.weight;
+                            V drag = _o335.drag;
+                            V thrust_x = _o335.thrust_x;
+                            V thrust_y = _o335.thrust_y;
+                            V thrust_z = _o335.thrust_z;
+                            const LANES(court_alone_out) _o336 =
                                 LANES(court_alone)();
-                            V nearest = _o337.nearest;
-                            V wedge = _o337.wedge;
-                            const LANES(court_ring_closing_out) _o338 =
+                            V nearest = _o336.nearest;
+                            V wedge = _o336.wedge;
+                            const LANES(court_ring_closing_out) _o337 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o338.gap;
-                            V nearing = _o338.nearing;
-                            V swerve = _o338.swerve;
-                            V facing = _o338.facing;
-                            const LANES(court_neared_body_out) _o339 =
+                            V gap = _o337.gap;
+                            V nearing = _o337.nearing;
+                            V swerve = _o337.swerve;
+                            V facing = _o337.facing;
+                            const LANES(court_neared_body_out) _o338 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o339.nearest;
-                            wedge = _o339.wedge;
-                            const LANES(court_bridge_closing_out) _o340 =
+                            nearest = _o338.nearest;
+                            wedge = _o338.wedge;
+                            const LANES(court_bridge_closing_out) _o339 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o340.gap;
-                            nearing = _o340.nearing;
-                            swerve = _o340.swerve;
-                            facing = _o340.facing;
-                            const LANES(court_neared_body_out) _o341 =
+                            gap = _o339.gap;
+                            nearing = _o339.nearing;
+                            swerve = _o339.swerve;
+                            facing = _o339.facing;
+                            const LANES(court_neared_body_out) _o340 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o341.nearest;
-                            wedge = _o341.wedge;
-                            const LANES(court_end_beside_out) _o342 =
+                            nearest = _o340.nearest;
+                            wedge = _o340.wedge;
+                            const LANES(court_end_beside_out) _o341 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o342.gap;
-                            const LANES(court_neared_out) _o343 =
+                            gap = _o341.gap;
+                            const LANES(court_neared_out) _o342 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o343.nearest;
-                            const LANES(court_backboard_parting_out) _o344 =
+                            nearest = _o342.nearest;
+                            const LANES(court_backboard_parting_out) _o343 =
                                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o344.lift;
-                            const LANES(court_ring_impact_settling_out) _o345 =
+                            V lift = _o343.lift;
+                            const LANES(court_ring_impact_settling_out) _o344 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o345.settles;
-                            M lodges = _o345.lodges;
-                            M slides = _o345.slides;
-                            M parts = _o345.parts;
-                            M unsure = _o345.unsure;
-                            const LANES(court_settled_out) _o346 =
+                            M settles = _o344.settles;
+                            M lodges = _o344.lodges;
+                            M slides = _o344.slides;
+                            M parts = _o344.parts;
+                            M unsure = _o344.unsure;
+                            const LANES(court_settled_out) _o345 =
                                 LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m334, _o346.mode, mode);
-                            held = lanes_select(_m334, _o346.held, held);
-                            outcome = lanes_select(_m334, _o346.outcome, outcome);
-                            slip_left = lanes_select(_m334, _o346.slip_left, slip_left);
+                            mode = lanes_select(_m333, _o345.mode, mode);
+                            held = lanes_select(_m333, _o345.held, held);
+                            outcome = lanes_select(_m333, _o345.outcome, outcome);
+                            slip_left = lanes_select(_m333, _o345.slip_left, slip_left);
                         }
-                        const LANES(court_here_out) _o347 =
+                        const LANES(court_here_out) _o346 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o347.here;
-                        const M _m348 = lanes_both(_m317, here);
-                        if (lanes_any(_m348)) {
-                            const LANES(court_bridge_turning_out) _o349 =
+                        here = _o346.here;
+                        const M _m347 = lanes_both(_m316, here);
+                        if (lanes_any(_m347)) {
+                            const LANES(court_bridge_turning_out) _o348 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o349.turning_x;
-                            V turning_y = _o349.turning_y;
-                            V turning_z = _o349.turning_z;
-                            const LANES(court_pressed_on_out) _o350 =
+                            V turning_x = _o348.turning_x;
+                            V turning_y = _o348.turning_y;
+                            V turning_z = _o348.turning_z;
+                            const LANES(court_pressed_on_out) _o349 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o350.press;
-                            V weight = _o350.weight;
-                            V drag = _o350.drag;
-                            V thrust_x = _o350.thrust_x;
-                            V thrust_y = _o350.thrust_y;
-                            V thrust_z = _o350.thrust_z;
-                            const LANES(court_alone_out) _o351 =
+                            V press = _o349.press;
+                            V weight = _o349.weight;
+                            V drag = _o349.drag;
+                            V thrust_x = _o349.thrust_x;
+                            V thrust_y = _o349.thrust_y;
+                            V thrust_z = _o349.thrust_z;
+                            const LANES(court_alone_out) _o350 =
                                 LANES(court_alone)();
-                            V nearest = _o351.nearest;
-                            V wedge = _o351.wedge;
-                            const LANES(court_ring_closing_out) _o352 =
+                            V nearest = _o350.nearest;
+                            V wedge = _o350.wedge;
+                            const LANES(court_ring_closing_out) _o351 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o352.gap;
-                            V nearing = _o352.nearing;
-                            V swerve = _o352.swerve;
-                            V facing = _o352.facing;
-                            const LANES(court_neared_body_out) _o353 =
+                            V gap = _o351.gap;
+                            V nearing = _o351.nearing;
+                            V swerve = _o351.swerve;
+                            V facing = _o351.facing;
+                            const LANES(court_neared_body_out) _o352 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o353.nearest;
-                            wedge = _o353.wedge;
-                            const LANES(court_backboard_closing_out) _o354 =
+                            nearest = _o352.nearest;
+                            wedge = _o352.wedge;
+                            const LANES(court_backboard_closing_out) _o353 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o354.gap;
-                            nearing = _o354.nearing;
-                            swerve = _o354.swerve;
-                            facing = _o354.facing;
-                            const LANES(court_neared_body_out) _o355 =
+                            gap = _o353.gap;
+                            nearing = _o353.nearing;
+                            swerve = _o353.swerve;
+                            facing = _o353.facing;
+                            const LANES(court_neared_body_out) _o354 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o355.nearest;
-                            wedge = _o355.wedge;
-                            const LANES(court_end_beside_out) _o356 =
+                            nearest = _o354.nearest;
+                            wedge = _o354.wedge;
+                            const LANES(court_end_beside_out) _o355 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o356.gap;
-                            const LANES(court_neared_out) _o357 =
+                            gap = _o355.gap;
+                            const LANES(court_neared_out) _o356 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o357.nearest;
-                            const LANES(court_bridge_parting_out) _o358 =
+                            nearest = _o356.nearest;
+                            const LANES(court_bridge_parting_out) _o357 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o358.lift;
-                            const LANES(court_ring_impact_settling_out) _o359 =
+                            V lift = _o357.lift;
+                            const LANES(court_ring_impact_settling_out) _o358 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o359.settles;
-                            M lodges = _o359.lodges;
-                            M slides = _o359.slides;
-                            M parts = _o359.parts;
-                            M unsure = _o359.unsure;
-                            const LANES(court_settled_out) _o360 =
+                            M settles = _o358.settles;
+                            M lodges = _o358.lodges;
+                            M slides = _o358.slides;
+                            M parts = _o358.parts;
+                            M unsure = _o358.unsure;
+                            const LANES(court_settled_out) _o359 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m348, _o360.mode, mode);
-                            held = lanes_select(_m348, _o360.held, held);
-                            outcome = lanes_select(_m348, _o360.outcome, outcome);
-                            slip_left = lanes_select(_m348, _o360.slip_left, slip_left);
+                            mode = lanes_select(_m347, _o359.mode, mode);
+                            held = lanes_select(_m347, _o359.held, held);
+                            outcome = lanes_select(_m347, _o359.outcome, outcome);
+                            slip_left = lanes_select(_m347, _o359.slip_left, slip_left);
                         }
                     }
                 }
@@ -4805,22 +4751,14 @@ typedef struct {
     LANES(court_column) open_arrival;
     LANES(court_column) open_ceiling;
     LANES(court_column) open_certain;
-    LANES(court_column) open_end;
+    LANES(court_column) open_fits;
     LANES(court_column) open_flat;
-    LANES(court_column) open_high0;
-    LANES(court_column) open_high1;
-    LANES(court_column) open_high2;
     LANES(court_column) open_latest;
-    LANES(court_column) open_low0;
-    LANES(court_column) open_low1;
-    LANES(court_column) open_low2;
-    LANES(court_column) open_rho_start;
     LANES(court_column) open_searching;
     LANES(court_column) open_share;
     LANES(court_singles) open_short_t;
-    LANES(court_column) open_steady;
-    LANES(court_column) open_swing;
-    LANES(court_column) open_t;
+    LANES(court_column) open_since;
+    LANES(court_column) open_sound;
     LANES(court_column) open_tilt;
     LANES(court_column) open_leaping_row;
     LANES(court_column) open_leaping_leaping;
@@ -4850,30 +4788,19 @@ typedef struct {
     LANES(court_singles) open_leaping_short_z;
     LANES(court_column) open_searching_row;
     LANES(court_column) open_searching_arrival;
-    LANES(court_column) open_searching_ceiling;
     LANES(court_column) open_searching_certain;
     LANES(court_column) open_searching_doubt;
-    LANES(court_column) open_searching_end;
     LANES(court_column) open_searching_extent;
-    LANES(court_column) open_searching_high0;
-    LANES(court_column) open_searching_high1;
-    LANES(court_column) open_searching_high2;
     LANES(court_column) open_searching_last;
-    LANES(court_column) open_searching_latest;
-    LANES(court_column) open_searching_low0;
-    LANES(court_column) open_searching_low1;
-    LANES(court_column) open_searching_low2;
     LANES(court_column) open_searching_p_ball_radius;
     LANES(court_column) open_searching_p_gravity;
     LANES(court_column) open_searching_p_ring_radius;
     LANES(court_column) open_searching_p_wire_radius;
     LANES(court_column) open_searching_position_error;
-    LANES(court_column) open_searching_rho_start;
     LANES(court_column) open_searching_share;
     LANES(court_column) open_searching_speed;
-    LANES(court_column) open_searching_steady;
-    LANES(court_column) open_searching_swing;
     LANES(court_column) open_searching_t;
+    LANES(court_column) open_searching_until;
     LANES(court_column) open_searching_velocity_error;
     LANES(court_column) open_searching_vx;
     LANES(court_column) open_searching_vy;
@@ -4881,7 +4808,9 @@ typedef struct {
     LANES(court_column) open_searching_x;
     LANES(court_column) open_searching_y;
     LANES(court_column) open_searching_z;
+    LANES(court_column) open_searching_ceiling;
     LANES(court_column) open_searching_flat;
+    LANES(court_column) open_searching_latest;
     LANES(court_column) open_searching_searching;
     LANES(court_column) open_searching_tilt;
     LANES(court_column) open_searching_searching_row;
@@ -4946,6 +4875,12 @@ typedef struct {
     LANES(court_column) open_p_board_half_width;
     LANES(court_column) open_p_board_thickness;
     LANES(court_column) open_p_board_top;
+    LANES(court_column) open_t;
+    LANES(court_column) open_searching_end;
+    LANES(court_column) open_searching_high0;
+    LANES(court_column) open_searching_high1;
+    LANES(court_column) open_searching_low0;
+    LANES(court_column) open_searching_low1;
     LANES(court_column) open_searching_p_board_bottom;
     LANES(court_column) open_searching_p_board_distance;
     LANES(court_column) open_searching_p_board_half_width;
@@ -5631,130 +5566,130 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o132 =
+        const LANES(court_resumed_out) _o133 =
             LANES(court_resumed)(clock, mode, position_error, velocity_error);
-        V which = _o132.which;
-        V late = _o132.late;
-        V began = _o132.began;
-        V doubt = _o132.doubt;
-        M begins = _o132.begins;
-        M rolling = _o132.rolling;
-        M leaves = _o132.leaves;
-        V nx = _o132.nx;
-        V ny = _o132.ny;
-        V nz = _o132.nz;
-        V gap = _o132.gap;
-        V bent_x = _o132.bent_x;
-        V bent_y = _o132.bent_y;
-        V bent_z = _o132.bent_z;
-        V lift = _o132.lift;
-        V surge = _o132.surge;
-        V snap = _o132.snap;
-        V per_reach = _o132.per_reach;
-        const M _m133 = lanes_both(rows, begins);
-        if (lanes_any(_m133)) {
-            const LANES(court_holding_out) _o134 =
+        V which = _o133.which;
+        V late = _o133.late;
+        V began = _o133.began;
+        V doubt = _o133.doubt;
+        M begins = _o133.begins;
+        M rolling = _o133.rolling;
+        M leaves = _o133.leaves;
+        V nx = _o133.nx;
+        V ny = _o133.ny;
+        V nz = _o133.nz;
+        V gap = _o133.gap;
+        V bent_x = _o133.bent_x;
+        V bent_y = _o133.bent_y;
+        V bent_z = _o133.bent_z;
+        V lift = _o133.lift;
+        V surge = _o133.surge;
+        V snap = _o133.snap;
+        V per_reach = _o133.per_reach;
+        const M _m134 = lanes_both(rows, begins);
+        if (lanes_any(_m134)) {
+            const LANES(court_holding_out) _o135 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o134.here;
-            const M _m135 = lanes_both(_m133, here);
+            M here = _o135.here;
+            const M _m136 = lanes_both(_m134, here);
             {
-                const LANES(court_ring_normal_out) _o136 =
+                const LANES(court_ring_normal_out) _o137 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m135, _o136.nx, nx);
-                ny = lanes_select(_m135, _o136.ny, ny);
-                nz = lanes_select(_m135, _o136.nz, nz);
+                nx = lanes_select(_m136, _o137.nx, nx);
+                ny = lanes_select(_m136, _o137.ny, ny);
+                nz = lanes_select(_m136, _o137.nz, nz);
             }
-            const LANES(court_holding_out) _o137 =
+            const LANES(court_holding_out) _o138 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o137.here;
-            const M _m138 = lanes_both(_m133, here);
+            here = _o138.here;
+            const M _m139 = lanes_both(_m134, here);
             {
-                const LANES(court_backboard_normal_out) _o139 =
+                const LANES(court_backboard_normal_out) _o140 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m138, _o139.nx, nx);
-                ny = lanes_select(_m138, _o139.ny, ny);
-                nz = lanes_select(_m138, _o139.nz, nz);
+                nx = lanes_select(_m139, _o140.nx, nx);
+                ny = lanes_select(_m139, _o140.ny, ny);
+                nz = lanes_select(_m139, _o140.nz, nz);
             }
-            const LANES(court_holding_out) _o140 =
+            const LANES(court_holding_out) _o141 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o140.here;
-            const M _m141 = lanes_both(_m133, here);
+            here = _o141.here;
+            const M _m142 = lanes_both(_m134, here);
             {
-                const LANES(court_bridge_normal_out) _o142 =
+                const LANES(court_bridge_normal_out) _o143 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m141, _o142.nx, nx);
-                ny = lanes_select(_m141, _o142.ny, ny);
-                nz = lanes_select(_m141, _o142.nz, nz);
+                nx = lanes_select(_m142, _o143.nx, nx);
+                ny = lanes_select(_m142, _o143.ny, ny);
+                nz = lanes_select(_m142, _o143.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o143 =
+            const LANES(court_roll_turn_rate_out) _o144 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o143.turn_rate;
-            const LANES(court_gripped_out) _o144 =
+            V turn_rate = _o144.turn_rate;
+            const LANES(court_gripped_out) _o145 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o144.rolled_x;
-            V rolled_y = _o144.rolled_y;
-            V rolled_z = _o144.rolled_z;
-            const LANES(court_holding_out) _o145 =
+            V rolled_x = _o145.rolled_x;
+            V rolled_y = _o145.rolled_y;
+            V rolled_z = _o145.rolled_z;
+            const LANES(court_holding_out) _o146 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o145.here;
-            const M _m146 = lanes_both(_m133, here);
+            here = _o146.here;
+            const M _m147 = lanes_both(_m134, here);
             {
-                const LANES(court_ring_off_out) _o147 =
+                const LANES(court_ring_off_out) _o148 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m146, _o147.gap, gap);
+                gap = lanes_select(_m147, _o148.gap, gap);
             }
-            const LANES(court_holding_out) _o148 =
+            const LANES(court_holding_out) _o149 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o148.here;
-            const M _m149 = lanes_both(_m133, here);
+            here = _o149.here;
+            const M _m150 = lanes_both(_m134, here);
             {
-                const LANES(court_backboard_off_out) _o150 =
+                const LANES(court_backboard_off_out) _o151 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m149, _o150.gap, gap);
+                gap = lanes_select(_m150, _o151.gap, gap);
             }
-            const LANES(court_holding_out) _o151 =
+            const LANES(court_holding_out) _o152 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o151.here;
-            const M _m152 = lanes_both(_m133, here);
+            here = _o152.here;
+            const M _m153 = lanes_both(_m134, here);
             {
-                const LANES(court_bridge_off_out) _o153 =
+                const LANES(court_bridge_off_out) _o154 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m152, _o153.gap, gap);
+                gap = lanes_select(_m153, _o154.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o154 =
+            const LANES(court_roll_placed_out) _o155 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m133, _o154.x, x);
-            y = lanes_select(_m133, _o154.y, y);
-            z = lanes_select(_m133, _o154.z, z);
-            vx = lanes_select(_m133, _o154.vx, vx);
-            vy = lanes_select(_m133, _o154.vy, vy);
-            vz = lanes_select(_m133, _o154.vz, vz);
-            wx = lanes_select(_m133, _o154.wx, wx);
-            wy = lanes_select(_m133, _o154.wy, wy);
-            wz = lanes_select(_m133, _o154.wz, wz);
-            const LANES(court_begun_errors_out) _o155 =
+            x = lanes_select(_m134, _o155.x, x);
+            y = lanes_select(_m134, _o155.y, y);
+            z = lanes_select(_m134, _o155.z, z);
+            vx = lanes_select(_m134, _o155.vx, vx);
+            vy = lanes_select(_m134, _o155.vy, vy);
+            vz = lanes_select(_m134, _o155.vz, vz);
+            wx = lanes_select(_m134, _o155.wx, wx);
+            wy = lanes_select(_m134, _o155.wy, wy);
+            wz = lanes_select(_m134, _o155.wz, wz);
+            const LANES(court_begun_errors_out) _o156 =
                 LANES(court_begun_errors)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz);
-            dx = lanes_select(_m133, _o155.dx, dx);
-            dy = lanes_select(_m133, _o155.dy, dy);
-            dz = lanes_select(_m133, _o155.dz, dz);
-            dvx = lanes_select(_m133, _o155.dvx, dvx);
-            dvy = lanes_select(_m133, _o155.dvy, dvy);
-            dvz = lanes_select(_m133, _o155.dvz, dvz);
-            dwx = lanes_select(_m133, _o155.dwx, dwx);
-            dwy = lanes_select(_m133, _o155.dwy, dwy);
-            dwz = lanes_select(_m133, _o155.dwz, dwz);
-            const LANES(court_untaut_out) _o156 =
+            dx = lanes_select(_m134, _o156.dx, dx);
+            dy = lanes_select(_m134, _o156.dy, dy);
+            dz = lanes_select(_m134, _o156.dz, dz);
+            dvx = lanes_select(_m134, _o156.dvx, dvx);
+            dvy = lanes_select(_m134, _o156.dvy, dvy);
+            dvz = lanes_select(_m134, _o156.dvz, dvz);
+            dwx = lanes_select(_m134, _o156.dwx, dwx);
+            dwy = lanes_select(_m134, _o156.dwy, dwy);
+            dwz = lanes_select(_m134, _o156.dwz, dwz);
+            const LANES(court_untaut_out) _o157 =
                 LANES(court_untaut)();
-            taut = lanes_select(_m133, _o156.taut, taut);
-            const LANES(court_beginning_contact_out) _o157 =
+            taut = lanes_select(_m134, _o157.taut, taut);
+            const LANES(court_beginning_contact_out) _o158 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m133, _o157.which, which);
-            circled = lanes_select(_m133, _o157.circled, circled);
+            which = lanes_select(_m134, _o158.which, which);
+            circled = lanes_select(_m134, _o158.circled, circled);
         }
-        const LANES(court_circles_out) _o158 =
+        const LANES(court_circles_out) _o159 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o158.circling;
-        rolling = _o158.rolling;
+        M circling = _o159.circling;
+        rolling = _o159.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -5975,688 +5910,688 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_error_bounds_out) _o159 =
+            const LANES(court_error_bounds_out) _o160 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o159.position_error;
-            V velocity_error = _o159.velocity_error;
-            const LANES(court_holding_out) _o160 =
+            V position_error = _o160.position_error;
+            V velocity_error = _o160.velocity_error;
+            const LANES(court_holding_out) _o161 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o160.here;
-            const M _m161 = lanes_both(active, here);
-            if (lanes_any(_m161)) {
-                const LANES(court_backboard_normal_out) _o162 =
+            M here = _o161.here;
+            const M _m162 = lanes_both(active, here);
+            if (lanes_any(_m162)) {
+                const LANES(court_backboard_normal_out) _o163 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m161, _o162.nx, nx);
-                ny = lanes_select(_m161, _o162.ny, ny);
-                nz = lanes_select(_m161, _o162.nz, nz);
-                const LANES(court_backboard_tube_out) _o163 =
+                nx = lanes_select(_m162, _o163.nx, nx);
+                ny = lanes_select(_m162, _o163.ny, ny);
+                nz = lanes_select(_m162, _o163.nz, nz);
+                const LANES(court_backboard_tube_out) _o164 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m161, _o163.bent_x, bent_x);
-                bent_y = lanes_select(_m161, _o163.bent_y, bent_y);
-                bent_z = lanes_select(_m161, _o163.bent_z, bent_z);
-                per_reach = lanes_select(_m161, _o163.per_reach, per_reach);
+                bent_x = lanes_select(_m162, _o164.bent_x, bent_x);
+                bent_y = lanes_select(_m162, _o164.bent_y, bent_y);
+                bent_z = lanes_select(_m162, _o164.bent_z, bent_z);
+                per_reach = lanes_select(_m162, _o164.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o164 =
+            const LANES(court_holding_out) _o165 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o164.here;
-            const M _m165 = lanes_both(active, here);
-            if (lanes_any(_m165)) {
-                const LANES(court_bridge_normal_out) _o166 =
+            here = _o165.here;
+            const M _m166 = lanes_both(active, here);
+            if (lanes_any(_m166)) {
+                const LANES(court_bridge_normal_out) _o167 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m165, _o166.nx, nx);
-                ny = lanes_select(_m165, _o166.ny, ny);
-                nz = lanes_select(_m165, _o166.nz, nz);
-                const LANES(court_bridge_tube_out) _o167 =
+                nx = lanes_select(_m166, _o167.nx, nx);
+                ny = lanes_select(_m166, _o167.ny, ny);
+                nz = lanes_select(_m166, _o167.nz, nz);
+                const LANES(court_bridge_tube_out) _o168 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m165, _o167.bent_x, bent_x);
-                bent_y = lanes_select(_m165, _o167.bent_y, bent_y);
-                bent_z = lanes_select(_m165, _o167.bent_z, bent_z);
-                per_reach = lanes_select(_m165, _o167.per_reach, per_reach);
+                bent_x = lanes_select(_m166, _o168.bent_x, bent_x);
+                bent_y = lanes_select(_m166, _o168.bent_y, bent_y);
+                bent_z = lanes_select(_m166, _o168.bent_z, bent_z);
+                per_reach = lanes_select(_m166, _o168.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o168 =
+            const LANES(court_roll_start_out) _o169 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o168.vx_0;
-            V vy_0 = _o168.vy_0;
-            V vz_0 = _o168.vz_0;
-            V nx_0 = _o168.nx_0;
-            V ny_0 = _o168.ny_0;
-            V nz_0 = _o168.nz_0;
-            V turn_rate_0 = _o168.turn_rate_0;
-            const LANES(court_roll_0_out) _o169 =
+            V vx_0 = _o169.vx_0;
+            V vy_0 = _o169.vy_0;
+            V vz_0 = _o169.vz_0;
+            V nx_0 = _o169.nx_0;
+            V ny_0 = _o169.ny_0;
+            V nz_0 = _o169.nz_0;
+            V turn_rate_0 = _o169.turn_rate_0;
+            const LANES(court_roll_0_out) _o170 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o169.lift_0;
-            V tx_0 = _o169.tx_0;
-            V ty_0 = _o169.ty_0;
-            V tz_0 = _o169.tz_0;
-            V vx_1 = _o169.vx_1;
-            V vy_1 = _o169.vy_1;
-            V vz_1 = _o169.vz_1;
-            V nx_1 = _o169.nx_1;
-            V ny_1 = _o169.ny_1;
-            V nz_1 = _o169.nz_1;
-            V turn_rate_1 = _o169.turn_rate_1;
-            const LANES(court_roll_1_out) _o170 =
+            V lift_0 = _o170.lift_0;
+            V tx_0 = _o170.tx_0;
+            V ty_0 = _o170.ty_0;
+            V tz_0 = _o170.tz_0;
+            V vx_1 = _o170.vx_1;
+            V vy_1 = _o170.vy_1;
+            V vz_1 = _o170.vz_1;
+            V nx_1 = _o170.nx_1;
+            V ny_1 = _o170.ny_1;
+            V nz_1 = _o170.nz_1;
+            V turn_rate_1 = _o170.turn_rate_1;
+            const LANES(court_roll_1_out) _o171 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o170.lift_1;
-            V tx_1 = _o170.tx_1;
-            V ty_1 = _o170.ty_1;
-            V tz_1 = _o170.tz_1;
-            V vx_2 = _o170.vx_2;
-            V vy_2 = _o170.vy_2;
-            V vz_2 = _o170.vz_2;
-            V nx_2 = _o170.nx_2;
-            V ny_2 = _o170.ny_2;
-            V nz_2 = _o170.nz_2;
-            V turn_rate_2 = _o170.turn_rate_2;
-            const LANES(court_roll_2_out) _o171 =
+            V lift_1 = _o171.lift_1;
+            V tx_1 = _o171.tx_1;
+            V ty_1 = _o171.ty_1;
+            V tz_1 = _o171.tz_1;
+            V vx_2 = _o171.vx_2;
+            V vy_2 = _o171.vy_2;
+            V vz_2 = _o171.vz_2;
+            V nx_2 = _o171.nx_2;
+            V ny_2 = _o171.ny_2;
+            V nz_2 = _o171.nz_2;
+            V turn_rate_2 = _o171.turn_rate_2;
+            const LANES(court_roll_2_out) _o172 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o171.lift_2;
-            V tx_2 = _o171.tx_2;
-            V ty_2 = _o171.ty_2;
-            V tz_2 = _o171.tz_2;
-            V vx_3 = _o171.vx_3;
-            V vy_3 = _o171.vy_3;
-            V vz_3 = _o171.vz_3;
-            V nx_3 = _o171.nx_3;
-            V ny_3 = _o171.ny_3;
-            V nz_3 = _o171.nz_3;
-            V turn_rate_3 = _o171.turn_rate_3;
-            const LANES(court_roll_3_out) _o172 =
+            V lift_2 = _o172.lift_2;
+            V tx_2 = _o172.tx_2;
+            V ty_2 = _o172.ty_2;
+            V tz_2 = _o172.tz_2;
+            V vx_3 = _o172.vx_3;
+            V vy_3 = _o172.vy_3;
+            V vz_3 = _o172.vz_3;
+            V nx_3 = _o172.nx_3;
+            V ny_3 = _o172.ny_3;
+            V nz_3 = _o172.nz_3;
+            V turn_rate_3 = _o172.turn_rate_3;
+            const LANES(court_roll_3_out) _o173 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o172.lift_3;
-            V tx_3 = _o172.tx_3;
-            V ty_3 = _o172.ty_3;
-            V tz_3 = _o172.tz_3;
-            V vx_4 = _o172.vx_4;
-            V vy_4 = _o172.vy_4;
-            V vz_4 = _o172.vz_4;
-            V nx_4 = _o172.nx_4;
-            V ny_4 = _o172.ny_4;
-            V nz_4 = _o172.nz_4;
-            V turn_rate_4 = _o172.turn_rate_4;
-            const LANES(court_roll_4_out) _o173 =
+            V lift_3 = _o173.lift_3;
+            V tx_3 = _o173.tx_3;
+            V ty_3 = _o173.ty_3;
+            V tz_3 = _o173.tz_3;
+            V vx_4 = _o173.vx_4;
+            V vy_4 = _o173.vy_4;
+            V vz_4 = _o173.vz_4;
+            V nx_4 = _o173.nx_4;
+            V ny_4 = _o173.ny_4;
+            V nz_4 = _o173.nz_4;
+            V turn_rate_4 = _o173.turn_rate_4;
+            const LANES(court_roll_4_out) _o174 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o173.lift_4;
-            V tx_4 = _o173.tx_4;
-            V ty_4 = _o173.ty_4;
-            V tz_4 = _o173.tz_4;
-            V vx_5 = _o173.vx_5;
-            V vy_5 = _o173.vy_5;
-            V vz_5 = _o173.vz_5;
-            V nx_5 = _o173.nx_5;
-            V ny_5 = _o173.ny_5;
-            V nz_5 = _o173.nz_5;
-            V turn_rate_5 = _o173.turn_rate_5;
-            const LANES(court_roll_5_out) _o174 =
+            V lift_4 = _o174.lift_4;
+            V tx_4 = _o174.tx_4;
+            V ty_4 = _o174.ty_4;
+            V tz_4 = _o174.tz_4;
+            V vx_5 = _o174.vx_5;
+            V vy_5 = _o174.vy_5;
+            V vz_5 = _o174.vz_5;
+            V nx_5 = _o174.nx_5;
+            V ny_5 = _o174.ny_5;
+            V nz_5 = _o174.nz_5;
+            V turn_rate_5 = _o174.turn_rate_5;
+            const LANES(court_roll_5_out) _o175 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o174.lift_5;
-            V tx_5 = _o174.tx_5;
-            V ty_5 = _o174.ty_5;
-            V tz_5 = _o174.tz_5;
-            V vx_6 = _o174.vx_6;
-            V vy_6 = _o174.vy_6;
-            V vz_6 = _o174.vz_6;
-            V nx_6 = _o174.nx_6;
-            V ny_6 = _o174.ny_6;
-            V nz_6 = _o174.nz_6;
-            V turn_rate_6 = _o174.turn_rate_6;
-            const LANES(court_roll_6_out) _o175 =
+            V lift_5 = _o175.lift_5;
+            V tx_5 = _o175.tx_5;
+            V ty_5 = _o175.ty_5;
+            V tz_5 = _o175.tz_5;
+            V vx_6 = _o175.vx_6;
+            V vy_6 = _o175.vy_6;
+            V vz_6 = _o175.vz_6;
+            V nx_6 = _o175.nx_6;
+            V ny_6 = _o175.ny_6;
+            V nz_6 = _o175.nz_6;
+            V turn_rate_6 = _o175.turn_rate_6;
+            const LANES(court_roll_6_out) _o176 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o175.lift_6;
-            V tx_6 = _o175.tx_6;
-            V ty_6 = _o175.ty_6;
-            V tz_6 = _o175.tz_6;
-            V vx_7 = _o175.vx_7;
-            V vy_7 = _o175.vy_7;
-            V vz_7 = _o175.vz_7;
-            V nx_7 = _o175.nx_7;
-            V ny_7 = _o175.ny_7;
-            V nz_7 = _o175.nz_7;
-            V turn_rate_7 = _o175.turn_rate_7;
-            const LANES(court_roll_7_out) _o176 =
+            V lift_6 = _o176.lift_6;
+            V tx_6 = _o176.tx_6;
+            V ty_6 = _o176.ty_6;
+            V tz_6 = _o176.tz_6;
+            V vx_7 = _o176.vx_7;
+            V vy_7 = _o176.vy_7;
+            V vz_7 = _o176.vz_7;
+            V nx_7 = _o176.nx_7;
+            V ny_7 = _o176.ny_7;
+            V nz_7 = _o176.nz_7;
+            V turn_rate_7 = _o176.turn_rate_7;
+            const LANES(court_roll_7_out) _o177 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o176.lift_7;
-            V vx_8 = _o176.vx_8;
-            V vy_8 = _o176.vy_8;
-            V vz_8 = _o176.vz_8;
-            V nx_8 = _o176.nx_8;
-            V ny_8 = _o176.ny_8;
-            V nz_8 = _o176.nz_8;
-            V turn_rate_8 = _o176.turn_rate_8;
-            const LANES(court_roll_pace_out) _o177 =
+            V lift_7 = _o177.lift_7;
+            V vx_8 = _o177.vx_8;
+            V vy_8 = _o177.vy_8;
+            V vz_8 = _o177.vz_8;
+            V nx_8 = _o177.nx_8;
+            V ny_8 = _o177.ny_8;
+            V nz_8 = _o177.nz_8;
+            V turn_rate_8 = _o177.turn_rate_8;
+            const LANES(court_roll_pace_out) _o178 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o177.stride;
-            V strongest = _o177.strongest;
-            V fastest = _o177.fastest;
-            V force = _o177.force;
-            V force_rate = _o177.force_rate;
-            V force_bend = _o177.force_bend;
-            V brace = _o177.brace;
-            const LANES(court_pulled_out) _o178 =
+            V stride = _o178.stride;
+            V strongest = _o178.strongest;
+            V fastest = _o178.fastest;
+            V force = _o178.force;
+            V force_rate = _o178.force_rate;
+            V force_bend = _o178.force_bend;
+            V brace = _o178.brace;
+            const LANES(court_pulled_out) _o179 =
                 LANES(court_pulled)(p_gravity, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-            V drag = _o178.drag;
-            V drag_rate = _o178.drag_rate;
-            V strain = _o178.strain;
-            V strain_rate = _o178.strain_rate;
-            const LANES(court_holding_out) _o179 =
+            V drag = _o179.drag;
+            V drag_rate = _o179.drag_rate;
+            V strain = _o179.strain;
+            V strain_rate = _o179.strain_rate;
+            const LANES(court_holding_out) _o180 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o179.here;
-            const M _m180 = lanes_both(active, here);
+            here = _o180.here;
+            const M _m181 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o181 =
+                const LANES(court_ring_impact_strained_out) _o182 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_backboard_friction);
-                strain = lanes_select(_m180, _o181.strain, strain);
-                strain_rate = lanes_select(_m180, _o181.strain_rate, strain_rate);
+                strain = lanes_select(_m181, _o182.strain, strain);
+                strain_rate = lanes_select(_m181, _o182.strain_rate, strain_rate);
             }
-            const LANES(court_holding_out) _o182 =
+            const LANES(court_holding_out) _o183 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o182.here;
-            const M _m183 = lanes_both(active, here);
+            here = _o183.here;
+            const M _m184 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o184 =
+                const LANES(court_ring_impact_strained_out) _o185 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_bridge_friction);
-                strain = lanes_select(_m183, _o184.strain, strain);
-                strain_rate = lanes_select(_m183, _o184.strain_rate, strain_rate);
+                strain = lanes_select(_m184, _o185.strain, strain);
+                strain_rate = lanes_select(_m184, _o185.strain_rate, strain_rate);
             }
-            const LANES(court_losing_out) _o185 =
+            const LANES(court_losing_out) _o186 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o185.loses;
-            const M _m186 = lanes_both(active, loses);
-            if (lanes_any(_m186)) {
-                const LANES(court_lost_grip_out) _o187 =
+            M loses = _o186.loses;
+            const M _m187 = lanes_both(active, loses);
+            if (lanes_any(_m187)) {
+                const LANES(court_lost_grip_out) _o188 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m186, _o187.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m187, _o188.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o188 =
+            const LANES(court_tightened_out) _o189 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o188.taut;
-            taut_rate = _o188.taut_rate;
-            taut_clock = _o188.taut_clock;
-            const LANES(court_leaving_force_out) _o189 =
+            taut = _o189.taut;
+            taut_rate = _o189.taut_rate;
+            taut_clock = _o189.taut_clock;
+            const LANES(court_leaving_force_out) _o190 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o189.stride;
-            which = _o189.which;
-            M rests = _o189.rests;
-            doubt = _o189.doubt;
-            const LANES(court_beside_out) _o190 =
+            stride = _o190.stride;
+            which = _o190.which;
+            M rests = _o190.rests;
+            doubt = _o190.doubt;
+            const LANES(court_beside_out) _o191 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o190.beside;
-            const M _m191 = lanes_both(active, beside);
-            if (lanes_any(_m191)) {
-                const LANES(court_ring_beside_out) _o192 =
+            M beside = _o191.beside;
+            const M _m192 = lanes_both(active, beside);
+            if (lanes_any(_m192)) {
+                const LANES(court_ring_beside_out) _o193 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o192.gap;
-                V nearing = _o192.nearing;
-                V dent = _o192.dent;
-                const LANES(court_beside_body_out) _o193 =
+                V gap = _o193.gap;
+                V nearing = _o193.nearing;
+                V dent = _o193.dent;
+                const LANES(court_beside_body_out) _o194 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m191, _o193.stride, stride);
-                which = lanes_select(_m191, _o193.which, which);
-                doubt = lanes_select(_m191, _o193.doubt, doubt);
-                late = lanes_select(_m191, _o193.late, late);
+                stride = lanes_select(_m192, _o194.stride, stride);
+                which = lanes_select(_m192, _o194.which, which);
+                doubt = lanes_select(_m192, _o194.doubt, doubt);
+                late = lanes_select(_m192, _o194.late, late);
             }
-            const LANES(court_beside_out) _o194 =
+            const LANES(court_beside_out) _o195 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o194.beside;
-            const M _m195 = lanes_both(active, beside);
-            if (lanes_any(_m195)) {
-                const LANES(court_backboard_beside_out) _o196 =
+            beside = _o195.beside;
+            const M _m196 = lanes_both(active, beside);
+            if (lanes_any(_m196)) {
+                const LANES(court_backboard_beside_out) _o197 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o196.gap;
-                V nearing = _o196.nearing;
-                V dent = _o196.dent;
-                const LANES(court_beside_body_out) _o197 =
+                V gap = _o197.gap;
+                V nearing = _o197.nearing;
+                V dent = _o197.dent;
+                const LANES(court_beside_body_out) _o198 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m195, _o197.stride, stride);
-                which = lanes_select(_m195, _o197.which, which);
-                doubt = lanes_select(_m195, _o197.doubt, doubt);
-                late = lanes_select(_m195, _o197.late, late);
+                stride = lanes_select(_m196, _o198.stride, stride);
+                which = lanes_select(_m196, _o198.which, which);
+                doubt = lanes_select(_m196, _o198.doubt, doubt);
+                late = lanes_select(_m196, _o198.late, late);
             }
-            const LANES(court_beside_out) _o198 =
+            const LANES(court_beside_out) _o199 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o198.beside;
-            const M _m199 = lanes_both(active, beside);
-            if (lanes_any(_m199)) {
-                const LANES(court_bridge_beside_out) _o200 =
+            beside = _o199.beside;
+            const M _m200 = lanes_both(active, beside);
+            if (lanes_any(_m200)) {
+                const LANES(court_bridge_beside_out) _o201 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o200.gap;
-                V nearing = _o200.nearing;
-                V dent = _o200.dent;
-                const LANES(court_beside_body_out) _o201 =
+                V gap = _o201.gap;
+                V nearing = _o201.nearing;
+                V dent = _o201.dent;
+                const LANES(court_beside_body_out) _o202 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m199, _o201.stride, stride);
-                which = lanes_select(_m199, _o201.which, which);
-                doubt = lanes_select(_m199, _o201.doubt, doubt);
-                late = lanes_select(_m199, _o201.late, late);
+                stride = lanes_select(_m200, _o202.stride, stride);
+                which = lanes_select(_m200, _o202.which, which);
+                doubt = lanes_select(_m200, _o202.doubt, doubt);
+                late = lanes_select(_m200, _o202.late, late);
             }
-            const LANES(court_end_beside_out) _o202 =
+            const LANES(court_end_beside_out) _o203 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o202.gap;
-            V nearing = _o202.nearing;
-            V dent = _o202.dent;
-            const LANES(court_beside_gate_out) _o203 =
+            V gap = _o203.gap;
+            V nearing = _o203.nearing;
+            V dent = _o203.dent;
+            const LANES(court_beside_gate_out) _o204 =
                 LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o203.stride;
-            which = _o203.which;
-            doubt = _o203.doubt;
-            late = _o203.late;
-            const LANES(court_holding_out) _o204 =
+            stride = _o204.stride;
+            which = _o204.which;
+            doubt = _o204.doubt;
+            late = _o204.late;
+            const LANES(court_holding_out) _o205 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o204.here;
-            const M _m205 = lanes_both(active, here);
-            if (lanes_any(_m205)) {
-                const LANES(court_backboard_seam0_out) _o206 =
+            here = _o205.here;
+            const M _m206 = lanes_both(active, here);
+            if (lanes_any(_m206)) {
+                const LANES(court_backboard_seam0_out) _o207 =
                     LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m205, _o206.gap, gap);
-                V nearing = _o206.nearing;
-                V near = _o206.near;
-                const LANES(court_beside_seam_out) _o207 =
+                gap = lanes_select(_m206, _o207.gap, gap);
+                V nearing = _o207.nearing;
+                V near = _o207.near;
+                const LANES(court_beside_seam_out) _o208 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m205, _o207.stride, stride);
-                const LANES(court_backboard_seam1_out) _o208 =
+                stride = lanes_select(_m206, _o208.stride, stride);
+                const LANES(court_backboard_seam1_out) _o209 =
                     LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m205, _o208.gap, gap);
-                nearing = _o208.nearing;
-                near = _o208.near;
-                const LANES(court_beside_seam_out) _o209 =
+                gap = lanes_select(_m206, _o209.gap, gap);
+                nearing = _o209.nearing;
+                near = _o209.near;
+                const LANES(court_beside_seam_out) _o210 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m205, _o209.stride, stride);
-                const LANES(court_backboard_seam2_out) _o210 =
+                stride = lanes_select(_m206, _o210.stride, stride);
+                const LANES(court_backboard_seam2_out) _o211 =
                     LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m205, _o210.gap, gap);
-                nearing = _o210.nearing;
-                near = _o210.near;
-                const LANES(court_beside_seam_out) _o211 =
+                gap = lanes_select(_m206, _o211.gap, gap);
+                nearing = _o211.nearing;
+                near = _o211.near;
+                const LANES(court_beside_seam_out) _o212 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m205, _o211.stride, stride);
-                const LANES(court_backboard_seam3_out) _o212 =
+                stride = lanes_select(_m206, _o212.stride, stride);
+                const LANES(court_backboard_seam3_out) _o213 =
                     LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m205, _o212.gap, gap);
-                nearing = _o212.nearing;
-                near = _o212.near;
-                const LANES(court_beside_seam_out) _o213 =
+                gap = lanes_select(_m206, _o213.gap, gap);
+                nearing = _o213.nearing;
+                near = _o213.near;
+                const LANES(court_beside_seam_out) _o214 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m205, _o213.stride, stride);
-                const LANES(court_backboard_seam4_out) _o214 =
+                stride = lanes_select(_m206, _o214.stride, stride);
+                const LANES(court_backboard_seam4_out) _o215 =
                     LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m205, _o214.gap, gap);
-                nearing = _o214.nearing;
-                near = _o214.near;
-                const LANES(court_beside_seam_out) _o215 =
+                gap = lanes_select(_m206, _o215.gap, gap);
+                nearing = _o215.nearing;
+                near = _o215.near;
+                const LANES(court_beside_seam_out) _o216 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m205, _o215.stride, stride);
-                const LANES(court_backboard_seam5_out) _o216 =
+                stride = lanes_select(_m206, _o216.stride, stride);
+                const LANES(court_backboard_seam5_out) _o217 =
                     LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m205, _o216.gap, gap);
-                nearing = _o216.nearing;
-                near = _o216.near;
-                const LANES(court_beside_seam_out) _o217 =
+                gap = lanes_select(_m206, _o217.gap, gap);
+                nearing = _o217.nearing;
+                near = _o217.near;
+                const LANES(court_beside_seam_out) _o218 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m205, _o217.stride, stride);
+                stride = lanes_select(_m206, _o218.stride, stride);
             }
-            const LANES(court_holding_out) _o218 =
+            const LANES(court_holding_out) _o219 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o218.here;
-            const M _m219 = lanes_both(active, here);
-            if (lanes_any(_m219)) {
-                const LANES(court_bridge_seam0_out) _o220 =
+            here = _o219.here;
+            const M _m220 = lanes_both(active, here);
+            if (lanes_any(_m220)) {
+                const LANES(court_bridge_seam0_out) _o221 =
                     LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m219, _o220.gap, gap);
-                V nearing = _o220.nearing;
-                V near = _o220.near;
-                const LANES(court_beside_seam_out) _o221 =
+                gap = lanes_select(_m220, _o221.gap, gap);
+                V nearing = _o221.nearing;
+                V near = _o221.near;
+                const LANES(court_beside_seam_out) _o222 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m219, _o221.stride, stride);
-                const LANES(court_bridge_seam1_out) _o222 =
+                stride = lanes_select(_m220, _o222.stride, stride);
+                const LANES(court_bridge_seam1_out) _o223 =
                     LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m219, _o222.gap, gap);
-                nearing = _o222.nearing;
-                near = _o222.near;
-                const LANES(court_beside_seam_out) _o223 =
+                gap = lanes_select(_m220, _o223.gap, gap);
+                nearing = _o223.nearing;
+                near = _o223.near;
+                const LANES(court_beside_seam_out) _o224 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m219, _o223.stride, stride);
-                const LANES(court_bridge_seam2_out) _o224 =
+                stride = lanes_select(_m220, _o224.stride, stride);
+                const LANES(court_bridge_seam2_out) _o225 =
                     LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m219, _o224.gap, gap);
-                nearing = _o224.nearing;
-                near = _o224.near;
-                const LANES(court_beside_seam_out) _o225 =
+                gap = lanes_select(_m220, _o225.gap, gap);
+                nearing = _o225.nearing;
+                near = _o225.near;
+                const LANES(court_beside_seam_out) _o226 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m219, _o225.stride, stride);
-                const LANES(court_bridge_seam3_out) _o226 =
+                stride = lanes_select(_m220, _o226.stride, stride);
+                const LANES(court_bridge_seam3_out) _o227 =
                     LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m219, _o226.gap, gap);
-                nearing = _o226.nearing;
-                near = _o226.near;
-                const LANES(court_beside_seam_out) _o227 =
+                gap = lanes_select(_m220, _o227.gap, gap);
+                nearing = _o227.nearing;
+                near = _o227.near;
+                const LANES(court_beside_seam_out) _o228 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m219, _o227.stride, stride);
-                const LANES(court_bridge_seam4_out) _o228 =
+                stride = lanes_select(_m220, _o228.stride, stride);
+                const LANES(court_bridge_seam4_out) _o229 =
                     LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m219, _o228.gap, gap);
-                nearing = _o228.nearing;
-                near = _o228.near;
-                const LANES(court_beside_seam_out) _o229 =
+                gap = lanes_select(_m220, _o229.gap, gap);
+                nearing = _o229.nearing;
+                near = _o229.near;
+                const LANES(court_beside_seam_out) _o230 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m219, _o229.stride, stride);
-                const LANES(court_bridge_seam5_out) _o230 =
+                stride = lanes_select(_m220, _o230.stride, stride);
+                const LANES(court_bridge_seam5_out) _o231 =
                     LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m219, _o230.gap, gap);
-                nearing = _o230.nearing;
-                near = _o230.near;
-                const LANES(court_beside_seam_out) _o231 =
+                gap = lanes_select(_m220, _o231.gap, gap);
+                nearing = _o231.nearing;
+                near = _o231.near;
+                const LANES(court_beside_seam_out) _o232 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m219, _o231.stride, stride);
+                stride = lanes_select(_m220, _o232.stride, stride);
             }
-            const LANES(court_beside_time_out) _o232 =
+            const LANES(court_beside_time_out) _o233 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o232.stride;
-            which = _o232.which;
-            const LANES(court_apart_out) _o233 =
+            stride = _o233.stride;
+            which = _o233.which;
+            const LANES(court_apart_out) _o234 =
                 LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o233.apart;
-            const LANES(court_neighbour_out) _o234 =
+            V apart = _o234.apart;
+            const LANES(court_neighbour_out) _o235 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o234.far_x;
-            V far_y = _o234.far_y;
-            V far_z = _o234.far_z;
-            V far_vx = _o234.far_vx;
-            V far_vy = _o234.far_vy;
-            V far_vz = _o234.far_vz;
-            V far_wx = _o234.far_wx;
-            V far_wy = _o234.far_wy;
-            V far_wz = _o234.far_wz;
-            V far_nx = _o234.far_nx;
-            V far_ny = _o234.far_ny;
-            V far_nz = _o234.far_nz;
-            V far_gap = _o234.far_gap;
-            const LANES(court_passing_from_out) _o235 =
+            V far_x = _o235.far_x;
+            V far_y = _o235.far_y;
+            V far_z = _o235.far_z;
+            V far_vx = _o235.far_vx;
+            V far_vy = _o235.far_vy;
+            V far_vz = _o235.far_vz;
+            V far_wx = _o235.far_wx;
+            V far_wy = _o235.far_wy;
+            V far_wz = _o235.far_wz;
+            V far_nx = _o235.far_nx;
+            V far_ny = _o235.far_ny;
+            V far_nz = _o235.far_nz;
+            V far_gap = _o235.far_gap;
+            const LANES(court_passing_from_out) _o236 =
                 LANES(court_passing_from)(z);
-            M over = _o235.over;
-            const LANES(court_roll_moved_out) _o236 =
+            M over = _o236.over;
+            const LANES(court_roll_moved_out) _o237 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o236.x;
-            vx = _o236.vx;
-            y = _o236.y;
-            vy = _o236.vy;
-            z = _o236.z;
-            vz = _o236.vz;
-            V turn_rate = _o236.turn_rate;
-            const LANES(court_holding_out) _o237 =
+            x = _o237.x;
+            vx = _o237.vx;
+            y = _o237.y;
+            vy = _o237.vy;
+            z = _o237.z;
+            vz = _o237.vz;
+            V turn_rate = _o237.turn_rate;
+            const LANES(court_holding_out) _o238 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o237.here;
-            const M _m238 = lanes_both(active, here);
-            if (lanes_any(_m238)) {
-                const LANES(court_backboard_normal_out) _o239 =
+            here = _o238.here;
+            const M _m239 = lanes_both(active, here);
+            if (lanes_any(_m239)) {
+                const LANES(court_backboard_normal_out) _o240 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m238, _o239.nx, nx);
-                ny = lanes_select(_m238, _o239.ny, ny);
-                nz = lanes_select(_m238, _o239.nz, nz);
-                const LANES(court_backboard_off_out) _o240 =
+                nx = lanes_select(_m239, _o240.nx, nx);
+                ny = lanes_select(_m239, _o240.ny, ny);
+                nz = lanes_select(_m239, _o240.nz, nz);
+                const LANES(court_backboard_off_out) _o241 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m238, _o240.gap, gap);
+                gap = lanes_select(_m239, _o241.gap, gap);
             }
-            const LANES(court_holding_out) _o241 =
+            const LANES(court_holding_out) _o242 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o241.here;
-            const M _m242 = lanes_both(active, here);
-            if (lanes_any(_m242)) {
-                const LANES(court_bridge_normal_out) _o243 =
+            here = _o242.here;
+            const M _m243 = lanes_both(active, here);
+            if (lanes_any(_m243)) {
+                const LANES(court_bridge_normal_out) _o244 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m242, _o243.nx, nx);
-                ny = lanes_select(_m242, _o243.ny, ny);
-                nz = lanes_select(_m242, _o243.nz, nz);
-                const LANES(court_bridge_off_out) _o244 =
+                nx = lanes_select(_m243, _o244.nx, nx);
+                ny = lanes_select(_m243, _o244.ny, ny);
+                nz = lanes_select(_m243, _o244.nz, nz);
+                const LANES(court_bridge_off_out) _o245 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m242, _o244.gap, gap);
+                gap = lanes_select(_m243, _o245.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o245 =
+            const LANES(court_roll_placed_out) _o246 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o245.x;
-            y = _o245.y;
-            z = _o245.z;
-            vx = _o245.vx;
-            vy = _o245.vy;
-            vz = _o245.vz;
-            wx = _o245.wx;
-            wy = _o245.wy;
-            wz = _o245.wz;
-            const LANES(court_passing_in_contact_out) _o246 =
+            x = _o246.x;
+            y = _o246.y;
+            z = _o246.z;
+            vx = _o246.vx;
+            vy = _o246.vy;
+            vz = _o246.vz;
+            wx = _o246.wx;
+            wy = _o246.wy;
+            wz = _o246.wz;
+            const LANES(court_passing_in_contact_out) _o247 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o246.through;
-            const LANES(court_holding_out) _o247 =
+            through = _o247.through;
+            const LANES(court_holding_out) _o248 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o247.here;
-            const M _m248 = lanes_both(active, here);
+            here = _o248.here;
+            const M _m249 = lanes_both(active, here);
             {
-                const LANES(court_backboard_normal_out) _o249 =
+                const LANES(court_backboard_normal_out) _o250 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m248, _o249.nx, far_nx);
-                far_ny = lanes_select(_m248, _o249.ny, far_ny);
-                far_nz = lanes_select(_m248, _o249.nz, far_nz);
+                far_nx = lanes_select(_m249, _o250.nx, far_nx);
+                far_ny = lanes_select(_m249, _o250.ny, far_ny);
+                far_nz = lanes_select(_m249, _o250.nz, far_nz);
             }
-            const LANES(court_holding_out) _o250 =
+            const LANES(court_holding_out) _o251 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o250.here;
-            const M _m251 = lanes_both(active, here);
+            here = _o251.here;
+            const M _m252 = lanes_both(active, here);
             {
-                const LANES(court_bridge_normal_out) _o252 =
+                const LANES(court_bridge_normal_out) _o253 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m251, _o252.nx, far_nx);
-                far_ny = lanes_select(_m251, _o252.ny, far_ny);
-                far_nz = lanes_select(_m251, _o252.nz, far_nz);
+                far_nx = lanes_select(_m252, _o253.nx, far_nx);
+                far_ny = lanes_select(_m252, _o253.ny, far_ny);
+                far_nz = lanes_select(_m252, _o253.nz, far_nz);
             }
-            const LANES(court_roll_turn_rate_out) _o253 =
+            const LANES(court_roll_turn_rate_out) _o254 =
                 LANES(court_roll_turn_rate)(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
-            turn_rate = _o253.turn_rate;
-            const LANES(court_holding_out) _o254 =
+            turn_rate = _o254.turn_rate;
+            const LANES(court_holding_out) _o255 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o254.here;
-            const M _m255 = lanes_both(active, here);
-            if (lanes_any(_m255)) {
-                const LANES(court_backboard_normal_out) _o256 =
+            here = _o255.here;
+            const M _m256 = lanes_both(active, here);
+            if (lanes_any(_m256)) {
+                const LANES(court_backboard_normal_out) _o257 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m255, _o256.nx, far_nx);
-                far_ny = lanes_select(_m255, _o256.ny, far_ny);
-                far_nz = lanes_select(_m255, _o256.nz, far_nz);
-                const LANES(court_backboard_off_out) _o257 =
+                far_nx = lanes_select(_m256, _o257.nx, far_nx);
+                far_ny = lanes_select(_m256, _o257.ny, far_ny);
+                far_nz = lanes_select(_m256, _o257.nz, far_nz);
+                const LANES(court_backboard_off_out) _o258 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m255, _o257.gap, far_gap);
+                far_gap = lanes_select(_m256, _o258.gap, far_gap);
             }
-            const LANES(court_holding_out) _o258 =
+            const LANES(court_holding_out) _o259 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o258.here;
-            const M _m259 = lanes_both(active, here);
-            if (lanes_any(_m259)) {
-                const LANES(court_bridge_normal_out) _o260 =
+            here = _o259.here;
+            const M _m260 = lanes_both(active, here);
+            if (lanes_any(_m260)) {
+                const LANES(court_bridge_normal_out) _o261 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m259, _o260.nx, far_nx);
-                far_ny = lanes_select(_m259, _o260.ny, far_ny);
-                far_nz = lanes_select(_m259, _o260.nz, far_nz);
-                const LANES(court_bridge_off_out) _o261 =
+                far_nx = lanes_select(_m260, _o261.nx, far_nx);
+                far_ny = lanes_select(_m260, _o261.ny, far_ny);
+                far_nz = lanes_select(_m260, _o261.nz, far_nz);
+                const LANES(court_bridge_off_out) _o262 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m259, _o261.gap, far_gap);
+                far_gap = lanes_select(_m260, _o262.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o262 =
+            const LANES(court_roll_placed_out) _o263 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o262.x;
-            far_y = _o262.y;
-            far_z = _o262.z;
-            far_vx = _o262.vx;
-            far_vy = _o262.vy;
-            far_vz = _o262.vz;
-            far_wx = _o262.wx;
-            far_wy = _o262.wy;
-            far_wz = _o262.wz;
-            const LANES(court_roll_start_out) _o263 =
+            far_x = _o263.x;
+            far_y = _o263.y;
+            far_z = _o263.z;
+            far_vx = _o263.vx;
+            far_vy = _o263.vy;
+            far_vz = _o263.vz;
+            far_wx = _o263.wx;
+            far_wy = _o263.wy;
+            far_wz = _o263.wz;
+            const LANES(court_roll_start_out) _o264 =
                 LANES(court_roll_start)(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
-            vx_0 = _o263.vx_0;
-            vy_0 = _o263.vy_0;
-            vz_0 = _o263.vz_0;
-            nx_0 = _o263.nx_0;
-            ny_0 = _o263.ny_0;
-            nz_0 = _o263.nz_0;
-            turn_rate_0 = _o263.turn_rate_0;
-            const LANES(court_roll_0_out) _o264 =
+            vx_0 = _o264.vx_0;
+            vy_0 = _o264.vy_0;
+            vz_0 = _o264.vz_0;
+            nx_0 = _o264.nx_0;
+            ny_0 = _o264.ny_0;
+            nz_0 = _o264.nz_0;
+            turn_rate_0 = _o264.turn_rate_0;
+            const LANES(court_roll_0_out) _o265 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            lift_0 = _o264.lift_0;
-            tx_0 = _o264.tx_0;
-            ty_0 = _o264.ty_0;
-            tz_0 = _o264.tz_0;
-            vx_1 = _o264.vx_1;
-            vy_1 = _o264.vy_1;
-            vz_1 = _o264.vz_1;
-            nx_1 = _o264.nx_1;
-            ny_1 = _o264.ny_1;
-            nz_1 = _o264.nz_1;
-            turn_rate_1 = _o264.turn_rate_1;
-            const LANES(court_roll_1_out) _o265 =
+            lift_0 = _o265.lift_0;
+            tx_0 = _o265.tx_0;
+            ty_0 = _o265.ty_0;
+            tz_0 = _o265.tz_0;
+            vx_1 = _o265.vx_1;
+            vy_1 = _o265.vy_1;
+            vz_1 = _o265.vz_1;
+            nx_1 = _o265.nx_1;
+            ny_1 = _o265.ny_1;
+            nz_1 = _o265.nz_1;
+            turn_rate_1 = _o265.turn_rate_1;
+            const LANES(court_roll_1_out) _o266 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            lift_1 = _o265.lift_1;
-            tx_1 = _o265.tx_1;
-            ty_1 = _o265.ty_1;
-            tz_1 = _o265.tz_1;
-            vx_2 = _o265.vx_2;
-            vy_2 = _o265.vy_2;
-            vz_2 = _o265.vz_2;
-            nx_2 = _o265.nx_2;
-            ny_2 = _o265.ny_2;
-            nz_2 = _o265.nz_2;
-            turn_rate_2 = _o265.turn_rate_2;
-            const LANES(court_roll_2_out) _o266 =
+            lift_1 = _o266.lift_1;
+            tx_1 = _o266.tx_1;
+            ty_1 = _o266.ty_1;
+            tz_1 = _o266.tz_1;
+            vx_2 = _o266.vx_2;
+            vy_2 = _o266.vy_2;
+            vz_2 = _o266.vz_2;
+            nx_2 = _o266.nx_2;
+            ny_2 = _o266.ny_2;
+            nz_2 = _o266.nz_2;
+            turn_rate_2 = _o266.turn_rate_2;
+            const LANES(court_roll_2_out) _o267 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            lift_2 = _o266.lift_2;
-            tx_2 = _o266.tx_2;
-            ty_2 = _o266.ty_2;
-            tz_2 = _o266.tz_2;
-            vx_3 = _o266.vx_3;
-            vy_3 = _o266.vy_3;
-            vz_3 = _o266.vz_3;
-            nx_3 = _o266.nx_3;
-            ny_3 = _o266.ny_3;
-            nz_3 = _o266.nz_3;
-            turn_rate_3 = _o266.turn_rate_3;
-            const LANES(court_roll_3_out) _o267 =
+            lift_2 = _o267.lift_2;
+            tx_2 = _o267.tx_2;
+            ty_2 = _o267.ty_2;
+            tz_2 = _o267.tz_2;
+            vx_3 = _o267.vx_3;
+            vy_3 = _o267.vy_3;
+            vz_3 = _o267.vz_3;
+            nx_3 = _o267.nx_3;
+            ny_3 = _o267.ny_3;
+            nz_3 = _o267.nz_3;
+            turn_rate_3 = _o267.turn_rate_3;
+            const LANES(court_roll_3_out) _o268 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            lift_3 = _o267.lift_3;
-            tx_3 = _o267.tx_3;
-            ty_3 = _o267.ty_3;
-            tz_3 = _o267.tz_3;
-            vx_4 = _o267.vx_4;
-            vy_4 = _o267.vy_4;
-            vz_4 = _o267.vz_4;
-            nx_4 = _o267.nx_4;
-            ny_4 = _o267.ny_4;
-            nz_4 = _o267.nz_4;
-            turn_rate_4 = _o267.turn_rate_4;
-            const LANES(court_roll_4_out) _o268 =
+            lift_3 = _o268.lift_3;
+            tx_3 = _o268.tx_3;
+            ty_3 = _o268.ty_3;
+            tz_3 = _o268.tz_3;
+            vx_4 = _o268.vx_4;
+            vy_4 = _o268.vy_4;
+            vz_4 = _o268.vz_4;
+            nx_4 = _o268.nx_4;
+            ny_4 = _o268.ny_4;
+            nz_4 = _o268.nz_4;
+            turn_rate_4 = _o268.turn_rate_4;
+            const LANES(court_roll_4_out) _o269 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            lift_4 = _o268.lift_4;
-            tx_4 = _o268.tx_4;
-            ty_4 = _o268.ty_4;
-            tz_4 = _o268.tz_4;
-            vx_5 = _o268.vx_5;
-            vy_5 = _o268.vy_5;
-            vz_5 = _o268.vz_5;
-            nx_5 = _o268.nx_5;
-            ny_5 = _o268.ny_5;
-            nz_5 = _o268.nz_5;
-            turn_rate_5 = _o268.turn_rate_5;
-            const LANES(court_roll_5_out) _o269 =
+            lift_4 = _o269.lift_4;
+            tx_4 = _o269.tx_4;
+            ty_4 = _o269.ty_4;
+            tz_4 = _o269.tz_4;
+            vx_5 = _o269.vx_5;
+            vy_5 = _o269.vy_5;
+            vz_5 = _o269.vz_5;
+            nx_5 = _o269.nx_5;
+            ny_5 = _o269.ny_5;
+            nz_5 = _o269.nz_5;
+            turn_rate_5 = _o269.turn_rate_5;
+            const LANES(court_roll_5_out) _o270 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            lift_5 = _o269.lift_5;
-            tx_5 = _o269.tx_5;
-            ty_5 = _o269.ty_5;
-            tz_5 = _o269.tz_5;
-            vx_6 = _o269.vx_6;
-            vy_6 = _o269.vy_6;
-            vz_6 = _o269.vz_6;
-            nx_6 = _o269.nx_6;
-            ny_6 = _o269.ny_6;
-            nz_6 = _o269.nz_6;
-            turn_rate_6 = _o269.turn_rate_6;
-            const LANES(court_roll_6_out) _o270 =
+            lift_5 = _o270.lift_5;
+            tx_5 = _o270.tx_5;
+            ty_5 = _o270.ty_5;
+            tz_5 = _o270.tz_5;
+            vx_6 = _o270.vx_6;
+            vy_6 = _o270.vy_6;
+            vz_6 = _o270.vz_6;
+            nx_6 = _o270.nx_6;
+            ny_6 = _o270.ny_6;
+            nz_6 = _o270.nz_6;
+            turn_rate_6 = _o270.turn_rate_6;
+            const LANES(court_roll_6_out) _o271 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            lift_6 = _o270.lift_6;
-            tx_6 = _o270.tx_6;
-            ty_6 = _o270.ty_6;
-            tz_6 = _o270.tz_6;
-            vx_7 = _o270.vx_7;
-            vy_7 = _o270.vy_7;
-            vz_7 = _o270.vz_7;
-            nx_7 = _o270.nx_7;
-            ny_7 = _o270.ny_7;
-            nz_7 = _o270.nz_7;
-            turn_rate_7 = _o270.turn_rate_7;
-            const LANES(court_roll_7_out) _o271 =
+            lift_6 = _o271.lift_6;
+            tx_6 = _o271.tx_6;
+            ty_6 = _o271.ty_6;
+            tz_6 = _o271.tz_6;
+            vx_7 = _o271.vx_7;
+            vy_7 = _o271.vy_7;
+            vz_7 = _o271.vz_7;
+            nx_7 = _o271.nx_7;
+            ny_7 = _o271.ny_7;
+            nz_7 = _o271.nz_7;
+            turn_rate_7 = _o271.turn_rate_7;
+            const LANES(court_roll_7_out) _o272 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            vx_8 = _o271.vx_8;
-            vy_8 = _o271.vy_8;
-            vz_8 = _o271.vz_8;
-            turn_rate_8 = _o271.turn_rate_8;
-            const LANES(court_roll_moved_out) _o272 =
+            vx_8 = _o272.vx_8;
+            vy_8 = _o272.vy_8;
+            vz_8 = _o272.vz_8;
+            turn_rate_8 = _o272.turn_rate_8;
+            const LANES(court_roll_moved_out) _o273 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-            far_x = _o272.x;
-            far_vx = _o272.vx;
-            far_y = _o272.y;
-            far_vy = _o272.vy;
-            far_z = _o272.z;
-            far_vz = _o272.vz;
-            turn_rate = _o272.turn_rate;
-            const LANES(court_holding_out) _o273 =
+            far_x = _o273.x;
+            far_vx = _o273.vx;
+            far_y = _o273.y;
+            far_vy = _o273.vy;
+            far_z = _o273.z;
+            far_vz = _o273.vz;
+            turn_rate = _o273.turn_rate;
+            const LANES(court_holding_out) _o274 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o273.here;
-            const M _m274 = lanes_both(active, here);
-            if (lanes_any(_m274)) {
-                const LANES(court_backboard_normal_out) _o275 =
+            here = _o274.here;
+            const M _m275 = lanes_both(active, here);
+            if (lanes_any(_m275)) {
+                const LANES(court_backboard_normal_out) _o276 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m274, _o275.nx, far_nx);
-                far_ny = lanes_select(_m274, _o275.ny, far_ny);
-                far_nz = lanes_select(_m274, _o275.nz, far_nz);
-                const LANES(court_backboard_off_out) _o276 =
+                far_nx = lanes_select(_m275, _o276.nx, far_nx);
+                far_ny = lanes_select(_m275, _o276.ny, far_ny);
+                far_nz = lanes_select(_m275, _o276.nz, far_nz);
+                const LANES(court_backboard_off_out) _o277 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m274, _o276.gap, far_gap);
+                far_gap = lanes_select(_m275, _o277.gap, far_gap);
             }
-            const LANES(court_holding_out) _o277 =
+            const LANES(court_holding_out) _o278 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o277.here;
-            const M _m278 = lanes_both(active, here);
-            if (lanes_any(_m278)) {
-                const LANES(court_bridge_normal_out) _o279 =
+            here = _o278.here;
+            const M _m279 = lanes_both(active, here);
+            if (lanes_any(_m279)) {
+                const LANES(court_bridge_normal_out) _o280 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m278, _o279.nx, far_nx);
-                far_ny = lanes_select(_m278, _o279.ny, far_ny);
-                far_nz = lanes_select(_m278, _o279.nz, far_nz);
-                const LANES(court_bridge_off_out) _o280 =
+                far_nx = lanes_select(_m279, _o280.nx, far_nx);
+                far_ny = lanes_select(_m279, _o280.ny, far_ny);
+                far_nz = lanes_select(_m279, _o280.nz, far_nz);
+                const LANES(court_bridge_off_out) _o281 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m278, _o280.gap, far_gap);
+                far_gap = lanes_select(_m279, _o281.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o281 =
+            const LANES(court_roll_placed_out) _o282 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o281.x;
-            far_y = _o281.y;
-            far_z = _o281.z;
-            far_vx = _o281.vx;
-            far_vy = _o281.vy;
-            far_vz = _o281.vz;
-            far_wx = _o281.wx;
-            far_wy = _o281.wy;
-            far_wz = _o281.wz;
-            const LANES(court_compared_out) _o282 =
+            far_x = _o282.x;
+            far_y = _o282.y;
+            far_z = _o282.z;
+            far_vx = _o282.vx;
+            far_vy = _o282.vy;
+            far_vz = _o282.vz;
+            far_wx = _o282.wx;
+            far_wy = _o282.wy;
+            far_wz = _o282.wz;
+            const LANES(court_compared_out) _o283 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o282.dx;
-            dy = _o282.dy;
-            dz = _o282.dz;
-            dvx = _o282.dvx;
-            dvy = _o282.dvy;
-            dvz = _o282.dvz;
-            dwx = _o282.dwx;
-            dwy = _o282.dwy;
-            dwz = _o282.dwz;
-            const LANES(court_rolled_on_out) _o283 =
+            dx = _o283.dx;
+            dy = _o283.dy;
+            dz = _o283.dz;
+            dvx = _o283.dvx;
+            dvy = _o283.dvy;
+            dvz = _o283.dvz;
+            dwx = _o283.dwx;
+            dwy = _o283.dwy;
+            dwz = _o283.dwz;
+            const LANES(court_rolled_on_out) _o284 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o283.clock;
-            rolling = _o283.rolling;
+            clock = _o284.clock;
+            rolling = _o284.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -6979,562 +6914,562 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_error_bounds_out) _o284 =
+            const LANES(court_error_bounds_out) _o285 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o284.position_error;
-            V velocity_error = _o284.velocity_error;
-            const LANES(court_ring_tube_out) _o285 =
+            V position_error = _o285.position_error;
+            V velocity_error = _o285.velocity_error;
+            const LANES(court_ring_tube_out) _o286 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o285.per_reach;
-            const LANES(court_ring_round_start_out) _o286 =
+            V per_reach = _o286.per_reach;
+            const LANES(court_ring_round_start_out) _o287 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o286.cosine_0;
-            V sine_0 = _o286.sine_0;
-            V climb_0 = _o286.climb_0;
-            V along_0 = _o286.along_0;
-            V turn_rate_0 = _o286.turn_rate_0;
-            V cos_0 = _o286.cos_0;
-            V sin_0 = _o286.sin_0;
-            V near_0 = _o286.near_0;
-            const LANES(court_ring_round_0_out) _o287 =
+            V cosine_0 = _o287.cosine_0;
+            V sine_0 = _o287.sine_0;
+            V climb_0 = _o287.climb_0;
+            V along_0 = _o287.along_0;
+            V turn_rate_0 = _o287.turn_rate_0;
+            V cos_0 = _o287.cos_0;
+            V sin_0 = _o287.sin_0;
+            V near_0 = _o287.near_0;
+            const LANES(court_ring_round_0_out) _o288 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o287.omega_0;
-            V around_0 = _o287.around_0;
-            V tilted_0 = _o287.tilted_0;
-            V pressed_0 = _o287.pressed_0;
-            V force_0 = _o287.force_0;
-            V cosine_1 = _o287.cosine_1;
-            V sine_1 = _o287.sine_1;
-            V climb_1 = _o287.climb_1;
-            V along_1 = _o287.along_1;
-            V turn_rate_1 = _o287.turn_rate_1;
-            V cos_1 = _o287.cos_1;
-            V sin_1 = _o287.sin_1;
-            const LANES(court_ring_round_1_out) _o288 =
+            V omega_0 = _o288.omega_0;
+            V around_0 = _o288.around_0;
+            V tilted_0 = _o288.tilted_0;
+            V pressed_0 = _o288.pressed_0;
+            V force_0 = _o288.force_0;
+            V cosine_1 = _o288.cosine_1;
+            V sine_1 = _o288.sine_1;
+            V climb_1 = _o288.climb_1;
+            V along_1 = _o288.along_1;
+            V turn_rate_1 = _o288.turn_rate_1;
+            V cos_1 = _o288.cos_1;
+            V sin_1 = _o288.sin_1;
+            const LANES(court_ring_round_1_out) _o289 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o288.near_1;
-            V omega_1 = _o288.omega_1;
-            V around_1 = _o288.around_1;
-            V tilted_1 = _o288.tilted_1;
-            V pressed_1 = _o288.pressed_1;
-            V force_1 = _o288.force_1;
-            V cosine_2 = _o288.cosine_2;
-            V sine_2 = _o288.sine_2;
-            V climb_2 = _o288.climb_2;
-            V along_2 = _o288.along_2;
-            V turn_rate_2 = _o288.turn_rate_2;
-            V cos_2 = _o288.cos_2;
-            V sin_2 = _o288.sin_2;
-            const LANES(court_ring_round_2_out) _o289 =
+            V near_1 = _o289.near_1;
+            V omega_1 = _o289.omega_1;
+            V around_1 = _o289.around_1;
+            V tilted_1 = _o289.tilted_1;
+            V pressed_1 = _o289.pressed_1;
+            V force_1 = _o289.force_1;
+            V cosine_2 = _o289.cosine_2;
+            V sine_2 = _o289.sine_2;
+            V climb_2 = _o289.climb_2;
+            V along_2 = _o289.along_2;
+            V turn_rate_2 = _o289.turn_rate_2;
+            V cos_2 = _o289.cos_2;
+            V sin_2 = _o289.sin_2;
+            const LANES(court_ring_round_2_out) _o290 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o289.near_2;
-            V omega_2 = _o289.omega_2;
-            V around_2 = _o289.around_2;
-            V tilted_2 = _o289.tilted_2;
-            V pressed_2 = _o289.pressed_2;
-            V force_2 = _o289.force_2;
-            V cosine_3 = _o289.cosine_3;
-            V sine_3 = _o289.sine_3;
-            V climb_3 = _o289.climb_3;
-            V along_3 = _o289.along_3;
-            V turn_rate_3 = _o289.turn_rate_3;
-            V cos_3 = _o289.cos_3;
-            V sin_3 = _o289.sin_3;
-            const LANES(court_ring_round_3_out) _o290 =
+            V near_2 = _o290.near_2;
+            V omega_2 = _o290.omega_2;
+            V around_2 = _o290.around_2;
+            V tilted_2 = _o290.tilted_2;
+            V pressed_2 = _o290.pressed_2;
+            V force_2 = _o290.force_2;
+            V cosine_3 = _o290.cosine_3;
+            V sine_3 = _o290.sine_3;
+            V climb_3 = _o290.climb_3;
+            V along_3 = _o290.along_3;
+            V turn_rate_3 = _o290.turn_rate_3;
+            V cos_3 = _o290.cos_3;
+            V sin_3 = _o290.sin_3;
+            const LANES(court_ring_round_3_out) _o291 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o290.near_3;
-            V omega_3 = _o290.omega_3;
-            V around_3 = _o290.around_3;
-            V tilted_3 = _o290.tilted_3;
-            V pressed_3 = _o290.pressed_3;
-            V force_3 = _o290.force_3;
-            V cosine_4 = _o290.cosine_4;
-            V sine_4 = _o290.sine_4;
-            V climb_4 = _o290.climb_4;
-            V along_4 = _o290.along_4;
-            V turn_rate_4 = _o290.turn_rate_4;
-            V cos_4 = _o290.cos_4;
-            V sin_4 = _o290.sin_4;
-            const LANES(court_ring_round_4_out) _o291 =
+            V near_3 = _o291.near_3;
+            V omega_3 = _o291.omega_3;
+            V around_3 = _o291.around_3;
+            V tilted_3 = _o291.tilted_3;
+            V pressed_3 = _o291.pressed_3;
+            V force_3 = _o291.force_3;
+            V cosine_4 = _o291.cosine_4;
+            V sine_4 = _o291.sine_4;
+            V climb_4 = _o291.climb_4;
+            V along_4 = _o291.along_4;
+            V turn_rate_4 = _o291.turn_rate_4;
+            V cos_4 = _o291.cos_4;
+            V sin_4 = _o291.sin_4;
+            const LANES(court_ring_round_4_out) _o292 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o291.near_4;
-            V omega_4 = _o291.omega_4;
-            V around_4 = _o291.around_4;
-            V tilted_4 = _o291.tilted_4;
-            V pressed_4 = _o291.pressed_4;
-            V force_4 = _o291.force_4;
-            V cosine_5 = _o291.cosine_5;
-            V sine_5 = _o291.sine_5;
-            V climb_5 = _o291.climb_5;
-            V along_5 = _o291.along_5;
-            V turn_rate_5 = _o291.turn_rate_5;
-            V cos_5 = _o291.cos_5;
-            V sin_5 = _o291.sin_5;
-            const LANES(court_ring_round_5_out) _o292 =
+            V near_4 = _o292.near_4;
+            V omega_4 = _o292.omega_4;
+            V around_4 = _o292.around_4;
+            V tilted_4 = _o292.tilted_4;
+            V pressed_4 = _o292.pressed_4;
+            V force_4 = _o292.force_4;
+            V cosine_5 = _o292.cosine_5;
+            V sine_5 = _o292.sine_5;
+            V climb_5 = _o292.climb_5;
+            V along_5 = _o292.along_5;
+            V turn_rate_5 = _o292.turn_rate_5;
+            V cos_5 = _o292.cos_5;
+            V sin_5 = _o292.sin_5;
+            const LANES(court_ring_round_5_out) _o293 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o292.near_5;
-            V omega_5 = _o292.omega_5;
-            V around_5 = _o292.around_5;
-            V tilted_5 = _o292.tilted_5;
-            V pressed_5 = _o292.pressed_5;
-            V force_5 = _o292.force_5;
-            V cosine_6 = _o292.cosine_6;
-            V sine_6 = _o292.sine_6;
-            V climb_6 = _o292.climb_6;
-            V along_6 = _o292.along_6;
-            V turn_rate_6 = _o292.turn_rate_6;
-            V cos_6 = _o292.cos_6;
-            V sin_6 = _o292.sin_6;
-            const LANES(court_ring_round_6_out) _o293 =
+            V near_5 = _o293.near_5;
+            V omega_5 = _o293.omega_5;
+            V around_5 = _o293.around_5;
+            V tilted_5 = _o293.tilted_5;
+            V pressed_5 = _o293.pressed_5;
+            V force_5 = _o293.force_5;
+            V cosine_6 = _o293.cosine_6;
+            V sine_6 = _o293.sine_6;
+            V climb_6 = _o293.climb_6;
+            V along_6 = _o293.along_6;
+            V turn_rate_6 = _o293.turn_rate_6;
+            V cos_6 = _o293.cos_6;
+            V sin_6 = _o293.sin_6;
+            const LANES(court_ring_round_6_out) _o294 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o293.near_6;
-            V omega_6 = _o293.omega_6;
-            V around_6 = _o293.around_6;
-            V tilted_6 = _o293.tilted_6;
-            V pressed_6 = _o293.pressed_6;
-            V force_6 = _o293.force_6;
-            V cosine_7 = _o293.cosine_7;
-            V sine_7 = _o293.sine_7;
-            V climb_7 = _o293.climb_7;
-            V along_7 = _o293.along_7;
-            V turn_rate_7 = _o293.turn_rate_7;
-            V cos_7 = _o293.cos_7;
-            V sin_7 = _o293.sin_7;
-            const LANES(court_ring_round_7_out) _o294 =
+            V near_6 = _o294.near_6;
+            V omega_6 = _o294.omega_6;
+            V around_6 = _o294.around_6;
+            V tilted_6 = _o294.tilted_6;
+            V pressed_6 = _o294.pressed_6;
+            V force_6 = _o294.force_6;
+            V cosine_7 = _o294.cosine_7;
+            V sine_7 = _o294.sine_7;
+            V climb_7 = _o294.climb_7;
+            V along_7 = _o294.along_7;
+            V turn_rate_7 = _o294.turn_rate_7;
+            V cos_7 = _o294.cos_7;
+            V sin_7 = _o294.sin_7;
+            const LANES(court_ring_round_7_out) _o295 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o294.near_7;
-            V omega_7 = _o294.omega_7;
-            V around_7 = _o294.around_7;
-            V tilted_7 = _o294.tilted_7;
-            V pressed_7 = _o294.pressed_7;
-            V force_7 = _o294.force_7;
-            V cosine_8 = _o294.cosine_8;
-            V sine_8 = _o294.sine_8;
-            V climb_8 = _o294.climb_8;
-            V along_8 = _o294.along_8;
-            V turn_rate_8 = _o294.turn_rate_8;
-            V cos_8 = _o294.cos_8;
-            V sin_8 = _o294.sin_8;
-            const LANES(court_ring_round_8_out) _o295 =
+            V near_7 = _o295.near_7;
+            V omega_7 = _o295.omega_7;
+            V around_7 = _o295.around_7;
+            V tilted_7 = _o295.tilted_7;
+            V pressed_7 = _o295.pressed_7;
+            V force_7 = _o295.force_7;
+            V cosine_8 = _o295.cosine_8;
+            V sine_8 = _o295.sine_8;
+            V climb_8 = _o295.climb_8;
+            V along_8 = _o295.along_8;
+            V turn_rate_8 = _o295.turn_rate_8;
+            V cos_8 = _o295.cos_8;
+            V sin_8 = _o295.sin_8;
+            const LANES(court_ring_round_8_out) _o296 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o295.near_8;
-            V omega_8 = _o295.omega_8;
-            V around_8 = _o295.around_8;
-            V tilted_8 = _o295.tilted_8;
-            V pressed_8 = _o295.pressed_8;
-            V force_8 = _o295.force_8;
-            V cosine_9 = _o295.cosine_9;
-            V sine_9 = _o295.sine_9;
-            V climb_9 = _o295.climb_9;
-            V along_9 = _o295.along_9;
-            V turn_rate_9 = _o295.turn_rate_9;
-            V cos_9 = _o295.cos_9;
-            V sin_9 = _o295.sin_9;
-            const LANES(court_ring_round_9_out) _o296 =
+            V near_8 = _o296.near_8;
+            V omega_8 = _o296.omega_8;
+            V around_8 = _o296.around_8;
+            V tilted_8 = _o296.tilted_8;
+            V pressed_8 = _o296.pressed_8;
+            V force_8 = _o296.force_8;
+            V cosine_9 = _o296.cosine_9;
+            V sine_9 = _o296.sine_9;
+            V climb_9 = _o296.climb_9;
+            V along_9 = _o296.along_9;
+            V turn_rate_9 = _o296.turn_rate_9;
+            V cos_9 = _o296.cos_9;
+            V sin_9 = _o296.sin_9;
+            const LANES(court_ring_round_9_out) _o297 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o296.near_9;
-            V omega_9 = _o296.omega_9;
-            V around_9 = _o296.around_9;
-            V tilted_9 = _o296.tilted_9;
-            V pressed_9 = _o296.pressed_9;
-            V force_9 = _o296.force_9;
-            V cosine_10 = _o296.cosine_10;
-            V sine_10 = _o296.sine_10;
-            V climb_10 = _o296.climb_10;
-            V along_10 = _o296.along_10;
-            V turn_rate_10 = _o296.turn_rate_10;
-            V cos_10 = _o296.cos_10;
-            V sin_10 = _o296.sin_10;
-            const LANES(court_ring_round_10_out) _o297 =
+            V near_9 = _o297.near_9;
+            V omega_9 = _o297.omega_9;
+            V around_9 = _o297.around_9;
+            V tilted_9 = _o297.tilted_9;
+            V pressed_9 = _o297.pressed_9;
+            V force_9 = _o297.force_9;
+            V cosine_10 = _o297.cosine_10;
+            V sine_10 = _o297.sine_10;
+            V climb_10 = _o297.climb_10;
+            V along_10 = _o297.along_10;
+            V turn_rate_10 = _o297.turn_rate_10;
+            V cos_10 = _o297.cos_10;
+            V sin_10 = _o297.sin_10;
+            const LANES(court_ring_round_10_out) _o298 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o297.near_10;
-            V omega_10 = _o297.omega_10;
-            V around_10 = _o297.around_10;
-            V tilted_10 = _o297.tilted_10;
-            V pressed_10 = _o297.pressed_10;
-            V force_10 = _o297.force_10;
-            V cosine_11 = _o297.cosine_11;
-            V sine_11 = _o297.sine_11;
-            V climb_11 = _o297.climb_11;
-            V along_11 = _o297.along_11;
-            V turn_rate_11 = _o297.turn_rate_11;
-            V cos_11 = _o297.cos_11;
-            V sin_11 = _o297.sin_11;
-            const LANES(court_ring_round_11_out) _o298 =
+            V near_10 = _o298.near_10;
+            V omega_10 = _o298.omega_10;
+            V around_10 = _o298.around_10;
+            V tilted_10 = _o298.tilted_10;
+            V pressed_10 = _o298.pressed_10;
+            V force_10 = _o298.force_10;
+            V cosine_11 = _o298.cosine_11;
+            V sine_11 = _o298.sine_11;
+            V climb_11 = _o298.climb_11;
+            V along_11 = _o298.along_11;
+            V turn_rate_11 = _o298.turn_rate_11;
+            V cos_11 = _o298.cos_11;
+            V sin_11 = _o298.sin_11;
+            const LANES(court_ring_round_11_out) _o299 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o298.force_11;
-            V cosine_12 = _o298.cosine_12;
-            V sine_12 = _o298.sine_12;
-            V climb_12 = _o298.climb_12;
-            V along_12 = _o298.along_12;
-            V turn_rate_12 = _o298.turn_rate_12;
-            V cos_12 = _o298.cos_12;
-            V sin_12 = _o298.sin_12;
-            const LANES(court_ring_round_pace_out) _o299 =
+            V force_11 = _o299.force_11;
+            V cosine_12 = _o299.cosine_12;
+            V sine_12 = _o299.sine_12;
+            V climb_12 = _o299.climb_12;
+            V along_12 = _o299.along_12;
+            V turn_rate_12 = _o299.turn_rate_12;
+            V cos_12 = _o299.cos_12;
+            V sin_12 = _o299.sin_12;
+            const LANES(court_ring_round_pace_out) _o300 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V stride = _o299.stride;
-            V strongest = _o299.strongest;
-            V fastest = _o299.fastest;
-            V sway = _o299.sway;
-            V force = _o299.force;
-            V force_rate = _o299.force_rate;
-            V force_bend = _o299.force_bend;
-            V brace = _o299.brace;
-            V vx_1 = _o299.vx_1;
-            V vy_1 = _o299.vy_1;
-            V vz_1 = _o299.vz_1;
-            const LANES(court_ring_round_pulled_out) _o300 =
+            V stride = _o300.stride;
+            V strongest = _o300.strongest;
+            V fastest = _o300.fastest;
+            V sway = _o300.sway;
+            V force = _o300.force;
+            V force_rate = _o300.force_rate;
+            V force_bend = _o300.force_bend;
+            V brace = _o300.brace;
+            V vx_1 = _o300.vx_1;
+            V vy_1 = _o300.vy_1;
+            V vz_1 = _o300.vz_1;
+            const LANES(court_ring_round_pulled_out) _o301 =
                 LANES(court_ring_round_pulled)(climb_0, climb_1, cosine_0, cosine_1, p_gravity, omega_0, omega_1, turn_rate_0, turn_rate_1);
-            V drag = _o300.drag;
-            V drag_rate = _o300.drag_rate;
-            const LANES(court_ring_impact_strained_out) _o301 =
+            V drag = _o301.drag;
+            V drag_rate = _o301.drag_rate;
+            const LANES(court_ring_impact_strained_out) _o302 =
                 LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_ring_friction);
-            V strain = _o301.strain;
-            V strain_rate = _o301.strain_rate;
-            const LANES(court_losing_out) _o302 =
+            V strain = _o302.strain;
+            V strain_rate = _o302.strain_rate;
+            const LANES(court_losing_out) _o303 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o302.loses;
-            const M _m303 = lanes_both(active, loses);
-            if (lanes_any(_m303)) {
-                const LANES(court_lost_grip_out) _o304 =
+            M loses = _o303.loses;
+            const M _m304 = lanes_both(active, loses);
+            if (lanes_any(_m304)) {
+                const LANES(court_lost_grip_out) _o305 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m303, _o304.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m304, _o305.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o305 =
+            const LANES(court_tightened_out) _o306 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o305.taut;
-            taut_rate = _o305.taut_rate;
-            taut_clock = _o305.taut_clock;
-            const LANES(court_leaving_force_out) _o306 =
+            taut = _o306.taut;
+            taut_rate = _o306.taut_rate;
+            taut_clock = _o306.taut_clock;
+            const LANES(court_leaving_force_out) _o307 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o306.stride;
-            which = _o306.which;
-            M rests = _o306.rests;
-            doubt = _o306.doubt;
-            const LANES(court_backboard_beside_out) _o307 =
+            stride = _o307.stride;
+            which = _o307.which;
+            M rests = _o307.rests;
+            doubt = _o307.doubt;
+            const LANES(court_backboard_beside_out) _o308 =
                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o307.gap;
-            V nearing = _o307.nearing;
-            V dent = _o307.dent;
-            const LANES(court_beside_body_out) _o308 =
+            V gap = _o308.gap;
+            V nearing = _o308.nearing;
+            V dent = _o308.dent;
+            const LANES(court_beside_body_out) _o309 =
                 LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o308.stride;
-            which = _o308.which;
-            doubt = _o308.doubt;
-            late = _o308.late;
-            const LANES(court_bridge_beside_out) _o309 =
+            stride = _o309.stride;
+            which = _o309.which;
+            doubt = _o309.doubt;
+            late = _o309.late;
+            const LANES(court_bridge_beside_out) _o310 =
                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o309.gap;
-            nearing = _o309.nearing;
-            dent = _o309.dent;
-            const LANES(court_beside_body_out) _o310 =
+            gap = _o310.gap;
+            nearing = _o310.nearing;
+            dent = _o310.dent;
+            const LANES(court_beside_body_out) _o311 =
                 LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o310.stride;
-            which = _o310.which;
-            doubt = _o310.doubt;
-            late = _o310.late;
-            const LANES(court_end_beside_out) _o311 =
+            stride = _o311.stride;
+            which = _o311.which;
+            doubt = _o311.doubt;
+            late = _o311.late;
+            const LANES(court_end_beside_out) _o312 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o311.gap;
-            nearing = _o311.nearing;
-            dent = _o311.dent;
-            const LANES(court_beside_gate_out) _o312 =
+            gap = _o312.gap;
+            nearing = _o312.nearing;
+            dent = _o312.dent;
+            const LANES(court_beside_gate_out) _o313 =
                 LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o312.stride;
-            which = _o312.which;
-            doubt = _o312.doubt;
-            late = _o312.late;
-            const LANES(court_beside_time_out) _o313 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
             stride = _o313.stride;
             which = _o313.which;
-            const LANES(court_apart_out) _o314 =
+            doubt = _o313.doubt;
+            late = _o313.late;
+            const LANES(court_beside_time_out) _o314 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o314.stride;
+            which = _o314.which;
+            const LANES(court_apart_out) _o315 =
                 LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o314.apart;
-            const LANES(court_neighbour_out) _o315 =
+            V apart = _o315.apart;
+            const LANES(court_neighbour_out) _o316 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o315.far_x;
-            V far_y = _o315.far_y;
-            V far_z = _o315.far_z;
-            V far_vx = _o315.far_vx;
-            V far_vy = _o315.far_vy;
-            V far_vz = _o315.far_vz;
-            V far_wx = _o315.far_wx;
-            V far_wy = _o315.far_wy;
-            V far_wz = _o315.far_wz;
-            const LANES(court_passing_from_out) _o316 =
+            V far_x = _o316.far_x;
+            V far_y = _o316.far_y;
+            V far_z = _o316.far_z;
+            V far_vx = _o316.far_vx;
+            V far_vy = _o316.far_vy;
+            V far_vz = _o316.far_vz;
+            V far_wx = _o316.far_wx;
+            V far_wy = _o316.far_wy;
+            V far_wz = _o316.far_wz;
+            const LANES(court_passing_from_out) _o317 =
                 LANES(court_passing_from)(z);
-            M over = _o316.over;
-            const LANES(court_alone_out) _o317 =
+            M over = _o317.over;
+            const LANES(court_alone_out) _o318 =
                 LANES(court_alone)();
-            V berth = _o317.nearest;
-            const LANES(court_leaps_out) _o318 =
+            V berth = _o318.nearest;
+            const LANES(court_leaps_out) _o319 =
                 LANES(court_leaps)(stride);
-            V forth = _o318.forth;
-            V back = _o318.back;
-            const LANES(court_backboard_around_out) _o319 =
+            V forth = _o319.forth;
+            V back = _o319.back;
+            const LANES(court_backboard_around_out) _o320 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o319.gap;
-            nearing = _o319.nearing;
-            const LANES(court_cleared_out) _o320 =
+            gap = _o320.gap;
+            nearing = _o320.nearing;
+            const LANES(court_cleared_out) _o321 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o320.berth;
-            const LANES(court_bridge_around_out) _o321 =
+            berth = _o321.berth;
+            const LANES(court_bridge_around_out) _o322 =
                 LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o321.gap;
-            nearing = _o321.nearing;
-            const LANES(court_cleared_out) _o322 =
+            gap = _o322.gap;
+            nearing = _o322.nearing;
+            const LANES(court_cleared_out) _o323 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o322.berth;
-            const LANES(court_end_around_out) _o323 =
+            berth = _o323.berth;
+            const LANES(court_end_around_out) _o324 =
                 LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o323.gap;
-            nearing = _o323.nearing;
-            const LANES(court_cleared_out) _o324 =
+            gap = _o324.gap;
+            nearing = _o324.nearing;
+            const LANES(court_cleared_out) _o325 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o324.berth;
-            const LANES(court_ring_round_moved_out) _o325 =
+            berth = _o325.berth;
+            const LANES(court_ring_round_moved_out) _o326 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o325.x;
-            y = _o325.y;
-            z = _o325.z;
-            vx = _o325.vx;
-            vy = _o325.vy;
-            vz = _o325.vz;
-            wx = _o325.wx;
-            wy = _o325.wy;
-            wz = _o325.wz;
-            V climb = _o325.climb;
-            const LANES(court_passing_in_contact_out) _o326 =
+            x = _o326.x;
+            y = _o326.y;
+            z = _o326.z;
+            vx = _o326.vx;
+            vy = _o326.vy;
+            vz = _o326.vz;
+            wx = _o326.wx;
+            wy = _o326.wy;
+            wz = _o326.wz;
+            V climb = _o326.climb;
+            const LANES(court_passing_in_contact_out) _o327 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o326.through;
-            const LANES(court_backboard_around_out) _o327 =
+            through = _o327.through;
+            const LANES(court_backboard_around_out) _o328 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o327.gap;
-            nearing = _o327.nearing;
-            const LANES(court_cleared_out) _o328 =
+            gap = _o328.gap;
+            nearing = _o328.nearing;
+            const LANES(court_cleared_out) _o329 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o328.berth;
-            const LANES(court_bridge_around_out) _o329 =
+            berth = _o329.berth;
+            const LANES(court_bridge_around_out) _o330 =
                 LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o329.gap;
-            nearing = _o329.nearing;
-            const LANES(court_cleared_out) _o330 =
+            gap = _o330.gap;
+            nearing = _o330.nearing;
+            const LANES(court_cleared_out) _o331 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o330.berth;
-            const LANES(court_end_around_out) _o331 =
+            berth = _o331.berth;
+            const LANES(court_end_around_out) _o332 =
                 LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o331.gap;
-            nearing = _o331.nearing;
-            const LANES(court_cleared_out) _o332 =
+            gap = _o332.gap;
+            nearing = _o332.nearing;
+            const LANES(court_cleared_out) _o333 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o332.berth;
-            const LANES(court_ring_swung_out) _o333 =
+            berth = _o333.berth;
+            const LANES(court_ring_swung_out) _o334 =
                 LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, p_gravity, position_error, stride, sway, velocity_error, which, p_wire_radius);
-            circled = _o333.circled;
-            M endless = _o333.endless;
-            doubt = _o333.doubt;
-            const LANES(court_for_ever_out) _o334 =
+            circled = _o334.circled;
+            M endless = _o334.endless;
+            doubt = _o334.doubt;
+            const LANES(court_for_ever_out) _o335 =
                 LANES(court_for_ever)(endless, which);
-            which = _o334.which;
-            const LANES(court_ring_round_start_out) _o335 =
+            which = _o335.which;
+            const LANES(court_ring_round_start_out) _o336 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, far_vx, far_vy, far_vz, p_wire_radius, far_wx, far_wy, far_wz, far_x, far_y, far_z);
-            cosine_0 = _o335.cosine_0;
-            sine_0 = _o335.sine_0;
-            climb_0 = _o335.climb_0;
-            along_0 = _o335.along_0;
-            turn_rate_0 = _o335.turn_rate_0;
-            cos_0 = _o335.cos_0;
-            sin_0 = _o335.sin_0;
-            near_0 = _o335.near_0;
-            const LANES(court_ring_round_0_out) _o336 =
+            cosine_0 = _o336.cosine_0;
+            sine_0 = _o336.sine_0;
+            climb_0 = _o336.climb_0;
+            along_0 = _o336.along_0;
+            turn_rate_0 = _o336.turn_rate_0;
+            cos_0 = _o336.cos_0;
+            sin_0 = _o336.sin_0;
+            near_0 = _o336.near_0;
+            const LANES(court_ring_round_0_out) _o337 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            omega_0 = _o336.omega_0;
-            around_0 = _o336.around_0;
-            tilted_0 = _o336.tilted_0;
-            pressed_0 = _o336.pressed_0;
-            cosine_1 = _o336.cosine_1;
-            sine_1 = _o336.sine_1;
-            climb_1 = _o336.climb_1;
-            along_1 = _o336.along_1;
-            turn_rate_1 = _o336.turn_rate_1;
-            cos_1 = _o336.cos_1;
-            sin_1 = _o336.sin_1;
-            const LANES(court_ring_round_1_out) _o337 =
+            omega_0 = _o337.omega_0;
+            around_0 = _o337.around_0;
+            tilted_0 = _o337.tilted_0;
+            pressed_0 = _o337.pressed_0;
+            cosine_1 = _o337.cosine_1;
+            sine_1 = _o337.sine_1;
+            climb_1 = _o337.climb_1;
+            along_1 = _o337.along_1;
+            turn_rate_1 = _o337.turn_rate_1;
+            cos_1 = _o337.cos_1;
+            sin_1 = _o337.sin_1;
+            const LANES(court_ring_round_1_out) _o338 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            near_1 = _o337.near_1;
-            omega_1 = _o337.omega_1;
-            around_1 = _o337.around_1;
-            tilted_1 = _o337.tilted_1;
-            pressed_1 = _o337.pressed_1;
-            cosine_2 = _o337.cosine_2;
-            sine_2 = _o337.sine_2;
-            climb_2 = _o337.climb_2;
-            along_2 = _o337.along_2;
-            turn_rate_2 = _o337.turn_rate_2;
-            cos_2 = _o337.cos_2;
-            sin_2 = _o337.sin_2;
-            const LANES(court_ring_round_2_out) _o338 =
+            near_1 = _o338.near_1;
+            omega_1 = _o338.omega_1;
+            around_1 = _o338.around_1;
+            tilted_1 = _o338.tilted_1;
+            pressed_1 = _o338.pressed_1;
+            cosine_2 = _o338.cosine_2;
+            sine_2 = _o338.sine_2;
+            climb_2 = _o338.climb_2;
+            along_2 = _o338.along_2;
+            turn_rate_2 = _o338.turn_rate_2;
+            cos_2 = _o338.cos_2;
+            sin_2 = _o338.sin_2;
+            const LANES(court_ring_round_2_out) _o339 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            near_2 = _o338.near_2;
-            omega_2 = _o338.omega_2;
-            around_2 = _o338.around_2;
-            tilted_2 = _o338.tilted_2;
-            pressed_2 = _o338.pressed_2;
-            cosine_3 = _o338.cosine_3;
-            sine_3 = _o338.sine_3;
-            climb_3 = _o338.climb_3;
-            along_3 = _o338.along_3;
-            turn_rate_3 = _o338.turn_rate_3;
-            cos_3 = _o338.cos_3;
-            sin_3 = _o338.sin_3;
-            const LANES(court_ring_round_3_out) _o339 =
+            near_2 = _o339.near_2;
+            omega_2 = _o339.omega_2;
+            around_2 = _o339.around_2;
+            tilted_2 = _o339.tilted_2;
+            pressed_2 = _o339.pressed_2;
+            cosine_3 = _o339.cosine_3;
+            sine_3 = _o339.sine_3;
+            climb_3 = _o339.climb_3;
+            along_3 = _o339.along_3;
+            turn_rate_3 = _o339.turn_rate_3;
+            cos_3 = _o339.cos_3;
+            sin_3 = _o339.sin_3;
+            const LANES(court_ring_round_3_out) _o340 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            near_3 = _o339.near_3;
-            omega_3 = _o339.omega_3;
-            around_3 = _o339.around_3;
-            tilted_3 = _o339.tilted_3;
-            pressed_3 = _o339.pressed_3;
-            cosine_4 = _o339.cosine_4;
-            sine_4 = _o339.sine_4;
-            climb_4 = _o339.climb_4;
-            along_4 = _o339.along_4;
-            turn_rate_4 = _o339.turn_rate_4;
-            cos_4 = _o339.cos_4;
-            sin_4 = _o339.sin_4;
-            const LANES(court_ring_round_4_out) _o340 =
+            near_3 = _o340.near_3;
+            omega_3 = _o340.omega_3;
+            around_3 = _o340.around_3;
+            tilted_3 = _o340.tilted_3;
+            pressed_3 = _o340.pressed_3;
+            cosine_4 = _o340.cosine_4;
+            sine_4 = _o340.sine_4;
+            climb_4 = _o340.climb_4;
+            along_4 = _o340.along_4;
+            turn_rate_4 = _o340.turn_rate_4;
+            cos_4 = _o340.cos_4;
+            sin_4 = _o340.sin_4;
+            const LANES(court_ring_round_4_out) _o341 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            near_4 = _o340.near_4;
-            omega_4 = _o340.omega_4;
-            around_4 = _o340.around_4;
-            tilted_4 = _o340.tilted_4;
-            pressed_4 = _o340.pressed_4;
-            cosine_5 = _o340.cosine_5;
-            sine_5 = _o340.sine_5;
-            climb_5 = _o340.climb_5;
-            along_5 = _o340.along_5;
-            turn_rate_5 = _o340.turn_rate_5;
-            cos_5 = _o340.cos_5;
-            sin_5 = _o340.sin_5;
-            const LANES(court_ring_round_5_out) _o341 =
+            near_4 = _o341.near_4;
+            omega_4 = _o341.omega_4;
+            around_4 = _o341.around_4;
+            tilted_4 = _o341.tilted_4;
+            pressed_4 = _o341.pressed_4;
+            cosine_5 = _o341.cosine_5;
+            sine_5 = _o341.sine_5;
+            climb_5 = _o341.climb_5;
+            along_5 = _o341.along_5;
+            turn_rate_5 = _o341.turn_rate_5;
+            cos_5 = _o341.cos_5;
+            sin_5 = _o341.sin_5;
+            const LANES(court_ring_round_5_out) _o342 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            near_5 = _o341.near_5;
-            omega_5 = _o341.omega_5;
-            around_5 = _o341.around_5;
-            tilted_5 = _o341.tilted_5;
-            pressed_5 = _o341.pressed_5;
-            cosine_6 = _o341.cosine_6;
-            sine_6 = _o341.sine_6;
-            climb_6 = _o341.climb_6;
-            along_6 = _o341.along_6;
-            turn_rate_6 = _o341.turn_rate_6;
-            cos_6 = _o341.cos_6;
-            sin_6 = _o341.sin_6;
-            const LANES(court_ring_round_6_out) _o342 =
+            near_5 = _o342.near_5;
+            omega_5 = _o342.omega_5;
+            around_5 = _o342.around_5;
+            tilted_5 = _o342.tilted_5;
+            pressed_5 = _o342.pressed_5;
+            cosine_6 = _o342.cosine_6;
+            sine_6 = _o342.sine_6;
+            climb_6 = _o342.climb_6;
+            along_6 = _o342.along_6;
+            turn_rate_6 = _o342.turn_rate_6;
+            cos_6 = _o342.cos_6;
+            sin_6 = _o342.sin_6;
+            const LANES(court_ring_round_6_out) _o343 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            near_6 = _o342.near_6;
-            omega_6 = _o342.omega_6;
-            around_6 = _o342.around_6;
-            tilted_6 = _o342.tilted_6;
-            pressed_6 = _o342.pressed_6;
-            cosine_7 = _o342.cosine_7;
-            sine_7 = _o342.sine_7;
-            climb_7 = _o342.climb_7;
-            along_7 = _o342.along_7;
-            turn_rate_7 = _o342.turn_rate_7;
-            cos_7 = _o342.cos_7;
-            sin_7 = _o342.sin_7;
-            const LANES(court_ring_round_7_out) _o343 =
+            near_6 = _o343.near_6;
+            omega_6 = _o343.omega_6;
+            around_6 = _o343.around_6;
+            tilted_6 = _o343.tilted_6;
+            pressed_6 = _o343.pressed_6;
+            cosine_7 = _o343.cosine_7;
+            sine_7 = _o343.sine_7;
+            climb_7 = _o343.climb_7;
+            along_7 = _o343.along_7;
+            turn_rate_7 = _o343.turn_rate_7;
+            cos_7 = _o343.cos_7;
+            sin_7 = _o343.sin_7;
+            const LANES(court_ring_round_7_out) _o344 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            near_7 = _o343.near_7;
-            omega_7 = _o343.omega_7;
-            around_7 = _o343.around_7;
-            tilted_7 = _o343.tilted_7;
-            pressed_7 = _o343.pressed_7;
-            cosine_8 = _o343.cosine_8;
-            sine_8 = _o343.sine_8;
-            climb_8 = _o343.climb_8;
-            along_8 = _o343.along_8;
-            turn_rate_8 = _o343.turn_rate_8;
-            cos_8 = _o343.cos_8;
-            sin_8 = _o343.sin_8;
-            const LANES(court_ring_round_8_out) _o344 =
+            near_7 = _o344.near_7;
+            omega_7 = _o344.omega_7;
+            around_7 = _o344.around_7;
+            tilted_7 = _o344.tilted_7;
+            pressed_7 = _o344.pressed_7;
+            cosine_8 = _o344.cosine_8;
+            sine_8 = _o344.sine_8;
+            climb_8 = _o344.climb_8;
+            along_8 = _o344.along_8;
+            turn_rate_8 = _o344.turn_rate_8;
+            cos_8 = _o344.cos_8;
+            sin_8 = _o344.sin_8;
+            const LANES(court_ring_round_8_out) _o345 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            near_8 = _o344.near_8;
-            omega_8 = _o344.omega_8;
-            around_8 = _o344.around_8;
-            tilted_8 = _o344.tilted_8;
-            pressed_8 = _o344.pressed_8;
-            cosine_9 = _o344.cosine_9;
-            sine_9 = _o344.sine_9;
-            climb_9 = _o344.climb_9;
-            along_9 = _o344.along_9;
-            turn_rate_9 = _o344.turn_rate_9;
-            cos_9 = _o344.cos_9;
-            sin_9 = _o344.sin_9;
-            const LANES(court_ring_round_9_out) _o345 =
+            near_8 = _o345.near_8;
+            omega_8 = _o345.omega_8;
+            around_8 = _o345.around_8;
+            tilted_8 = _o345.tilted_8;
+            pressed_8 = _o345.pressed_8;
+            cosine_9 = _o345.cosine_9;
+            sine_9 = _o345.sine_9;
+            climb_9 = _o345.climb_9;
+            along_9 = _o345.along_9;
+            turn_rate_9 = _o345.turn_rate_9;
+            cos_9 = _o345.cos_9;
+            sin_9 = _o345.sin_9;
+            const LANES(court_ring_round_9_out) _o346 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_9 = _o345.near_9;
-            omega_9 = _o345.omega_9;
-            around_9 = _o345.around_9;
-            tilted_9 = _o345.tilted_9;
-            pressed_9 = _o345.pressed_9;
-            cosine_10 = _o345.cosine_10;
-            sine_10 = _o345.sine_10;
-            climb_10 = _o345.climb_10;
-            along_10 = _o345.along_10;
-            turn_rate_10 = _o345.turn_rate_10;
-            cos_10 = _o345.cos_10;
-            sin_10 = _o345.sin_10;
-            const LANES(court_ring_round_10_out) _o346 =
+            near_9 = _o346.near_9;
+            omega_9 = _o346.omega_9;
+            around_9 = _o346.around_9;
+            tilted_9 = _o346.tilted_9;
+            pressed_9 = _o346.pressed_9;
+            cosine_10 = _o346.cosine_10;
+            sine_10 = _o346.sine_10;
+            climb_10 = _o346.climb_10;
+            along_10 = _o346.along_10;
+            turn_rate_10 = _o346.turn_rate_10;
+            cos_10 = _o346.cos_10;
+            sin_10 = _o346.sin_10;
+            const LANES(court_ring_round_10_out) _o347 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_10 = _o346.near_10;
-            omega_10 = _o346.omega_10;
-            around_10 = _o346.around_10;
-            tilted_10 = _o346.tilted_10;
-            pressed_10 = _o346.pressed_10;
-            cosine_11 = _o346.cosine_11;
-            sine_11 = _o346.sine_11;
-            climb_11 = _o346.climb_11;
-            along_11 = _o346.along_11;
-            turn_rate_11 = _o346.turn_rate_11;
-            cos_11 = _o346.cos_11;
-            sin_11 = _o346.sin_11;
-            const LANES(court_ring_round_11_out) _o347 =
+            near_10 = _o347.near_10;
+            omega_10 = _o347.omega_10;
+            around_10 = _o347.around_10;
+            tilted_10 = _o347.tilted_10;
+            pressed_10 = _o347.pressed_10;
+            cosine_11 = _o347.cosine_11;
+            sine_11 = _o347.sine_11;
+            climb_11 = _o347.climb_11;
+            along_11 = _o347.along_11;
+            turn_rate_11 = _o347.turn_rate_11;
+            cos_11 = _o347.cos_11;
+            sin_11 = _o347.sin_11;
+            const LANES(court_ring_round_11_out) _o348 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            cosine_12 = _o347.cosine_12;
-            sine_12 = _o347.sine_12;
-            climb_12 = _o347.climb_12;
-            along_12 = _o347.along_12;
-            turn_rate_12 = _o347.turn_rate_12;
-            cos_12 = _o347.cos_12;
-            sin_12 = _o347.sin_12;
-            const LANES(court_ring_round_moved_out) _o348 =
+            cosine_12 = _o348.cosine_12;
+            sine_12 = _o348.sine_12;
+            climb_12 = _o348.climb_12;
+            along_12 = _o348.along_12;
+            turn_rate_12 = _o348.turn_rate_12;
+            cos_12 = _o348.cos_12;
+            sin_12 = _o348.sin_12;
+            const LANES(court_ring_round_moved_out) _o349 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            far_x = _o348.x;
-            far_y = _o348.y;
-            far_z = _o348.z;
-            far_vx = _o348.vx;
-            far_vy = _o348.vy;
-            far_vz = _o348.vz;
-            far_wx = _o348.wx;
-            far_wy = _o348.wy;
-            far_wz = _o348.wz;
-            const LANES(court_compared_out) _o349 =
+            far_x = _o349.x;
+            far_y = _o349.y;
+            far_z = _o349.z;
+            far_vx = _o349.vx;
+            far_vy = _o349.vy;
+            far_vz = _o349.vz;
+            far_wx = _o349.wx;
+            far_wy = _o349.wy;
+            far_wz = _o349.wz;
+            const LANES(court_compared_out) _o350 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o349.dx;
-            dy = _o349.dy;
-            dz = _o349.dz;
-            dvx = _o349.dvx;
-            dvy = _o349.dvy;
-            dvz = _o349.dvz;
-            dwx = _o349.dwx;
-            dwy = _o349.dwy;
-            dwz = _o349.dwz;
-            const LANES(court_rolled_on_out) _o350 =
+            dx = _o350.dx;
+            dy = _o350.dy;
+            dz = _o350.dz;
+            dvx = _o350.dvx;
+            dvy = _o350.dvy;
+            dvz = _o350.dvz;
+            dwx = _o350.dwx;
+            dwy = _o350.dwy;
+            dwz = _o350.dwz;
+            const LANES(court_rolled_on_out) _o351 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o350.clock;
-            circling = _o350.rolling;
+            clock = _o351.clock;
+            circling = _o351.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -7692,115 +7627,115 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o351 =
+        const LANES(court_rejoined_out) _o352 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o351.rolling;
-        const M _m352 = lanes_both(rows, leaves);
-        if (lanes_any(_m352)) {
-            const LANES(court_error_bounds_out) _o353 =
+        rolling = _o352.rolling;
+        const M _m353 = lanes_both(rows, leaves);
+        if (lanes_any(_m353)) {
+            const LANES(court_error_bounds_out) _o354 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_error = lanes_select(_m352, _o353.position_error, position_error);
-            velocity_error = lanes_select(_m352, _o353.velocity_error, velocity_error);
-            const LANES(court_holding_out) _o354 =
+            position_error = lanes_select(_m353, _o354.position_error, position_error);
+            velocity_error = lanes_select(_m353, _o354.velocity_error, velocity_error);
+            const LANES(court_holding_out) _o355 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o354.here;
-            const M _m355 = lanes_both(_m352, here);
-            if (lanes_any(_m355)) {
-                const LANES(court_ring_tube_out) _o356 =
+            M here = _o355.here;
+            const M _m356 = lanes_both(_m353, here);
+            if (lanes_any(_m356)) {
+                const LANES(court_ring_tube_out) _o357 =
                     LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-                per_reach = lanes_select(_m355, _o356.per_reach, per_reach);
-                const LANES(court_ring_parting_out) _o357 =
+                per_reach = lanes_select(_m356, _o357.per_reach, per_reach);
+                const LANES(court_ring_parting_out) _o358 =
                     LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m355, _o357.lift, lift);
-                surge = lanes_select(_m355, _o357.surge, surge);
-                snap = lanes_select(_m355, _o357.snap, snap);
+                lift = lanes_select(_m356, _o358.lift, lift);
+                surge = lanes_select(_m356, _o358.surge, surge);
+                snap = lanes_select(_m356, _o358.snap, snap);
             }
-            const LANES(court_holding_out) _o358 =
+            const LANES(court_holding_out) _o359 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o358.here;
-            const M _m359 = lanes_both(_m352, here);
-            if (lanes_any(_m359)) {
-                const LANES(court_backboard_tube_out) _o360 =
+            here = _o359.here;
+            const M _m360 = lanes_both(_m353, here);
+            if (lanes_any(_m360)) {
+                const LANES(court_backboard_tube_out) _o361 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                per_reach = lanes_select(_m359, _o360.per_reach, per_reach);
-                const LANES(court_backboard_parting_out) _o361 =
+                per_reach = lanes_select(_m360, _o361.per_reach, per_reach);
+                const LANES(court_backboard_parting_out) _o362 =
                     LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m359, _o361.lift, lift);
-                surge = lanes_select(_m359, _o361.surge, surge);
-                snap = lanes_select(_m359, _o361.snap, snap);
+                lift = lanes_select(_m360, _o362.lift, lift);
+                surge = lanes_select(_m360, _o362.surge, surge);
+                snap = lanes_select(_m360, _o362.snap, snap);
             }
-            const LANES(court_holding_out) _o362 =
+            const LANES(court_holding_out) _o363 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o362.here;
-            const M _m363 = lanes_both(_m352, here);
-            if (lanes_any(_m363)) {
-                const LANES(court_bridge_tube_out) _o364 =
+            here = _o363.here;
+            const M _m364 = lanes_both(_m353, here);
+            if (lanes_any(_m364)) {
+                const LANES(court_bridge_tube_out) _o365 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                per_reach = lanes_select(_m363, _o364.per_reach, per_reach);
-                const LANES(court_bridge_parting_out) _o365 =
+                per_reach = lanes_select(_m364, _o365.per_reach, per_reach);
+                const LANES(court_bridge_parting_out) _o366 =
                     LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                lift = lanes_select(_m363, _o365.lift, lift);
-                surge = lanes_select(_m363, _o365.surge, surge);
-                snap = lanes_select(_m363, _o365.snap, snap);
+                lift = lanes_select(_m364, _o366.lift, lift);
+                surge = lanes_select(_m364, _o366.surge, surge);
+                snap = lanes_select(_m364, _o366.snap, snap);
             }
-            const LANES(court_alone_out) _o366 =
+            const LANES(court_alone_out) _o367 =
                 LANES(court_alone)();
-            V nearest = _o366.nearest;
-            const LANES(court_beside_out) _o367 =
+            V nearest = _o367.nearest;
+            const LANES(court_beside_out) _o368 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o367.beside;
-            const M _m368 = lanes_both(_m352, beside);
-            if (lanes_any(_m368)) {
-                const LANES(court_ring_beside_out) _o369 =
+            M beside = _o368.beside;
+            const M _m369 = lanes_both(_m353, beside);
+            if (lanes_any(_m369)) {
+                const LANES(court_ring_beside_out) _o370 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o369.gap;
-                const LANES(court_neared_out) _o370 =
+                V gap = _o370.gap;
+                const LANES(court_neared_out) _o371 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m368, _o370.nearest, nearest);
+                nearest = lanes_select(_m369, _o371.nearest, nearest);
             }
-            const LANES(court_beside_out) _o371 =
+            const LANES(court_beside_out) _o372 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o371.beside;
-            const M _m372 = lanes_both(_m352, beside);
-            if (lanes_any(_m372)) {
-                const LANES(court_backboard_beside_out) _o373 =
+            beside = _o372.beside;
+            const M _m373 = lanes_both(_m353, beside);
+            if (lanes_any(_m373)) {
+                const LANES(court_backboard_beside_out) _o374 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o373.gap;
-                const LANES(court_neared_out) _o374 =
+                V gap = _o374.gap;
+                const LANES(court_neared_out) _o375 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m372, _o374.nearest, nearest);
+                nearest = lanes_select(_m373, _o375.nearest, nearest);
             }
-            const LANES(court_beside_out) _o375 =
+            const LANES(court_beside_out) _o376 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o375.beside;
-            const M _m376 = lanes_both(_m352, beside);
-            if (lanes_any(_m376)) {
-                const LANES(court_bridge_beside_out) _o377 =
+            beside = _o376.beside;
+            const M _m377 = lanes_both(_m353, beside);
+            if (lanes_any(_m377)) {
+                const LANES(court_bridge_beside_out) _o378 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o377.gap;
-                const LANES(court_neared_out) _o378 =
+                V gap = _o378.gap;
+                const LANES(court_neared_out) _o379 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m376, _o378.nearest, nearest);
+                nearest = lanes_select(_m377, _o379.nearest, nearest);
             }
-            const LANES(court_beside_out) _o379 =
+            const LANES(court_beside_out) _o380 =
                 LANES(court_beside)(held, K(3.0));
-            beside = _o379.beside;
-            const M _m380 = lanes_both(_m352, beside);
+            beside = _o380.beside;
+            const M _m381 = lanes_both(_m353, beside);
             {
-                const LANES(court_end_beside_out) _o381 =
+                const LANES(court_end_beside_out) _o382 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o381.gap;
-                const LANES(court_neared_out) _o382 =
+                V gap = _o382.gap;
+                const LANES(court_neared_out) _o383 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m380, _o382.nearest, nearest);
+                nearest = lanes_select(_m381, _o383.nearest, nearest);
             }
-            const LANES(court_parted_out) _o383 =
+            const LANES(court_parted_out) _o384 =
                 LANES(court_parted)(doubt, p_gravity, lift, nearest, per_reach, position_error, snap, surge, velocity_error, vx, vy, vz);
-            when = lanes_select(_m352, _o383.when, when);
-            doubt = lanes_select(_m352, _o383.doubt, doubt);
-            const LANES(court_hopping_out) _o384 =
+            when = lanes_select(_m353, _o384.when, when);
+            doubt = lanes_select(_m353, _o384.doubt, doubt);
+            const LANES(court_hopping_out) _o385 =
                 LANES(court_hopping)();
-            which = lanes_select(_m352, _o384.which, which);
+            which = lanes_select(_m353, _o385.which, which);
         }
         lanes_store(lists->kept_doubt + i, doubt);
         lanes_store(lists->kept_position_error + i, position_error);
@@ -8107,107 +8042,86 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_ring_prepare_out) _o25 =
-                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o25.steady;
-            V swing = _o25.swing;
-            V rho_start = _o25.rho_start;
-            V low0 = _o25.low0;
-            V high0 = _o25.high0;
-            V low1 = _o25.low1;
-            V high1 = _o25.high1;
-            V low2 = _o25.low2;
-            V high2 = _o25.high2;
-            V ceiling = _o25.ceiling;
-            V latest = _o25.latest;
-            V lost = _o25.lost;
-            const LANES(court_beginning_out) _o26 =
+            const LANES(court_beginning_out) _o25 =
                 LANES(court_beginning)();
-            V share = _o26.share;
-            V arrival = _o26.arrival;
-            M certain = _o26.certain;
-            const LANES(court_ring_enter_out) _o27 =
-                LANES(court_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o27.t;
-            V end = _o27.end;
-            M searching = _o27.searching;
-            const LANES(court_allowance_out) _o28 =
-                LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o28.position_level;
-            V velocity_level = _o28.velocity_level;
-            V excess = _o28.excess;
-            const LANES(court_beyond_out) _o29 =
-                LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o29.doubt;
-            const LANES(court_left_out) _o30 =
+            V share = _o25.share;
+            V arrival = _o25.arrival;
+            M certain = _o25.certain;
+            const LANES(court_left_out) _o26 =
                 LANES(court_left)(K(0.0), last);
-            V leaving = _o30.leaving;
-            const LANES(court_ring_grain_out) _o31 =
-                LANES(court_ring_grain)(t, end, leaving, latest, speed, position_level, velocity_level, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V place = _o31.place;
-            V motion = _o31.motion;
-            V near_end = _o31.end;
-            V near_low1 = _o31.low1;
-            V near_high1 = _o31.high1;
-            V near_low2 = _o31.low2;
-            V near_high2 = _o31.high2;
-            M fits = _o31.fits;
-            const LANES(court_ring_margins_out) _o32 =
-                LANES(court_ring_margins)(latest, extent, speed, place, motion, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o32.margin;
-            V tilt = _o32.leaving_margin;
-            V rate_slack = _o32.rate_margin;
-            const LANES(court_flight_out) _o33 =
-                LANES(court_flight)(t, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o33.x;
-            V near_y = _o33.y;
-            V near_z = _o33.z;
-            V near_vz = _o33.vz;
-            const LANES(court_ring_narrow_out) _o34 =
-                LANES(court_ring_narrow)(lanes_narrow(near_end), lanes_narrow(leaving), lanes_narrow(rate_slack), lanes_narrow(ceiling), lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(steady), lanes_narrow(swing), lanes_narrow(rho_start), lanes_narrow(flat), lanes_narrow(tilt), lanes_narrow(near_low1), lanes_narrow(near_high1), lanes_narrow(near_low2), lanes_narrow(near_high2));
-            S short_t = _o34.t;
-            S short_end = _o34.end;
-            S short_x = _o34.x;
-            S short_y = _o34.y;
-            S short_z = _o34.z;
-            S short_vx = _o34.vx;
-            S short_vy = _o34.vy;
-            S short_vz = _o34.vz;
-            S short_steady = _o34.steady;
-            S short_swing = _o34.swing;
-            S short_rho_start = _o34.rho_start;
-            S short_ceiling = _o34.ceiling;
-            S short_rate_margin = _o34.rate_margin;
-            S short_leaving = _o34.leaving;
-            S short_flat = _o34.flat;
-            S short_tilt = _o34.tilt;
-            S short_low1 = _o34.low1;
-            S short_high1 = _o34.high1;
-            S short_low2 = _o34.low2;
-            S short_high2 = _o34.high2;
-            const LANES(court_coarse_out) _o35 =
-                LANES(court_coarse)(fits, searching);
-            M leaping = _o35.leaping;
+            V leaving = _o26.leaving;
+            const LANES(court_ring_opened_out) _o27 =
+                LANES(court_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S onset = _o27.t;
+            S wide_end = _o27.end;
+            M searching = _o27.searching;
+            S wide_low1 = _o27.low1;
+            S wide_high1 = _o27.high1;
+            S wide_low2 = _o27.low2;
+            S wide_high2 = _o27.high2;
+            S ended = _o27.latest;
+            M sound = _o27.sound;
+            const LANES(court_opened_out) _o28 =
+                LANES(court_opened)(lanes_wide(ended), lanes_wide(onset));
+            V since = _o28.time;
+            V latest = _o28.latest;
+            const LANES(court_allowance_out) _o29 =
+                LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            V excess = _o29.excess;
+            const LANES(court_ring_lost_out) _o30 =
+                LANES(court_ring_lost)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V lost = _o30.lost;
+            const LANES(court_beyond_out) _o31 =
+                LANES(court_beyond)(doubt, excess, late, lost, pad);
+            doubt = _o31.doubt;
+            const LANES(court_flight_out) _o32 =
+                LANES(court_flight)(since, x, y, z, vx, vy, vz, p_gravity);
+            V near_x = _o32.x;
+            V near_y = _o32.y;
+            V near_z = _o32.z;
+            V near_vz = _o32.vz;
+            const LANES(court_ring_grain_out) _o33 =
+                LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S short_t = _o33.t;
+            S short_end = _o33.end;
+            S short_x = _o33.x;
+            S short_y = _o33.y;
+            S short_z = _o33.z;
+            S short_vx = _o33.vx;
+            S short_vy = _o33.vy;
+            S short_vz = _o33.vz;
+            S short_leaving = _o33.leaving;
+            S short_steady = _o33.steady;
+            S short_swing = _o33.swing;
+            S short_rho_start = _o33.rho_start;
+            S short_ceiling = _o33.ceiling;
+            S short_flat = _o33.flat;
+            S short_tilt = _o33.tilt;
+            S short_rate_margin = _o33.rate_margin;
+            S short_low1 = _o33.low1;
+            S short_high1 = _o33.high1;
+            S short_low2 = _o33.low2;
+            S short_high2 = _o33.high2;
+            M fits = _o33.fits;
+            const LANES(court_coarse_out) _o34 =
+                LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), searching, sound, lanes_wide(short_tilt));
+            M leaping = _o34.leaping;
+            searching = _o34.searching;
+            V ceiling = _o34.ceiling;
+            V flat = _o34.flat;
+            V tilt = _o34.tilt;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             lanes_store(lists->open_doubt + i, doubt);
-            lanes_store(lists->open_end + i, end);
+            lanes_store(lists->open_fits + i, lanes_select(fits, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
-            lanes_store(lists->open_high0 + i, high0);
-            lanes_store(lists->open_high1 + i, high1);
-            lanes_store(lists->open_high2 + i, high2);
             lanes_store(lists->open_latest + i, latest);
-            lanes_store(lists->open_low0 + i, low0);
-            lanes_store(lists->open_low1 + i, low1);
-            lanes_store(lists->open_low2 + i, low2);
-            lanes_store(lists->open_rho_start + i, rho_start);
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
             singles_store(lists->open_short_t + i, short_t);
-            lanes_store(lists->open_steady + i, steady);
-            lanes_store(lists->open_swing + i, swing);
-            lanes_store(lists->open_t + i, t);
+            lanes_store(lists->open_since + i, since);
+            lanes_store(lists->open_sound + i, lanes_select(sound, K(1.0), K(0.0)));
             lanes_store(lists->open_tilt + i, tilt);
             const M packed = lanes_both(rows, leaping);
             if (lanes_any(packed)) {
@@ -8310,12 +8224,12 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(court_ring_leap_out) _o36 =
+                const LANES(court_ring_leap_out) _o35 =
                     LANES(court_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o36.t;
-                short_end = _o36.end;
-                M certain = _o36.certain;
-                leaping = _o36.leaping;
+                short_t = _o35.t;
+                short_end = _o35.end;
+                M certain = _o35.certain;
+                leaping = _o35.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -8342,32 +8256,23 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
-            V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V doubt = lanes_load(lists->open_doubt + i);
-            V end = lanes_load(lists->open_end + i);
             V extent = lanes_load(lists->open_extent + i);
-            V high0 = lanes_load(lists->open_high0 + i);
-            V high1 = lanes_load(lists->open_high1 + i);
-            V high2 = lanes_load(lists->open_high2 + i);
+            M fits = lanes_less(K(0.0), lanes_load(lists->open_fits + i));
             V last = lanes_load(lists->open_last + i);
-            V latest = lanes_load(lists->open_latest + i);
-            V low0 = lanes_load(lists->open_low0 + i);
-            V low1 = lanes_load(lists->open_low1 + i);
-            V low2 = lanes_load(lists->open_low2 + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_position_error + i);
-            V rho_start = lanes_load(lists->open_rho_start + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             V share = lanes_load(lists->open_share + i);
             S short_t = singles_load(lists->open_short_t + i);
+            V since = lanes_load(lists->open_since + i);
+            M sound = lanes_less(K(0.0), lanes_load(lists->open_sound + i));
             V speed = lanes_load(lists->open_speed + i);
-            V steady = lanes_load(lists->open_steady + i);
-            V swing = lanes_load(lists->open_swing + i);
-            V t = lanes_load(lists->open_t + i);
+            V until = lanes_load(lists->open_until + i);
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
@@ -8375,29 +8280,20 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_leapt_out) _o37 =
-                LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, t);
-            arrival = _o37.arrival;
-            t = _o37.t;
-            searching = _o37.searching;
+            const LANES(court_leapt_out) _o36 =
+                LANES(court_leapt)(arrival, certain, fits, lanes_wide(short_t), searching, since, sound);
+            arrival = _o36.arrival;
+            V t = _o36.t;
+            searching = _o36.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
                 lanes_pack(lists->open_searching_arrival + open_searching_shots, packed, arrival);
-                lanes_pack(lists->open_searching_ceiling + open_searching_shots, packed, ceiling);
                 lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
                 lanes_pack(lists->open_searching_doubt + open_searching_shots, packed, doubt);
-                lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
                 lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
-                lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
-                lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
-                lanes_pack(lists->open_searching_high2 + open_searching_shots, packed, high2);
                 lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                lanes_pack(lists->open_searching_latest + open_searching_shots, packed, latest);
-                lanes_pack(lists->open_searching_low0 + open_searching_shots, packed, low0);
-                lanes_pack(lists->open_searching_low1 + open_searching_shots, packed, low1);
-                lanes_pack(lists->open_searching_low2 + open_searching_shots, packed, low2);
                 if (varying)
                     lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
                 if (varying)
@@ -8407,12 +8303,10 @@ static void LANES(court_bounded)(const court_job *job)
                 if (varying)
                     lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
-                lanes_pack(lists->open_searching_rho_start + open_searching_shots, packed, rho_start);
                 lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
                 lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
-                lanes_pack(lists->open_searching_steady + open_searching_shots, packed, steady);
-                lanes_pack(lists->open_searching_swing + open_searching_shots, packed, swing);
                 lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
+                lanes_pack(lists->open_searching_until + open_searching_shots, packed, until);
                 lanes_pack(lists->open_searching_velocity_error + open_searching_shots, packed, velocity_error);
                 lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
                 lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
@@ -8428,30 +8322,19 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
-            V ceiling = lanes_load(lists->open_searching_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
             V doubt = lanes_load(lists->open_searching_doubt + i);
-            V end = lanes_load(lists->open_searching_end + i);
             V extent = lanes_load(lists->open_searching_extent + i);
-            V high0 = lanes_load(lists->open_searching_high0 + i);
-            V high1 = lanes_load(lists->open_searching_high1 + i);
-            V high2 = lanes_load(lists->open_searching_high2 + i);
             V last = lanes_load(lists->open_searching_last + i);
-            V latest = lanes_load(lists->open_searching_latest + i);
-            V low0 = lanes_load(lists->open_searching_low0 + i);
-            V low1 = lanes_load(lists->open_searching_low1 + i);
-            V low2 = lanes_load(lists->open_searching_low2 + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_searching_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_searching_position_error + i);
-            V rho_start = lanes_load(lists->open_searching_rho_start + i);
             V share = lanes_load(lists->open_searching_share + i);
             V speed = lanes_load(lists->open_searching_speed + i);
-            V steady = lanes_load(lists->open_searching_steady + i);
-            V swing = lanes_load(lists->open_searching_swing + i);
             V t = lanes_load(lists->open_searching_t + i);
+            V until = lanes_load(lists->open_searching_until + i);
             V velocity_error = lanes_load(lists->open_searching_velocity_error + i);
             V vx = lanes_load(lists->open_searching_vx + i);
             V vy = lanes_load(lists->open_searching_vy + i);
@@ -8459,6 +8342,19 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
+            const LANES(court_ring_prepare_out) _o37 =
+                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V steady = _o37.steady;
+            V swing = _o37.swing;
+            V rho_start = _o37.rho_start;
+            V low0 = _o37.low0;
+            V high0 = _o37.high0;
+            V low1 = _o37.low1;
+            V high1 = _o37.high1;
+            V low2 = _o37.low2;
+            V high2 = _o37.high2;
+            V ceiling = _o37.ceiling;
+            V latest = _o37.latest;
             const LANES(court_allowance_out) _o38 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
             V position_level = _o38.position_level;
@@ -8469,11 +8365,13 @@ static void LANES(court_bounded)(const court_job *job)
             V tilt = _o39.leaving_margin;
             V rate_slack = _o39.rate_margin;
             const LANES(court_ring_enter_out) _o40 =
-                LANES(court_ring_enter)(t, end, high0, high1, high2, low0, low1, low2, t);
+                LANES(court_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
             t = _o40.t;
-            end = _o40.end;
+            V end = _o40.end;
             M searching = _o40.searching;
+            lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
+            lanes_store(lists->open_searching_latest + i, latest);
             lanes_store(lists->open_searching_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_searching_t + i, t);
             lanes_store(lists->open_searching_tilt + i, tilt);
@@ -8710,9 +8608,11 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t k = 0; k < open_searching_shots; k++) {
             const size_t row = (size_t)lists->open_searching_row[k];
             lists->open_arrival[row] = lists->open_searching_arrival[k];
+            lists->open_ceiling[row] = lists->open_searching_ceiling[k];
             lists->open_certain[row] = lists->open_searching_certain[k];
             lists->open_doubt[row] = lists->open_searching_doubt[k];
             lists->open_flat[row] = lists->open_searching_flat[k];
+            lists->open_latest[row] = lists->open_searching_latest[k];
             lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
@@ -8729,7 +8629,6 @@ static void LANES(court_bounded)(const court_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V rho_start = lanes_load(lists->open_rho_start + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
@@ -8737,14 +8636,17 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o53 =
+            const LANES(court_ring_started_out) _o53 =
+                LANES(court_ring_started)(x, y);
+            V rho_start = _o53.rho_start;
+            const LANES(court_found_out) _o54 =
                 LANES(court_found)(arrival);
-            M arrives = _o53.arrives;
-            M refining = _o53.refining;
-            V rate = _o53.rate;
-            const LANES(court_nearby_out) _o54 =
+            M arrives = _o54.arrives;
+            M refining = _o54.refining;
+            V rate = _o54.rate;
+            const LANES(court_nearby_out) _o55 =
                 LANES(court_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o54.leaving;
+            V leaving = _o55.leaving;
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             lanes_store(lists->open_leaving + i, leaving);
             lanes_store(lists->open_rate + i, rate);
@@ -8822,15 +8724,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_ring_refine_out) _o55 =
+                const LANES(court_ring_refine_out) _o56 =
                     LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o55.time;
-                V gap = _o55.gap;
-                V rate = _o55.rate;
-                const LANES(court_polished_out) _o56 =
+                V refined = _o56.time;
+                V gap = _o56.gap;
+                V rate = _o56.rate;
+                const LANES(court_polished_out) _o57 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o56.arrival;
-                refining = _o56.refining;
+                arrival = _o57.arrival;
+                refining = _o57.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -8872,33 +8774,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_ring_margins_out) _o57 =
+            const LANES(court_ring_margins_out) _o58 =
                 LANES(court_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o57.margin;
-            V tilt = _o57.leaving_margin;
-            V rate_margin = _o57.rate_margin;
-            const LANES(court_own_margin_out) _o58 =
+            V flat = _o58.margin;
+            V tilt = _o58.leaving_margin;
+            V rate_margin = _o58.rate_margin;
+            const LANES(court_own_margin_out) _o59 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o58.margin;
-            const LANES(court_crossing_out) _o59 =
+            V margin = _o59.margin;
+            const LANES(court_crossing_out) _o60 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o59.clearance;
-            V delay = _o59.delay;
-            const LANES(court_landed_out) _o60 =
+            V clearance = _o60.clearance;
+            V delay = _o60.delay;
+            const LANES(court_landed_out) _o61 =
                 LANES(court_landed)(arrival);
-            V time = _o60.time;
-            const LANES(court_landed_surely_out) _o61 =
+            V time = _o61.time;
+            const LANES(court_landed_surely_out) _o62 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o61.delay;
-            doubt = _o61.doubt;
-            const LANES(court_tied_out) _o62 =
-                LANES(court_tied)(arrives, delay, doubt, late, time, when);
+            delay = _o62.delay;
             doubt = _o62.doubt;
-            late = _o62.late;
-            const LANES(court_sooner_out) _o63 =
+            const LANES(court_tied_out) _o63 =
+                LANES(court_tied)(arrives, delay, doubt, late, time, when);
+            doubt = _o63.doubt;
+            late = _o63.late;
+            const LANES(court_sooner_out) _o64 =
                 LANES(court_sooner)(arrives, K(0.0), time, when, which);
-            when = _o63.when;
-            which = _o63.which;
+            when = _o64.when;
+            which = _o64.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -8939,16 +8841,16 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o64 =
+            const LANES(court_horizon_out) _o65 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o64.horizon;
-            V pad = _o64.pad;
-            const LANES(court_backboard_clear_out) _o65 =
+            V until = _o65.horizon;
+            V pad = _o65.pad;
+            const LANES(court_backboard_clear_out) _o66 =
                 LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V clear = _o65.clear;
-            const LANES(court_opens_in_flight_out) _o66 =
+            V clear = _o66.clear;
+            const LANES(court_opens_in_flight_out) _o67 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o66.open;
+            M open = _o67.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -9012,25 +8914,20 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_backboard_prepare_out) _o67 =
+            const LANES(court_backboard_prepare_out) _o68 =
                 LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V low0 = _o67.low0;
-            V high0 = _o67.high0;
-            V low1 = _o67.low1;
-            V high1 = _o67.high1;
-            V ceiling = _o67.ceiling;
-            V latest = _o67.latest;
-            V lost = _o67.lost;
-            const LANES(court_beginning_out) _o68 =
+            V low0 = _o68.low0;
+            V high0 = _o68.high0;
+            V low1 = _o68.low1;
+            V high1 = _o68.high1;
+            V ceiling = _o68.ceiling;
+            V latest = _o68.latest;
+            V lost = _o68.lost;
+            const LANES(court_beginning_out) _o69 =
                 LANES(court_beginning)();
-            V share = _o68.share;
-            V arrival = _o68.arrival;
-            M certain = _o68.certain;
-            const LANES(court_backboard_enter_out) _o69 =
-                LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o69.t;
-            V end = _o69.end;
-            M searching = _o69.searching;
+            V share = _o69.share;
+            V arrival = _o69.arrival;
+            M certain = _o69.certain;
             const LANES(court_allowance_out) _o70 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
             V position_level = _o70.position_level;
@@ -9044,6 +8941,11 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_beyond_out) _o72 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
             doubt = _o72.doubt;
+            const LANES(court_backboard_enter_out) _o73 =
+                LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
+            V t = _o73.t;
+            V end = _o73.end;
+            M searching = _o73.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -9184,56 +9086,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o73 =
+                const LANES(court_nearby_out) _o74 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o73.leaving;
-                V margin = _o73.margin;
-                const LANES(court_backboard_advance_out) _o74 =
+                V leaving = _o74.leaving;
+                V margin = _o74.margin;
+                const LANES(court_backboard_advance_out) _o75 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V gap = _o74.gap;
-                V rate = _o74.rate;
-                V bend = _o74.bend;
-                V step = _o74.step;
-                V next = _o74.next;
-                V clearance = _o74.clearance;
-                const LANES(court_struck_out) _o75 =
+                V gap = _o75.gap;
+                V rate = _o75.rate;
+                V bend = _o75.bend;
+                V step = _o75.step;
+                V next = _o75.next;
+                V clearance = _o75.clearance;
+                const LANES(court_struck_out) _o76 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o75.hit;
-                M sure = _o75.sure;
-                M vague = _o75.vague;
-                const M _m76 = lanes_both(active, vague);
-                if (lanes_any(_m76)) {
-                    const LANES(court_finer_out) _o77 =
+                M hit = _o76.hit;
+                M sure = _o76.sure;
+                M vague = _o76.vague;
+                const M _m77 = lanes_both(active, vague);
+                if (lanes_any(_m77)) {
+                    const LANES(court_finer_out) _o78 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m76, _o77.share, share);
-                    const LANES(court_allowance_out) _o78 =
+                    share = lanes_select(_m77, _o78.share, share);
+                    const LANES(court_allowance_out) _o79 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o78.position_level;
-                    V velocity_level = _o78.velocity_level;
-                    V excess = _o78.excess;
-                    const LANES(court_backboard_margins_out) _o79 =
+                    V position_level = _o79.position_level;
+                    V velocity_level = _o79.velocity_level;
+                    V excess = _o79.excess;
+                    const LANES(court_backboard_margins_out) _o80 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = lanes_select(_m76, _o79.margin, flat);
-                    tilt = lanes_select(_m76, _o79.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m76, _o79.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o80 =
+                    flat = lanes_select(_m77, _o80.margin, flat);
+                    tilt = lanes_select(_m77, _o80.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m77, _o80.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o81 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m76, _o80.doubt, doubt);
+                    doubt = lanes_select(_m77, _o81.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o81 =
+                const LANES(court_advanced_out) _o82 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o81.arrival;
-                certain = _o81.certain;
-                M exhausted = _o81.exhausted;
-                searching = _o81.searching;
-                t = _o81.t;
-                const M _m82 = lanes_both(active, exhausted);
+                arrival = _o82.arrival;
+                certain = _o82.certain;
+                M exhausted = _o82.exhausted;
+                searching = _o82.searching;
+                t = _o82.t;
+                const M _m83 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o83 =
+                    const LANES(court_backboard_enter_out) _o84 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m82, _o83.t, t);
-                    end = lanes_select(_m82, _o83.end, end);
-                    searching = lanes_choose(_m82, _o83.searching, searching);
+                    t = lanes_select(_m83, _o84.t, t);
+                    end = lanes_select(_m83, _o84.end, end);
+                    searching = lanes_choose(_m83, _o84.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -9297,17 +9199,17 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_questioned_out) _o84 =
+            const LANES(court_questioned_out) _o85 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o84.doubt;
-            const LANES(court_found_out) _o85 =
+            doubt = _o85.doubt;
+            const LANES(court_found_out) _o86 =
                 LANES(court_found)(arrival);
-            M arrives = _o85.arrives;
-            M refining = _o85.refining;
-            V rate = _o85.rate;
-            const LANES(court_nearby_out) _o86 =
+            M arrives = _o86.arrives;
+            M refining = _o86.refining;
+            V rate = _o86.rate;
+            const LANES(court_nearby_out) _o87 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o86.leaving;
+            V leaving = _o87.leaving;
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_leaving + i, leaving);
@@ -9395,15 +9297,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_backboard_refine_out) _o87 =
+                const LANES(court_backboard_refine_out) _o88 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o87.time;
-                V gap = _o87.gap;
-                V rate = _o87.rate;
-                const LANES(court_polished_out) _o88 =
+                V refined = _o88.time;
+                V gap = _o88.gap;
+                V rate = _o88.rate;
+                const LANES(court_polished_out) _o89 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o88.arrival;
-                refining = _o88.refining;
+                arrival = _o89.arrival;
+                refining = _o89.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -9448,33 +9350,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_backboard_margins_out) _o89 =
+            const LANES(court_backboard_margins_out) _o90 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o89.margin;
-            V tilt = _o89.leaving_margin;
-            V rate_margin = _o89.rate_margin;
-            const LANES(court_own_margin_out) _o90 =
+            V flat = _o90.margin;
+            V tilt = _o90.leaving_margin;
+            V rate_margin = _o90.rate_margin;
+            const LANES(court_own_margin_out) _o91 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o90.margin;
-            const LANES(court_crossing_out) _o91 =
+            V margin = _o91.margin;
+            const LANES(court_crossing_out) _o92 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o91.clearance;
-            V delay = _o91.delay;
-            const LANES(court_landed_out) _o92 =
+            V clearance = _o92.clearance;
+            V delay = _o92.delay;
+            const LANES(court_landed_out) _o93 =
                 LANES(court_landed)(arrival);
-            V time = _o92.time;
-            const LANES(court_landed_surely_out) _o93 =
+            V time = _o93.time;
+            const LANES(court_landed_surely_out) _o94 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o93.delay;
-            doubt = _o93.doubt;
-            const LANES(court_tied_out) _o94 =
-                LANES(court_tied)(arrives, delay, doubt, late, time, when);
+            delay = _o94.delay;
             doubt = _o94.doubt;
-            late = _o94.late;
-            const LANES(court_sooner_out) _o95 =
+            const LANES(court_tied_out) _o95 =
+                LANES(court_tied)(arrives, delay, doubt, late, time, when);
+            doubt = _o95.doubt;
+            late = _o95.late;
+            const LANES(court_sooner_out) _o96 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o95.when;
-            which = _o95.which;
+            when = _o96.when;
+            which = _o96.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -9515,16 +9417,16 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o96 =
+            const LANES(court_horizon_out) _o97 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o96.horizon;
-            V pad = _o96.pad;
-            const LANES(court_bridge_clear_out) _o97 =
+            V until = _o97.horizon;
+            V pad = _o97.pad;
+            const LANES(court_bridge_clear_out) _o98 =
                 LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V clear = _o97.clear;
-            const LANES(court_opens_in_flight_out) _o98 =
+            V clear = _o98.clear;
+            const LANES(court_opens_in_flight_out) _o99 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o98.open;
+            M open = _o99.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -9588,25 +9490,20 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_bridge_prepare_out) _o99 =
+            const LANES(court_bridge_prepare_out) _o100 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o99.low0;
-            V high0 = _o99.high0;
-            V low1 = _o99.low1;
-            V high1 = _o99.high1;
-            V ceiling = _o99.ceiling;
-            V latest = _o99.latest;
-            V lost = _o99.lost;
-            const LANES(court_beginning_out) _o100 =
+            V low0 = _o100.low0;
+            V high0 = _o100.high0;
+            V low1 = _o100.low1;
+            V high1 = _o100.high1;
+            V ceiling = _o100.ceiling;
+            V latest = _o100.latest;
+            V lost = _o100.lost;
+            const LANES(court_beginning_out) _o101 =
                 LANES(court_beginning)();
-            V share = _o100.share;
-            V arrival = _o100.arrival;
-            M certain = _o100.certain;
-            const LANES(court_bridge_enter_out) _o101 =
-                LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o101.t;
-            V end = _o101.end;
-            M searching = _o101.searching;
+            V share = _o101.share;
+            V arrival = _o101.arrival;
+            M certain = _o101.certain;
             const LANES(court_allowance_out) _o102 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
             V position_level = _o102.position_level;
@@ -9620,6 +9517,11 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_beyond_out) _o104 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
             doubt = _o104.doubt;
+            const LANES(court_bridge_enter_out) _o105 =
+                LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
+            V t = _o105.t;
+            V end = _o105.end;
+            M searching = _o105.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -9760,56 +9662,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o105 =
+                const LANES(court_nearby_out) _o106 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o105.leaving;
-                V margin = _o105.margin;
-                const LANES(court_bridge_advance_out) _o106 =
+                V leaving = _o106.leaving;
+                V margin = _o106.margin;
+                const LANES(court_bridge_advance_out) _o107 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o106.gap;
-                V rate = _o106.rate;
-                V bend = _o106.bend;
-                V step = _o106.step;
-                V next = _o106.next;
-                V clearance = _o106.clearance;
-                const LANES(court_struck_out) _o107 =
+                V gap = _o107.gap;
+                V rate = _o107.rate;
+                V bend = _o107.bend;
+                V step = _o107.step;
+                V next = _o107.next;
+                V clearance = _o107.clearance;
+                const LANES(court_struck_out) _o108 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o107.hit;
-                M sure = _o107.sure;
-                M vague = _o107.vague;
-                const M _m108 = lanes_both(active, vague);
-                if (lanes_any(_m108)) {
-                    const LANES(court_finer_out) _o109 =
+                M hit = _o108.hit;
+                M sure = _o108.sure;
+                M vague = _o108.vague;
+                const M _m109 = lanes_both(active, vague);
+                if (lanes_any(_m109)) {
+                    const LANES(court_finer_out) _o110 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m108, _o109.share, share);
-                    const LANES(court_allowance_out) _o110 =
+                    share = lanes_select(_m109, _o110.share, share);
+                    const LANES(court_allowance_out) _o111 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o110.position_level;
-                    V velocity_level = _o110.velocity_level;
-                    V excess = _o110.excess;
-                    const LANES(court_bridge_margins_out) _o111 =
+                    V position_level = _o111.position_level;
+                    V velocity_level = _o111.velocity_level;
+                    V excess = _o111.excess;
+                    const LANES(court_bridge_margins_out) _o112 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m108, _o111.margin, flat);
-                    tilt = lanes_select(_m108, _o111.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m108, _o111.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o112 =
+                    flat = lanes_select(_m109, _o112.margin, flat);
+                    tilt = lanes_select(_m109, _o112.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m109, _o112.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o113 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m108, _o112.doubt, doubt);
+                    doubt = lanes_select(_m109, _o113.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o113 =
+                const LANES(court_advanced_out) _o114 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o113.arrival;
-                certain = _o113.certain;
-                M exhausted = _o113.exhausted;
-                searching = _o113.searching;
-                t = _o113.t;
-                const M _m114 = lanes_both(active, exhausted);
+                arrival = _o114.arrival;
+                certain = _o114.certain;
+                M exhausted = _o114.exhausted;
+                searching = _o114.searching;
+                t = _o114.t;
+                const M _m115 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o115 =
+                    const LANES(court_bridge_enter_out) _o116 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m114, _o115.t, t);
-                    end = lanes_select(_m114, _o115.end, end);
-                    searching = lanes_choose(_m114, _o115.searching, searching);
+                    t = lanes_select(_m115, _o116.t, t);
+                    end = lanes_select(_m115, _o116.end, end);
+                    searching = lanes_choose(_m115, _o116.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -9873,17 +9775,17 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_questioned_out) _o116 =
+            const LANES(court_questioned_out) _o117 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o116.doubt;
-            const LANES(court_found_out) _o117 =
+            doubt = _o117.doubt;
+            const LANES(court_found_out) _o118 =
                 LANES(court_found)(arrival);
-            M arrives = _o117.arrives;
-            M refining = _o117.refining;
-            V rate = _o117.rate;
-            const LANES(court_nearby_out) _o118 =
+            M arrives = _o118.arrives;
+            M refining = _o118.refining;
+            V rate = _o118.rate;
+            const LANES(court_nearby_out) _o119 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o118.leaving;
+            V leaving = _o119.leaving;
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_leaving + i, leaving);
@@ -9971,15 +9873,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o119 =
+                const LANES(court_bridge_refine_out) _o120 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o119.time;
-                V gap = _o119.gap;
-                V rate = _o119.rate;
-                const LANES(court_polished_out) _o120 =
+                V refined = _o120.time;
+                V gap = _o120.gap;
+                V rate = _o120.rate;
+                const LANES(court_polished_out) _o121 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o120.arrival;
-                refining = _o120.refining;
+                arrival = _o121.arrival;
+                refining = _o121.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -10024,33 +9926,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_bridge_margins_out) _o121 =
+            const LANES(court_bridge_margins_out) _o122 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o121.margin;
-            V tilt = _o121.leaving_margin;
-            V rate_margin = _o121.rate_margin;
-            const LANES(court_own_margin_out) _o122 =
+            V flat = _o122.margin;
+            V tilt = _o122.leaving_margin;
+            V rate_margin = _o122.rate_margin;
+            const LANES(court_own_margin_out) _o123 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o122.margin;
-            const LANES(court_crossing_out) _o123 =
+            V margin = _o123.margin;
+            const LANES(court_crossing_out) _o124 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o123.clearance;
-            V delay = _o123.delay;
-            const LANES(court_landed_out) _o124 =
+            V clearance = _o124.clearance;
+            V delay = _o124.delay;
+            const LANES(court_landed_out) _o125 =
                 LANES(court_landed)(arrival);
-            V time = _o124.time;
-            const LANES(court_landed_surely_out) _o125 =
+            V time = _o125.time;
+            const LANES(court_landed_surely_out) _o126 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o125.delay;
-            doubt = _o125.doubt;
-            const LANES(court_tied_out) _o126 =
-                LANES(court_tied)(arrives, delay, doubt, late, time, when);
+            delay = _o126.delay;
             doubt = _o126.doubt;
-            late = _o126.late;
-            const LANES(court_sooner_out) _o127 =
+            const LANES(court_tied_out) _o127 =
+                LANES(court_tied)(arrives, delay, doubt, late, time, when);
+            doubt = _o127.doubt;
+            late = _o127.late;
+            const LANES(court_sooner_out) _o128 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o127.when;
-            which = _o127.which;
+            when = _o128.when;
+            which = _o128.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -10121,22 +10023,22 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m128 = lanes_both(rows, limited);
-            if (lanes_any(_m128)) {
-                const LANES(court_expiry_out) _o129 =
+            const M _m129 = lanes_both(rows, limited);
+            if (lanes_any(_m129)) {
+                const LANES(court_expiry_out) _o130 =
                     LANES(court_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o129.time;
-                V delay = _o129.delay;
-                M arrives = _o129.arrives;
-                doubt = lanes_select(_m128, _o129.doubt, doubt);
-                const LANES(court_tied_out) _o130 =
+                V time = _o130.time;
+                V delay = _o130.delay;
+                M arrives = _o130.arrives;
+                doubt = lanes_select(_m129, _o130.doubt, doubt);
+                const LANES(court_tied_out) _o131 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m128, _o130.doubt, doubt);
-                late = lanes_select(_m128, _o130.late, late);
-                const LANES(court_sooner_out) _o131 =
+                doubt = lanes_select(_m129, _o131.doubt, doubt);
+                late = lanes_select(_m129, _o131.late, late);
+                const LANES(court_sooner_out) _o132 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m128, _o131.when, when);
-                which = lanes_select(_m128, _o131.which, which);
+                when = lanes_select(_m129, _o132.when, when);
+                which = lanes_select(_m129, _o132.which, which);
             }
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->late + i, late);
@@ -10322,90 +10224,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o385 =
+            const LANES(court_departed_out) _o386 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o385.moves;
-            M ends = _o385.ends;
-            M touches = _o385.touches;
-            V reached = _o385.reached;
-            M edge = _o385.edge;
-            const LANES(court_body_of_out) _o386 =
+            M moves = _o386.moves;
+            M ends = _o386.ends;
+            M touches = _o386.touches;
+            V reached = _o386.reached;
+            M edge = _o386.edge;
+            const LANES(court_body_of_out) _o387 =
                 LANES(court_body_of)(which);
-            V body = _o386.body;
-            const M _m387 = lanes_both(rows, moves);
-            if (lanes_any(_m387)) {
-                const LANES(court_passing_doubt_out) _o388 =
+            V body = _o387.body;
+            const M _m388 = lanes_both(rows, moves);
+            if (lanes_any(_m388)) {
+                const LANES(court_passing_doubt_out) _o389 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o388.unsure;
-                const LANES(court_undecided_out) _o389 =
+                M unsure = _o389.unsure;
+                const LANES(court_undecided_out) _o390 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m387, _o389.uncertain, uncertain);
-                const LANES(court_passing_out) _o390 =
+                uncertain = lanes_select(_m388, _o390.uncertain, uncertain);
+                const LANES(court_passing_out) _o391 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m387, _o390.through, through);
-                const LANES(court_flight_out) _o391 =
+                through = lanes_select(_m388, _o391.through, through);
+                const LANES(court_flight_out) _o392 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m387, _o391.x, x);
-                y = lanes_select(_m387, _o391.y, y);
-                z = lanes_select(_m387, _o391.z, z);
-                vx = lanes_select(_m387, _o391.vx, vx);
-                vy = lanes_select(_m387, _o391.vy, vy);
-                vz = lanes_select(_m387, _o391.vz, vz);
-                const LANES(court_ticked_out) _o392 =
+                x = lanes_select(_m388, _o392.x, x);
+                y = lanes_select(_m388, _o392.y, y);
+                z = lanes_select(_m388, _o392.z, z);
+                vx = lanes_select(_m388, _o392.vx, vx);
+                vy = lanes_select(_m388, _o392.vy, vy);
+                vz = lanes_select(_m388, _o392.vz, vz);
+                const LANES(court_ticked_out) _o393 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m387, _o392.clock, clock);
+                clock = lanes_select(_m388, _o393.clock, clock);
             }
-            const M _m393 = lanes_both(rows, limited);
-            if (lanes_any(_m393)) {
-                const LANES(court_expired_out) _o394 =
+            const M _m394 = lanes_both(rows, limited);
+            if (lanes_any(_m394)) {
+                const LANES(court_expired_out) _o395 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m393, _o394.clock, clock);
-                body = lanes_select(_m393, _o394.body, body);
-                reached = lanes_select(_m393, _o394.reached, reached);
-                ends = lanes_choose(_m393, _o394.ends, ends);
+                clock = lanes_select(_m394, _o395.clock, clock);
+                body = lanes_select(_m394, _o395.body, body);
+                reached = lanes_select(_m394, _o395.reached, reached);
+                ends = lanes_choose(_m394, _o395.ends, ends);
             }
-            const LANES(court_unhopped_out) _o395 =
+            const LANES(court_unhopped_out) _o396 =
                 LANES(court_unhopped)();
-            M hopped = _o395.hopped;
-            const M _m396 = lanes_both(rows, kept);
-            if (lanes_any(_m396)) {
-                const LANES(court_kept_on_out) _o397 =
+            M hopped = _o396.hopped;
+            const M _m397 = lanes_both(rows, kept);
+            if (lanes_any(_m397)) {
+                const LANES(court_kept_on_out) _o398 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m396, _o397.body, body);
-                reached = lanes_select(_m396, _o397.reached, reached);
-                doubt = lanes_select(_m396, _o397.doubt, doubt);
-                ends = lanes_choose(_m396, _o397.ends, ends);
-                hopped = lanes_choose(_m396, _o397.hopped, hopped);
-                last = lanes_select(_m396, _o397.last, last);
-                mode = lanes_select(_m396, _o397.mode, mode);
-                held = lanes_select(_m396, _o397.held, held);
-                rolls = lanes_select(_m396, _o397.rolls, rolls);
+                body = lanes_select(_m397, _o398.body, body);
+                reached = lanes_select(_m397, _o398.reached, reached);
+                doubt = lanes_select(_m397, _o398.doubt, doubt);
+                ends = lanes_choose(_m397, _o398.ends, ends);
+                hopped = lanes_choose(_m397, _o398.hopped, hopped);
+                last = lanes_select(_m397, _o398.last, last);
+                mode = lanes_select(_m397, _o398.mode, mode);
+                held = lanes_select(_m397, _o398.held, held);
+                rolls = lanes_select(_m397, _o398.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o398 =
+            const LANES(court_displacement_out) _o399 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o398.margin;
-            const LANES(court_here_out) _o399 =
+            V slack = _o399.margin;
+            const LANES(court_here_out) _o400 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o399.here;
-            const M _m400 = lanes_both(rows, here);
+            M here = _o400.here;
+            const M _m401 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o401 =
+                const LANES(court_end_bounds_out) _o402 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o401.g0;
-                const LANES(court_end_reached_out) _o402 =
+                V g0 = _o402.g0;
+                const LANES(court_end_reached_out) _o403 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m400, _o402.reached, reached);
-                const LANES(court_end_edge_out) _o403 =
+                reached = lanes_select(_m401, _o403.reached, reached);
+                const LANES(court_end_edge_out) _o404 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m400, _o403.edge, edge);
+                edge = lanes_choose(_m401, _o404.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o404 =
+            const LANES(court_doubted_in_contact_out) _o405 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o404.uncertain;
-            const LANES(court_accounted_out) _o405 =
+            uncertain = _o405.uncertain;
+            const LANES(court_accounted_out) _o406 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o405.contacts;
-            V outcome = _o405.outcome;
+            contacts = _o406.contacts;
+            V outcome = _o406.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -10418,459 +10320,459 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o406 =
+            const LANES(court_meeting_out) _o407 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o406.meeting;
-            const M _m407 = lanes_both(rows, meeting);
-            if (lanes_any(_m407)) {
-                const LANES(court_end_normal_out) _o408 =
+            M meeting = _o407.meeting;
+            const M _m408 = lanes_both(rows, meeting);
+            if (lanes_any(_m408)) {
+                const LANES(court_end_normal_out) _o409 =
                     LANES(court_end_normal)();
-                V nx = _o408.nx;
-                V ny = _o408.ny;
-                V nz = _o408.nz;
-                const LANES(court_here_out) _o409 =
+                V nx = _o409.nx;
+                V ny = _o409.ny;
+                V nz = _o409.nz;
+                const LANES(court_here_out) _o410 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o409.here;
-                const M _m410 = lanes_both(_m407, here);
+                M here = _o410.here;
+                const M _m411 = lanes_both(_m408, here);
                 {
-                    const LANES(court_ring_normal_out) _o411 =
+                    const LANES(court_ring_normal_out) _o412 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m410, _o411.nx, nx);
-                    ny = lanes_select(_m410, _o411.ny, ny);
-                    nz = lanes_select(_m410, _o411.nz, nz);
-                    const LANES(court_counted_out) _o412 =
+                    nx = lanes_select(_m411, _o412.nx, nx);
+                    ny = lanes_select(_m411, _o412.ny, ny);
+                    nz = lanes_select(_m411, _o412.nz, nz);
+                    const LANES(court_counted_out) _o413 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m410, _o412.count, count_0);
+                    count_0 = lanes_select(_m411, _o413.count, count_0);
                 }
-                const LANES(court_here_out) _o413 =
+                const LANES(court_here_out) _o414 =
                     LANES(court_here)(K(1.0), which);
-                here = _o413.here;
-                const M _m414 = lanes_both(_m407, here);
+                here = _o414.here;
+                const M _m415 = lanes_both(_m408, here);
                 {
-                    const LANES(court_backboard_normal_out) _o415 =
+                    const LANES(court_backboard_normal_out) _o416 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m414, _o415.nx, nx);
-                    ny = lanes_select(_m414, _o415.ny, ny);
-                    nz = lanes_select(_m414, _o415.nz, nz);
-                    const LANES(court_counted_out) _o416 =
+                    nx = lanes_select(_m415, _o416.nx, nx);
+                    ny = lanes_select(_m415, _o416.ny, ny);
+                    nz = lanes_select(_m415, _o416.nz, nz);
+                    const LANES(court_counted_out) _o417 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m414, _o416.count, count_1);
+                    count_1 = lanes_select(_m415, _o417.count, count_1);
                 }
-                const LANES(court_here_out) _o417 =
+                const LANES(court_here_out) _o418 =
                     LANES(court_here)(K(2.0), which);
-                here = _o417.here;
-                const M _m418 = lanes_both(_m407, here);
+                here = _o418.here;
+                const M _m419 = lanes_both(_m408, here);
                 {
-                    const LANES(court_bridge_normal_out) _o419 =
+                    const LANES(court_bridge_normal_out) _o420 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m418, _o419.nx, nx);
-                    ny = lanes_select(_m418, _o419.ny, ny);
-                    nz = lanes_select(_m418, _o419.nz, nz);
-                    const LANES(court_counted_out) _o420 =
+                    nx = lanes_select(_m419, _o420.nx, nx);
+                    ny = lanes_select(_m419, _o420.ny, ny);
+                    nz = lanes_select(_m419, _o420.nz, nz);
+                    const LANES(court_counted_out) _o421 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m418, _o420.count, count_2);
+                    count_2 = lanes_select(_m419, _o421.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o421 =
+                const LANES(court_elsewhere_out) _o422 =
                     LANES(court_elsewhere)();
-                V curving = _o421.curving;
-                const LANES(court_again_out) _o422 =
+                V curving = _o422.curving;
+                const LANES(court_again_out) _o423 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o422.again;
-                const M _m423 = lanes_both(_m407, again);
+                M again = _o423.again;
+                const M _m424 = lanes_both(_m408, again);
                 {
-                    const LANES(court_ring_curvature_out) _o424 =
+                    const LANES(court_ring_curvature_out) _o425 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m423, _o424.curvature, curving);
+                    curving = lanes_select(_m424, _o425.curvature, curving);
                 }
-                const LANES(court_again_out) _o425 =
+                const LANES(court_again_out) _o426 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o425.again;
-                const M _m426 = lanes_both(_m407, again);
+                again = _o426.again;
+                const M _m427 = lanes_both(_m408, again);
                 {
-                    const LANES(court_backboard_curvature_out) _o427 =
+                    const LANES(court_backboard_curvature_out) _o428 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m426, _o427.curvature, curving);
+                    curving = lanes_select(_m427, _o428.curvature, curving);
                 }
-                const LANES(court_again_out) _o428 =
+                const LANES(court_again_out) _o429 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o428.again;
-                const M _m429 = lanes_both(_m407, again);
+                again = _o429.again;
+                const M _m430 = lanes_both(_m408, again);
                 {
-                    const LANES(court_bridge_curvature_out) _o430 =
+                    const LANES(court_bridge_curvature_out) _o431 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m429, _o430.curvature, curving);
+                    curving = lanes_select(_m430, _o431.curvature, curving);
                 }
-                const LANES(court_carry_flight_out) _o431 =
+                const LANES(court_carry_flight_out) _o432 =
                     LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m407, _o431.dx, dx);
-                dy = lanes_select(_m407, _o431.dy, dy);
-                dz = lanes_select(_m407, _o431.dz, dz);
-                dvx = lanes_select(_m407, _o431.dvx, dvx);
-                dvy = lanes_select(_m407, _o431.dvy, dvy);
-                dvz = lanes_select(_m407, _o431.dvz, dvz);
-                V delay = _o431.delay;
-                V shift = _o431.shift;
-                const LANES(court_delayed_out) _o432 =
+                dx = lanes_select(_m408, _o432.dx, dx);
+                dy = lanes_select(_m408, _o432.dy, dy);
+                dz = lanes_select(_m408, _o432.dz, dz);
+                dvx = lanes_select(_m408, _o432.dvx, dvx);
+                dvy = lanes_select(_m408, _o432.dvy, dvy);
+                dvz = lanes_select(_m408, _o432.dvz, dvz);
+                V delay = _o432.delay;
+                V shift = _o432.shift;
+                const LANES(court_delayed_out) _o433 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m407, _o432.clock_error, clock_error);
-                const M _m433 = lanes_both(_m407, ends);
+                clock_error = lanes_select(_m408, _o433.clock_error, clock_error);
+                const M _m434 = lanes_both(_m408, ends);
                 {
-                    const LANES(court_floored_out) _o434 =
+                    const LANES(court_floored_out) _o435 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m433, _o434.dx, dx);
-                    dy = lanes_select(_m433, _o434.dy, dy);
-                    dz = lanes_select(_m433, _o434.dz, dz);
+                    dx = lanes_select(_m434, _o435.dx, dx);
+                    dy = lanes_select(_m434, _o435.dy, dy);
+                    dz = lanes_select(_m434, _o435.dz, dz);
                 }
-                const LANES(court_unturned_out) _o435 =
+                const LANES(court_unturned_out) _o436 =
                     LANES(court_unturned)();
-                V dnx = _o435.dnx;
-                V dny = _o435.dny;
-                V dnz = _o435.dnz;
-                V turn = _o435.turn;
-                const LANES(court_here_out) _o436 =
+                V dnx = _o436.dnx;
+                V dny = _o436.dny;
+                V dnz = _o436.dnz;
+                V turn = _o436.turn;
+                const LANES(court_here_out) _o437 =
                     LANES(court_here)(K(0.0), which);
-                here = _o436.here;
-                const M _m437 = lanes_both(_m407, here);
-                if (lanes_any(_m437)) {
-                    const LANES(court_ring_carry_normal_out) _o438 =
+                here = _o437.here;
+                const M _m438 = lanes_both(_m408, here);
+                if (lanes_any(_m438)) {
+                    const LANES(court_ring_carry_normal_out) _o439 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m437, _o438.dnx, dnx);
-                    dny = lanes_select(_m437, _o438.dny, dny);
-                    dnz = lanes_select(_m437, _o438.dnz, dnz);
-                    turn = lanes_select(_m437, _o438.turn, turn);
+                    dnx = lanes_select(_m438, _o439.dnx, dnx);
+                    dny = lanes_select(_m438, _o439.dny, dny);
+                    dnz = lanes_select(_m438, _o439.dnz, dnz);
+                    turn = lanes_select(_m438, _o439.turn, turn);
                 }
-                const LANES(court_here_out) _o439 =
+                const LANES(court_here_out) _o440 =
                     LANES(court_here)(K(1.0), which);
-                here = _o439.here;
-                const M _m440 = lanes_both(_m407, here);
+                here = _o440.here;
+                const M _m441 = lanes_both(_m408, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o441 =
+                    const LANES(court_backboard_carry_normal_out) _o442 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m440, _o441.dnx, dnx);
-                    dny = lanes_select(_m440, _o441.dny, dny);
-                    dnz = lanes_select(_m440, _o441.dnz, dnz);
-                    turn = lanes_select(_m440, _o441.turn, turn);
+                    dnx = lanes_select(_m441, _o442.dnx, dnx);
+                    dny = lanes_select(_m441, _o442.dny, dny);
+                    dnz = lanes_select(_m441, _o442.dnz, dnz);
+                    turn = lanes_select(_m441, _o442.turn, turn);
                 }
-                const LANES(court_here_out) _o442 =
+                const LANES(court_here_out) _o443 =
                     LANES(court_here)(K(2.0), which);
-                here = _o442.here;
-                const M _m443 = lanes_both(_m407, here);
+                here = _o443.here;
+                const M _m444 = lanes_both(_m408, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o444 =
+                    const LANES(court_bridge_carry_normal_out) _o445 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m443, _o444.dnx, dnx);
-                    dny = lanes_select(_m443, _o444.dny, dny);
-                    dnz = lanes_select(_m443, _o444.dnz, dnz);
-                    turn = lanes_select(_m443, _o444.turn, turn);
+                    dnx = lanes_select(_m444, _o445.dnx, dnx);
+                    dny = lanes_select(_m444, _o445.dny, dny);
+                    dnz = lanes_select(_m444, _o445.dnz, dnz);
+                    turn = lanes_select(_m444, _o445.turn, turn);
                 }
                 {
-                    const double *const _t446[][2] = {
+                    const double *const _t447[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t447[][1] = {
+                    static const double _t448[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k445 = 0; _k445 < 3; _k445++) {
-                        const V own_1 = lanes_load(_t446[_k445][0] + (i & varying));
-                        const V own_2 = lanes_load(_t446[_k445][1] + (i & varying));
-                        const V own_index = K(_t447[_k445][0]);
-                        const LANES(court_here_out) _o448 =
+                    for (size_t _k446 = 0; _k446 < 3; _k446++) {
+                        const V own_1 = lanes_load(_t447[_k446][0] + (i & varying));
+                        const V own_2 = lanes_load(_t447[_k446][1] + (i & varying));
+                        const V own_index = K(_t448[_k446][0]);
+                        const LANES(court_here_out) _o449 =
                             LANES(court_here)(own_index, which);
-                        M here = _o448.here;
-                        const M _m449 = lanes_both(_m407, here);
-                        if (lanes_any(_m449)) {
-                            const LANES(court_ring_impact_doubt_out) _o450 =
+                        M here = _o449.here;
+                        const M _m450 = lanes_both(_m408, here);
+                        if (lanes_any(_m450)) {
+                            const LANES(court_ring_impact_doubt_out) _o451 =
                                 LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            M unsure = _o450.unsure;
-                            const LANES(court_undecided_out) _o451 =
+                            M unsure = _o451.unsure;
+                            const LANES(court_undecided_out) _o452 =
                                 LANES(court_undecided)(uncertain, unsure);
-                            uncertain = lanes_select(_m449, _o451.uncertain, uncertain);
-                            const LANES(court_carry_ring_impact_out) _o452 =
+                            uncertain = lanes_select(_m450, _o452.uncertain, uncertain);
+                            const LANES(court_carry_ring_impact_out) _o453 =
                                 LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            dvx = lanes_select(_m449, _o452.dvx, dvx);
-                            dvy = lanes_select(_m449, _o452.dvy, dvy);
-                            dvz = lanes_select(_m449, _o452.dvz, dvz);
-                            dwx = lanes_select(_m449, _o452.dwx, dwx);
-                            dwy = lanes_select(_m449, _o452.dwy, dwy);
-                            dwz = lanes_select(_m449, _o452.dwz, dwz);
-                            const LANES(court_ring_impact_out) _o453 =
+                            dvx = lanes_select(_m450, _o453.dvx, dvx);
+                            dvy = lanes_select(_m450, _o453.dvy, dvy);
+                            dvz = lanes_select(_m450, _o453.dvz, dvz);
+                            dwx = lanes_select(_m450, _o453.dwx, dwx);
+                            dwy = lanes_select(_m450, _o453.dwy, dwy);
+                            dwz = lanes_select(_m450, _o453.dwz, dwz);
+                            const LANES(court_ring_impact_out) _o454 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m449, _o453.vx, vx);
-                            vy = lanes_select(_m449, _o453.vy, vy);
-                            vz = lanes_select(_m449, _o453.vz, vz);
-                            wx = lanes_select(_m449, _o453.wx, wx);
-                            wy = lanes_select(_m449, _o453.wy, wy);
-                            wz = lanes_select(_m449, _o453.wz, wz);
+                            vx = lanes_select(_m450, _o454.vx, vx);
+                            vy = lanes_select(_m450, _o454.vy, vy);
+                            vz = lanes_select(_m450, _o454.vz, vz);
+                            wx = lanes_select(_m450, _o454.wx, wx);
+                            wy = lanes_select(_m450, _o454.wy, wy);
+                            wz = lanes_select(_m450, _o454.wz, wz);
                         }
                     }
                 }
-                const M _m454 = lanes_both(_m407, touches);
+                const M _m455 = lanes_both(_m408, touches);
                 {
-                    const LANES(court_touched_out) _o455 =
+                    const LANES(court_touched_out) _o456 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m454, _o455.first, first);
-                    last = lanes_select(_m454, _o455.last, last);
+                    first = lanes_select(_m455, _o456.first, first);
+                    last = lanes_select(_m455, _o456.last, last);
                 }
-                const M _m456 = lanes_both(_m407, touches);
-                if (lanes_any(_m456)) {
-                    const LANES(court_slowed_out) _o457 =
+                const M _m457 = lanes_both(_m408, touches);
+                if (lanes_any(_m457)) {
+                    const LANES(court_slowed_out) _o458 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o457.slow;
-                    assured = lanes_select(_m456, _o457.assured, assured);
-                    const M _m458 = lanes_both(_m456, slow);
-                    if (lanes_any(_m458)) {
-                        const LANES(court_gripped_out) _o459 =
+                    M slow = _o458.slow;
+                    assured = lanes_select(_m457, _o458.assured, assured);
+                    const M _m459 = lanes_both(_m457, slow);
+                    if (lanes_any(_m459)) {
+                        const LANES(court_gripped_out) _o460 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o459.rolled_x;
-                        V rolled_y = _o459.rolled_y;
-                        V rolled_z = _o459.rolled_z;
-                        V slip = _o459.slip;
-                        V bounce = _o459.bounce;
-                        const LANES(court_here_out) _o460 =
+                        V rolled_x = _o460.rolled_x;
+                        V rolled_y = _o460.rolled_y;
+                        V rolled_z = _o460.rolled_z;
+                        V slip = _o460.slip;
+                        V bounce = _o460.bounce;
+                        const LANES(court_here_out) _o461 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o460.here;
-                        const M _m461 = lanes_both(_m458, here);
-                        if (lanes_any(_m461)) {
-                            const LANES(court_ring_turning_out) _o462 =
+                        M here = _o461.here;
+                        const M _m462 = lanes_both(_m459, here);
+                        if (lanes_any(_m462)) {
+                            const LANES(court_ring_turning_out) _o463 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o462.turning_x;
-                            V turning_y = _o462.turning_y;
-                            V turning_z = _o462.turning_z;
-                            const LANES(court_pressed_on_out) _o463 =
+                            V turning_x = _o463.turning_x;
+                            V turning_y = _o463.turning_y;
+                            V turning_z = _o463.turning_z;
+                            const LANES(court_pressed_on_out) _o464 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o463.press;
-                            V weight = _o463.weight;
-                            V drag = _o463.drag;
-                            V thrust_x = _o463.thrust_x;
-                            V thrust_y = _o463.thrust_y;
-                            V thrust_z = _o463.thrust_z;
-                            const LANES(court_alone_out) _o464 =
+                            V press = _o464.press;
+                            V weight = _o464.weight;
+                            V drag = _o464.drag;
+                            V thrust_x = _o464.thrust_x;
+                            V thrust_y = _o464.thrust_y;
+                            V thrust_z = _o464.thrust_z;
+                            const LANES(court_alone_out) _o465 =
                                 LANES(court_alone)();
-                            V nearest = _o464.nearest;
-                            V wedge = _o464.wedge;
-                            const LANES(court_backboard_closing_out) _o465 =
+                            V nearest = _o465.nearest;
+                            V wedge = _o465.wedge;
+                            const LANES(court_backboard_closing_out) _o466 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o465.gap;
-                            V nearing = _o465.nearing;
-                            V swerve = _o465.swerve;
-                            V facing = _o465.facing;
-                            const LANES(court_neared_body_out) _o466 =
+                            V gap = _o466.gap;
+                            V nearing = _o466.nearing;
+                            V swerve = _o466.swerve;
+                            V facing = _o466.facing;
+                            const LANES(court_neared_body_out) _o467 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o466.nearest;
-                            wedge = _o466.wedge;
-                            const LANES(court_bridge_closing_out) _o467 =
+                            nearest = _o467.nearest;
+                            wedge = _o467.wedge;
+                            const LANES(court_bridge_closing_out) _o468 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o467.gap;
-                            nearing = _o467.nearing;
-                            swerve = _o467.swerve;
-                            facing = _o467.facing;
-                            const LANES(court_neared_body_out) _o468 =
+                            gap = _o468.gap;
+                            nearing = _o468.nearing;
+                            swerve = _o468.swerve;
+                            facing = _o468.facing;
+                            const LANES(court_neared_body_out) _o469 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o468.nearest;
-                            wedge = _o468.wedge;
-                            const LANES(court_end_beside_out) _o469 =
+                            nearest = _o469.nearest;
+                            wedge = _o469.wedge;
+                            const LANES(court_end_beside_out) _o470 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o469.gap;
-                            const LANES(court_neared_out) _o470 =
+                            gap = _o470.gap;
+                            const LANES(court_neared_out) _o471 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o470.nearest;
-                            const LANES(court_ring_parting_out) _o471 =
+                            nearest = _o471.nearest;
+                            const LANES(court_ring_parting_out) _o472 =
                                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o471.lift;
-                            const LANES(court_ring_impact_settling_out) _o472 =
+                            V lift = _o472.lift;
+                            const LANES(court_ring_impact_settling_out) _o473 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o472.settles;
-                            M lodges = _o472.lodges;
-                            M slides = _o472.slides;
-                            M parts = _o472.parts;
-                            assured = lanes_select(_m461, _o472.assured, assured);
-                            M unsure = _o472.unsure;
-                            const LANES(court_settled_out) _o473 =
+                            M settles = _o473.settles;
+                            M lodges = _o473.lodges;
+                            M slides = _o473.slides;
+                            M parts = _o473.parts;
+                            assured = lanes_select(_m462, _o473.assured, assured);
+                            M unsure = _o473.unsure;
+                            const LANES(court_settled_out) _o474 =
                                 LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m461, _o473.mode, mode);
-                            held = lanes_select(_m461, _o473.held, held);
-                            outcome = lanes_select(_m461, _o473.outcome, outcome);
-                            slip_left = lanes_select(_m461, _o473.slip_left, slip_left);
-                            uncertain = lanes_select(_m461, _o473.uncertain, uncertain);
+                            mode = lanes_select(_m462, _o474.mode, mode);
+                            held = lanes_select(_m462, _o474.held, held);
+                            outcome = lanes_select(_m462, _o474.outcome, outcome);
+                            slip_left = lanes_select(_m462, _o474.slip_left, slip_left);
+                            uncertain = lanes_select(_m462, _o474.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o474 =
+                        const LANES(court_here_out) _o475 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o474.here;
-                        const M _m475 = lanes_both(_m458, here);
-                        if (lanes_any(_m475)) {
-                            const LANES(court_backboard_turning_out) _o476 =
+                        here = _o475.here;
+                        const M _m476 = lanes_both(_m459, here);
+                        if (lanes_any(_m476)) {
+                            const LANES(court_backboard_turning_out) _o477 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o476.turning_x;
-                            V turning_y = _o476.turning_y;
-                            V turning_z = _o476.turning_z;
-                            const LANES(court_pressed_on_out) _o477 =
+                            V turning_x = _o477.turning_x;
+                            V turning_y = _o477.turning_y;
+                            V turning_z = _o477.turning_z;
+                            const LANES(court_pressed_on_out) _o478 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o477.press;
-                            V weight = _o477.weight;
-                            V drag = _o477.drag;
-                            V thrust_x = _o477.thrust_x;
-                            V thrust_y = _o477.thrust_y;
-                            V thrust_z = _o477.thrust_z;
-                            const LANES(court_alone_out) _o478 =
+                            V press = _o478.press;
+                            V weight = _o478.weight;
+                            V drag = _o478.drag;
+                            V thrust_x = _o478.thrust_x;
+                            V thrust_y = _o478.thrust_y;
+                            V thrust_z = _o478.thrust_z;
+                            const LANES(court_alone_out) _o479 =
                                 LANES(court_alone)();
-                            V nearest = _o478.nearest;
-                            V wedge = _o478.wedge;
-                            const LANES(court_ring_closing_out) _o479 =
+                            V nearest = _o479.nearest;
+                            V wedge = _o479.wedge;
+                            const LANES(court_ring_closing_out) _o480 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o479.gap;
-                            V nearing = _o479.nearing;
-                            V swerve = _o479.swerve;
-                            V facing = _o479.facing;
-                            const LANES(court_neared_body_out) _o480 =
+                            V gap = _o480.gap;
+                            V nearing = _o480.nearing;
+                            V swerve = _o480.swerve;
+                            V facing = _o480.facing;
+                            const LANES(court_neared_body_out) _o481 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o480.nearest;
-                            wedge = _o480.wedge;
-                            const LANES(court_bridge_closing_out) _o481 =
+                            nearest = _o481.nearest;
+                            wedge = _o481.wedge;
+                            const LANES(court_bridge_closing_out) _o482 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o481.gap;
-                            nearing = _o481.nearing;
-                            swerve = _o481.swerve;
-                            facing = _o481.facing;
-                            const LANES(court_neared_body_out) _o482 =
+                            gap = _o482.gap;
+                            nearing = _o482.nearing;
+                            swerve = _o482.swerve;
+                            facing = _o482.facing;
+                            const LANES(court_neared_body_out) _o483 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o482.nearest;
-                            wedge = _o482.wedge;
-                            const LANES(court_end_beside_out) _o483 =
+                            nearest = _o483.nearest;
+                            wedge = _o483.wedge;
+                            const LANES(court_end_beside_out) _o484 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o483.gap;
-                            const LANES(court_neared_out) _o484 =
+                            gap = _o484.gap;
+                            const LANES(court_neared_out) _o485 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o484.nearest;
-                            const LANES(court_backboard_parting_out) _o485 =
+                            nearest = _o485.nearest;
+                            const LANES(court_backboard_parting_out) _o486 =
                                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o485.lift;
-                            const LANES(court_ring_impact_settling_out) _o486 =
+                            V lift = _o486.lift;
+                            const LANES(court_ring_impact_settling_out) _o487 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o486.settles;
-                            M lodges = _o486.lodges;
-                            M slides = _o486.slides;
-                            M parts = _o486.parts;
-                            assured = lanes_select(_m475, _o486.assured, assured);
-                            M unsure = _o486.unsure;
-                            const LANES(court_settled_out) _o487 =
+                            M settles = _o487.settles;
+                            M lodges = _o487.lodges;
+                            M slides = _o487.slides;
+                            M parts = _o487.parts;
+                            assured = lanes_select(_m476, _o487.assured, assured);
+                            M unsure = _o487.unsure;
+                            const LANES(court_settled_out) _o488 =
                                 LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m475, _o487.mode, mode);
-                            held = lanes_select(_m475, _o487.held, held);
-                            outcome = lanes_select(_m475, _o487.outcome, outcome);
-                            slip_left = lanes_select(_m475, _o487.slip_left, slip_left);
-                            uncertain = lanes_select(_m475, _o487.uncertain, uncertain);
+                            mode = lanes_select(_m476, _o488.mode, mode);
+                            held = lanes_select(_m476, _o488.held, held);
+                            outcome = lanes_select(_m476, _o488.outcome, outcome);
+                            slip_left = lanes_select(_m476, _o488.slip_left, slip_left);
+                            uncertain = lanes_select(_m476, _o488.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o488 =
+                        const LANES(court_here_out) _o489 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o488.here;
-                        const M _m489 = lanes_both(_m458, here);
-                        if (lanes_any(_m489)) {
-                            const LANES(court_bridge_turning_out) _o490 =
+                        here = _o489.here;
+                        const M _m490 = lanes_both(_m459, here);
+                        if (lanes_any(_m490)) {
+                            const LANES(court_bridge_turning_out) _o491 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o490.turning_x;
-                            V turning_y = _o490.turning_y;
-                            V turning_z = _o490.turning_z;
-                            const LANES(court_pressed_on_out) _o491 =
+                            V turning_x = _o491.turning_x;
+                            V turning_y = _o491.turning_y;
+                            V turning_z = _o491.turning_z;
+                            const LANES(court_pressed_on_out) _o492 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o491.press;
-                            V weight = _o491.weight;
-                            V drag = _o491.drag;
-                            V thrust_x = _o491.thrust_x;
-                            V thrust_y = _o491.thrust_y;
-                            V thrust_z = _o491.thrust_z;
-                            const LANES(court_alone_out) _o492 =
+                            V press = _o492.press;
+                            V weight = _o492.weight;
+                            V drag = _o492.drag;
+                            V thrust_x = _o492.thrust_x;
+                            V thrust_y = _o492.thrust_y;
+                            V thrust_z = _o492.thrust_z;
+                            const LANES(court_alone_out) _o493 =
                                 LANES(court_alone)();
-                            V nearest = _o492.nearest;
-                            V wedge = _o492.wedge;
-                            const LANES(court_ring_closing_out) _o493 =
+                            V nearest = _o493.nearest;
+                            V wedge = _o493.wedge;
+                            const LANES(court_ring_closing_out) _o494 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o493.gap;
-                            V nearing = _o493.nearing;
-                            V swerve = _o493.swerve;
-                            V facing = _o493.facing;
-                            const LANES(court_neared_body_out) _o494 =
+                            V gap = _o494.gap;
+                            V nearing = _o494.nearing;
+                            V swerve = _o494.swerve;
+                            V facing = _o494.facing;
+                            const LANES(court_neared_body_out) _o495 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o494.nearest;
-                            wedge = _o494.wedge;
-                            const LANES(court_backboard_closing_out) _o495 =
+                            nearest = _o495.nearest;
+                            wedge = _o495.wedge;
+                            const LANES(court_backboard_closing_out) _o496 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o495.gap;
-                            nearing = _o495.nearing;
-                            swerve = _o495.swerve;
-                            facing = _o495.facing;
-                            const LANES(court_neared_body_out) _o496 =
+                            gap = _o496.gap;
+                            nearing = _o496.nearing;
+                            swerve = _o496.swerve;
+                            facing = _o496.facing;
+                            const LANES(court_neared_body_out) _o497 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o496.nearest;
-                            wedge = _o496.wedge;
-                            const LANES(court_end_beside_out) _o497 =
+                            nearest = _o497.nearest;
+                            wedge = _o497.wedge;
+                            const LANES(court_end_beside_out) _o498 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o497.gap;
-                            const LANES(court_neared_out) _o498 =
+                            gap = _o498.gap;
+                            const LANES(court_neared_out) _o499 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o498.nearest;
-                            const LANES(court_bridge_parting_out) _o499 =
+                            nearest = _o499.nearest;
+                            const LANES(court_bridge_parting_out) _o500 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o499.lift;
-                            const LANES(court_ring_impact_settling_out) _o500 =
+                            V lift = _o500.lift;
+                            const LANES(court_ring_impact_settling_out) _o501 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o500.settles;
-                            M lodges = _o500.lodges;
-                            M slides = _o500.slides;
-                            M parts = _o500.parts;
-                            assured = lanes_select(_m489, _o500.assured, assured);
-                            M unsure = _o500.unsure;
-                            const LANES(court_settled_out) _o501 =
+                            M settles = _o501.settles;
+                            M lodges = _o501.lodges;
+                            M slides = _o501.slides;
+                            M parts = _o501.parts;
+                            assured = lanes_select(_m490, _o501.assured, assured);
+                            M unsure = _o501.unsure;
+                            const LANES(court_settled_out) _o502 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m489, _o501.mode, mode);
-                            held = lanes_select(_m489, _o501.held, held);
-                            outcome = lanes_select(_m489, _o501.outcome, outcome);
-                            slip_left = lanes_select(_m489, _o501.slip_left, slip_left);
-                            uncertain = lanes_select(_m489, _o501.uncertain, uncertain);
+                            mode = lanes_select(_m490, _o502.mode, mode);
+                            held = lanes_select(_m490, _o502.held, held);
+                            outcome = lanes_select(_m490, _o502.outcome, outcome);
+                            slip_left = lanes_select(_m490, _o502.slip_left, slip_left);
+                            uncertain = lanes_select(_m490, _o502.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m502 = lanes_both(rows, limited);
-            if (lanes_any(_m502)) {
-                const LANES(court_timed_out) _o503 =
+            const M _m503 = lanes_both(rows, limited);
+            if (lanes_any(_m503)) {
+                const LANES(court_timed_out) _o504 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o503.timed;
-                const M _m504 = lanes_both(_m502, timed);
-                if (lanes_any(_m504)) {
-                    const LANES(court_carry_time_out) _o505 =
+                M timed = _o504.timed;
+                const M _m505 = lanes_both(_m503, timed);
+                if (lanes_any(_m505)) {
+                    const LANES(court_carry_time_out) _o506 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m504, _o505.dx, dx);
-                    dy = lanes_select(_m504, _o505.dy, dy);
-                    dz = lanes_select(_m504, _o505.dz, dz);
-                    dvx = lanes_select(_m504, _o505.dvx, dvx);
-                    dvy = lanes_select(_m504, _o505.dvy, dvy);
-                    dvz = lanes_select(_m504, _o505.dvz, dvz);
-                    clock_error = lanes_select(_m504, _o505.clock_error, clock_error);
+                    dx = lanes_select(_m505, _o506.dx, dx);
+                    dy = lanes_select(_m505, _o506.dy, dy);
+                    dz = lanes_select(_m505, _o506.dz, dz);
+                    dvx = lanes_select(_m505, _o506.dvx, dvx);
+                    dvy = lanes_select(_m505, _o506.dvy, dvy);
+                    dvz = lanes_select(_m505, _o506.dvz, dvz);
+                    clock_error = lanes_select(_m505, _o506.clock_error, clock_error);
                 }
             }
-            const M _m506 = lanes_both(rows, hopped);
-            if (lanes_any(_m506)) {
-                const LANES(court_carry_hop_out) _o507 =
+            const M _m507 = lanes_both(rows, hopped);
+            if (lanes_any(_m507)) {
+                const LANES(court_carry_hop_out) _o508 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m506, _o507.dx, dx);
-                dy = lanes_select(_m506, _o507.dy, dy);
-                dz = lanes_select(_m506, _o507.dz, dz);
+                dx = lanes_select(_m507, _o508.dx, dx);
+                dy = lanes_select(_m507, _o508.dy, dy);
+                dz = lanes_select(_m507, _o508.dz, dz);
             }
-            const LANES(court_closing_out) _o508 =
+            const LANES(court_closing_out) _o509 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o508.closed;
-            const M _m509 = lanes_both(rows, closed);
+            M closed = _o509.closed;
+            const M _m510 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o510 =
+                const LANES(court_claimed_errors_out) _o511 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m509, _o510.position_error, position_claim);
-                velocity_claim = lanes_select(_m509, _o510.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m509, _o510.spin_error, spin_claim);
-                time_claim = lanes_select(_m509, _o510.time_error, time_claim);
+                position_claim = lanes_select(_m510, _o511.position_error, position_claim);
+                velocity_claim = lanes_select(_m510, _o511.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m510, _o511.spin_error, spin_claim);
+                time_claim = lanes_select(_m510, _o511.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);

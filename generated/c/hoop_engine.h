@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 5850b5d158b4c41b,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation b5b7441f9e264529,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -114,22 +114,13 @@ typedef struct {
     LANES(hoop_column) open_arrival;
     LANES(hoop_column) open_ceiling;
     LANES(hoop_column) open_certain;
-    LANES(hoop_column) open_end;
+    LANES(hoop_column) open_fits;
     LANES(hoop_column) open_flat;
-    LANES(hoop_column) open_high0;
-    LANES(hoop_column) open_high1;
-    LANES(hoop_column) open_high2;
-    LANES(hoop_column) open_latest;
-    LANES(hoop_column) open_low0;
-    LANES(hoop_column) open_low1;
-    LANES(hoop_column) open_low2;
-    LANES(hoop_column) open_rho_start;
     LANES(hoop_column) open_searching;
     LANES(hoop_column) open_share;
     LANES(hoop_singles) open_short_t;
-    LANES(hoop_column) open_steady;
-    LANES(hoop_column) open_swing;
-    LANES(hoop_column) open_t;
+    LANES(hoop_column) open_since;
+    LANES(hoop_column) open_sound;
     LANES(hoop_column) open_tilt;
     LANES(hoop_column) open_leaping_row;
     LANES(hoop_column) open_leaping_leaping;
@@ -159,34 +150,24 @@ typedef struct {
     LANES(hoop_singles) open_leaping_short_z;
     LANES(hoop_column) open_searching_row;
     LANES(hoop_column) open_searching_arrival;
-    LANES(hoop_column) open_searching_ceiling;
     LANES(hoop_column) open_searching_certain;
-    LANES(hoop_column) open_searching_end;
     LANES(hoop_column) open_searching_extent;
-    LANES(hoop_column) open_searching_high0;
-    LANES(hoop_column) open_searching_high1;
-    LANES(hoop_column) open_searching_high2;
     LANES(hoop_column) open_searching_last;
-    LANES(hoop_column) open_searching_latest;
-    LANES(hoop_column) open_searching_low0;
-    LANES(hoop_column) open_searching_low1;
-    LANES(hoop_column) open_searching_low2;
     LANES(hoop_column) open_searching_p_ball_radius;
     LANES(hoop_column) open_searching_p_gravity;
     LANES(hoop_column) open_searching_p_ring_radius;
     LANES(hoop_column) open_searching_p_wire_radius;
-    LANES(hoop_column) open_searching_rho_start;
     LANES(hoop_column) open_searching_share;
     LANES(hoop_column) open_searching_speed;
-    LANES(hoop_column) open_searching_steady;
-    LANES(hoop_column) open_searching_swing;
     LANES(hoop_column) open_searching_t;
+    LANES(hoop_column) open_searching_until;
     LANES(hoop_column) open_searching_vx;
     LANES(hoop_column) open_searching_vy;
     LANES(hoop_column) open_searching_vz;
     LANES(hoop_column) open_searching_x;
     LANES(hoop_column) open_searching_y;
     LANES(hoop_column) open_searching_z;
+    LANES(hoop_column) open_searching_ceiling;
     LANES(hoop_column) open_searching_flat;
     LANES(hoop_column) open_searching_tilt;
     LANES(hoop_column) open_searching_searching_row;
@@ -702,101 +683,74 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_ring_prepare_out) _o35 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o35.steady;
-            V swing = _o35.swing;
-            V rho_start = _o35.rho_start;
-            V low0 = _o35.low0;
-            V high0 = _o35.high0;
-            V low1 = _o35.low1;
-            V high1 = _o35.high1;
-            V low2 = _o35.low2;
-            V high2 = _o35.high2;
-            V ceiling = _o35.ceiling;
-            V latest = _o35.latest;
-            const LANES(hoop_beginning_out) _o36 =
+            const LANES(hoop_beginning_out) _o35 =
                 LANES(hoop_beginning)();
-            V share = _o36.share;
-            V arrival = _o36.arrival;
-            M certain = _o36.certain;
-            const LANES(hoop_ring_enter_out) _o37 =
-                LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o37.t;
-            V end = _o37.end;
-            M searching = _o37.searching;
-            const LANES(hoop_allowance_out) _o38 =
-                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o38.position_level;
-            V velocity_level = _o38.velocity_level;
-            const LANES(hoop_left_out) _o39 =
+            V share = _o35.share;
+            V arrival = _o35.arrival;
+            M certain = _o35.certain;
+            const LANES(hoop_left_out) _o36 =
                 LANES(hoop_left)(K(0.0), last);
-            V leaving = _o39.leaving;
+            V leaving = _o36.leaving;
+            const LANES(hoop_ring_opened_out) _o37 =
+                LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S onset = _o37.t;
+            S wide_end = _o37.end;
+            M searching = _o37.searching;
+            S wide_low1 = _o37.low1;
+            S wide_high1 = _o37.high1;
+            S wide_low2 = _o37.low2;
+            S wide_high2 = _o37.high2;
+            S ended = _o37.latest;
+            M sound = _o37.sound;
+            const LANES(hoop_opened_out) _o38 =
+                LANES(hoop_opened)(lanes_wide(ended), lanes_wide(onset));
+            V since = _o38.time;
+            const LANES(hoop_flight_out) _o39 =
+                LANES(hoop_flight)(since, x, y, z, vx, vy, vz, p_gravity);
+            V near_x = _o39.x;
+            V near_y = _o39.y;
+            V near_z = _o39.z;
+            V near_vz = _o39.vz;
             const LANES(hoop_ring_grain_out) _o40 =
-                LANES(hoop_ring_grain)(t, end, leaving, latest, speed, position_level, velocity_level, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V place = _o40.place;
-            V motion = _o40.motion;
-            V near_end = _o40.end;
-            V near_low1 = _o40.low1;
-            V near_high1 = _o40.high1;
-            V near_low2 = _o40.low2;
-            V near_high2 = _o40.high2;
+                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S short_t = _o40.t;
+            S short_end = _o40.end;
+            S short_x = _o40.x;
+            S short_y = _o40.y;
+            S short_z = _o40.z;
+            S short_vx = _o40.vx;
+            S short_vy = _o40.vy;
+            S short_vz = _o40.vz;
+            S short_leaving = _o40.leaving;
+            S short_steady = _o40.steady;
+            S short_swing = _o40.swing;
+            S short_rho_start = _o40.rho_start;
+            S short_ceiling = _o40.ceiling;
+            S short_flat = _o40.flat;
+            S short_tilt = _o40.tilt;
+            S short_rate_margin = _o40.rate_margin;
+            S short_low1 = _o40.low1;
+            S short_high1 = _o40.high1;
+            S short_low2 = _o40.low2;
+            S short_high2 = _o40.high2;
             M fits = _o40.fits;
-            const LANES(hoop_ring_margins_out) _o41 =
-                LANES(hoop_ring_margins)(latest, extent, speed, place, motion, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o41.margin;
-            V tilt = _o41.leaving_margin;
-            V rate_slack = _o41.rate_margin;
-            const LANES(hoop_flight_out) _o42 =
-                LANES(hoop_flight)(t, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o42.x;
-            V near_y = _o42.y;
-            V near_z = _o42.z;
-            V near_vz = _o42.vz;
-            const LANES(hoop_ring_narrow_out) _o43 =
-                LANES(hoop_ring_narrow)(lanes_narrow(near_end), lanes_narrow(leaving), lanes_narrow(rate_slack), lanes_narrow(ceiling), lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(steady), lanes_narrow(swing), lanes_narrow(rho_start), lanes_narrow(flat), lanes_narrow(tilt), lanes_narrow(near_low1), lanes_narrow(near_high1), lanes_narrow(near_low2), lanes_narrow(near_high2));
-            S short_t = _o43.t;
-            S short_end = _o43.end;
-            S short_x = _o43.x;
-            S short_y = _o43.y;
-            S short_z = _o43.z;
-            S short_vx = _o43.vx;
-            S short_vy = _o43.vy;
-            S short_vz = _o43.vz;
-            S short_steady = _o43.steady;
-            S short_swing = _o43.swing;
-            S short_rho_start = _o43.rho_start;
-            S short_ceiling = _o43.ceiling;
-            S short_rate_margin = _o43.rate_margin;
-            S short_leaving = _o43.leaving;
-            S short_flat = _o43.flat;
-            S short_tilt = _o43.tilt;
-            S short_low1 = _o43.low1;
-            S short_high1 = _o43.high1;
-            S short_low2 = _o43.low2;
-            S short_high2 = _o43.high2;
-            const LANES(hoop_coarse_out) _o44 =
-                LANES(hoop_coarse)(fits, searching);
-            M leaping = _o44.leaping;
+            const LANES(hoop_coarse_out) _o41 =
+                LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), searching, sound, lanes_wide(short_tilt));
+            M leaping = _o41.leaping;
+            searching = _o41.searching;
+            V ceiling = _o41.ceiling;
+            V flat = _o41.flat;
+            V tilt = _o41.tilt;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
-            lanes_store(lists->open_end + i, end);
+            lanes_store(lists->open_fits + i, lanes_select(fits, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
-            lanes_store(lists->open_high0 + i, high0);
-            lanes_store(lists->open_high1 + i, high1);
-            lanes_store(lists->open_high2 + i, high2);
-            lanes_store(lists->open_latest + i, latest);
-            lanes_store(lists->open_low0 + i, low0);
-            lanes_store(lists->open_low1 + i, low1);
-            lanes_store(lists->open_low2 + i, low2);
-            lanes_store(lists->open_rho_start + i, rho_start);
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
             singles_store(lists->open_short_t + i, short_t);
-            lanes_store(lists->open_steady + i, steady);
-            lanes_store(lists->open_swing + i, swing);
-            lanes_store(lists->open_t + i, t);
+            lanes_store(lists->open_since + i, since);
+            lanes_store(lists->open_sound + i, lanes_select(sound, K(1.0), K(0.0)));
             lanes_store(lists->open_tilt + i, tilt);
             const M packed = lanes_both(rows, leaping);
             if (lanes_any(packed)) {
@@ -899,12 +853,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o45 =
+                const LANES(hoop_ring_leap_out) _o42 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o45.t;
-                short_end = _o45.end;
-                M certain = _o45.certain;
-                leaping = _o45.leaping;
+                short_t = _o42.t;
+                short_end = _o42.end;
+                M certain = _o42.certain;
+                leaping = _o42.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -931,58 +885,40 @@ static void LANES(hoop_plain)(const hoop_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
-            V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
-            V end = lanes_load(lists->open_end + i);
             V extent = lanes_load(lists->open_extent + i);
-            V high0 = lanes_load(lists->open_high0 + i);
-            V high1 = lanes_load(lists->open_high1 + i);
-            V high2 = lanes_load(lists->open_high2 + i);
+            M fits = lanes_less(K(0.0), lanes_load(lists->open_fits + i));
             V last = lanes_load(lists->open_last + i);
-            V latest = lanes_load(lists->open_latest + i);
-            V low0 = lanes_load(lists->open_low0 + i);
-            V low1 = lanes_load(lists->open_low1 + i);
-            V low2 = lanes_load(lists->open_low2 + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V rho_start = lanes_load(lists->open_rho_start + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             V share = lanes_load(lists->open_share + i);
             S short_t = singles_load(lists->open_short_t + i);
+            V since = lanes_load(lists->open_since + i);
+            M sound = lanes_less(K(0.0), lanes_load(lists->open_sound + i));
             V speed = lanes_load(lists->open_speed + i);
-            V steady = lanes_load(lists->open_steady + i);
-            V swing = lanes_load(lists->open_swing + i);
-            V t = lanes_load(lists->open_t + i);
+            V until = lanes_load(lists->open_until + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o46 =
-                LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, t);
-            arrival = _o46.arrival;
-            t = _o46.t;
-            searching = _o46.searching;
+            const LANES(hoop_leapt_out) _o43 =
+                LANES(hoop_leapt)(arrival, certain, fits, lanes_wide(short_t), searching, since, sound);
+            arrival = _o43.arrival;
+            V t = _o43.t;
+            searching = _o43.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
                 lanes_pack(lists->open_searching_arrival + open_searching_shots, packed, arrival);
-                lanes_pack(lists->open_searching_ceiling + open_searching_shots, packed, ceiling);
                 lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
                 lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
-                lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
-                lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
-                lanes_pack(lists->open_searching_high2 + open_searching_shots, packed, high2);
                 lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                lanes_pack(lists->open_searching_latest + open_searching_shots, packed, latest);
-                lanes_pack(lists->open_searching_low0 + open_searching_shots, packed, low0);
-                lanes_pack(lists->open_searching_low1 + open_searching_shots, packed, low1);
-                lanes_pack(lists->open_searching_low2 + open_searching_shots, packed, low2);
                 if (varying)
                     lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
                 if (varying)
@@ -991,12 +927,10 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, p_ring_radius);
                 if (varying)
                     lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_searching_rho_start + open_searching_shots, packed, rho_start);
                 lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
                 lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
-                lanes_pack(lists->open_searching_steady + open_searching_shots, packed, steady);
-                lanes_pack(lists->open_searching_swing + open_searching_shots, packed, swing);
                 lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
+                lanes_pack(lists->open_searching_until + open_searching_shots, packed, until);
                 lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
                 lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
                 lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
@@ -1011,48 +945,51 @@ static void LANES(hoop_plain)(const hoop_job *job)
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
-            V ceiling = lanes_load(lists->open_searching_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
-            V end = lanes_load(lists->open_searching_end + i);
             V extent = lanes_load(lists->open_searching_extent + i);
-            V high0 = lanes_load(lists->open_searching_high0 + i);
-            V high1 = lanes_load(lists->open_searching_high1 + i);
-            V high2 = lanes_load(lists->open_searching_high2 + i);
             V last = lanes_load(lists->open_searching_last + i);
-            V latest = lanes_load(lists->open_searching_latest + i);
-            V low0 = lanes_load(lists->open_searching_low0 + i);
-            V low1 = lanes_load(lists->open_searching_low1 + i);
-            V low2 = lanes_load(lists->open_searching_low2 + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_searching_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius);
-            V rho_start = lanes_load(lists->open_searching_rho_start + i);
             V share = lanes_load(lists->open_searching_share + i);
             V speed = lanes_load(lists->open_searching_speed + i);
-            V steady = lanes_load(lists->open_searching_steady + i);
-            V swing = lanes_load(lists->open_searching_swing + i);
             V t = lanes_load(lists->open_searching_t + i);
+            V until = lanes_load(lists->open_searching_until + i);
             V vx = lanes_load(lists->open_searching_vx + i);
             V vy = lanes_load(lists->open_searching_vy + i);
             V vz = lanes_load(lists->open_searching_vz + i);
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_allowance_out) _o47 =
+            const LANES(hoop_ring_prepare_out) _o44 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V steady = _o44.steady;
+            V swing = _o44.swing;
+            V rho_start = _o44.rho_start;
+            V low0 = _o44.low0;
+            V high0 = _o44.high0;
+            V low1 = _o44.low1;
+            V high1 = _o44.high1;
+            V low2 = _o44.low2;
+            V high2 = _o44.high2;
+            V ceiling = _o44.ceiling;
+            V latest = _o44.latest;
+            const LANES(hoop_allowance_out) _o45 =
                 LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o47.position_level;
-            V velocity_level = _o47.velocity_level;
-            const LANES(hoop_ring_margins_out) _o48 =
+            V position_level = _o45.position_level;
+            V velocity_level = _o45.velocity_level;
+            const LANES(hoop_ring_margins_out) _o46 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o48.margin;
-            V tilt = _o48.leaving_margin;
-            V rate_slack = _o48.rate_margin;
-            const LANES(hoop_ring_enter_out) _o49 =
-                LANES(hoop_ring_enter)(t, end, high0, high1, high2, low0, low1, low2, t);
-            t = _o49.t;
-            end = _o49.end;
-            M searching = _o49.searching;
+            V flat = _o46.margin;
+            V tilt = _o46.leaving_margin;
+            V rate_slack = _o46.rate_margin;
+            const LANES(hoop_ring_enter_out) _o47 =
+                LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
+            t = _o47.t;
+            V end = _o47.end;
+            M searching = _o47.searching;
+            lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_tilt + i, tilt);
             const M packed = lanes_both(rows, searching);
@@ -1180,52 +1117,52 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o50 =
+                const LANES(hoop_nearby_out) _o48 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o50.leaving;
-                V margin = _o50.margin;
-                const LANES(hoop_ring_advance_out) _o51 =
+                V leaving = _o48.leaving;
+                V margin = _o48.margin;
+                const LANES(hoop_ring_advance_out) _o49 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o51.gap;
-                V rate = _o51.rate;
-                V bend = _o51.bend;
-                V step = _o51.step;
-                V next = _o51.next;
-                V clearance = _o51.clearance;
-                const LANES(hoop_struck_out) _o52 =
+                V gap = _o49.gap;
+                V rate = _o49.rate;
+                V bend = _o49.bend;
+                V step = _o49.step;
+                V next = _o49.next;
+                V clearance = _o49.clearance;
+                const LANES(hoop_struck_out) _o50 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o52.hit;
-                M sure = _o52.sure;
-                M vague = _o52.vague;
-                const M _m53 = lanes_both(active, vague);
-                if (lanes_any(_m53)) {
-                    const LANES(hoop_finer_out) _o54 =
+                M hit = _o50.hit;
+                M sure = _o50.sure;
+                M vague = _o50.vague;
+                const M _m51 = lanes_both(active, vague);
+                if (lanes_any(_m51)) {
+                    const LANES(hoop_finer_out) _o52 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m53, _o54.share, share);
-                    const LANES(hoop_allowance_out) _o55 =
+                    share = lanes_select(_m51, _o52.share, share);
+                    const LANES(hoop_allowance_out) _o53 =
                         LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o55.position_level;
-                    V velocity_level = _o55.velocity_level;
-                    const LANES(hoop_ring_margins_out) _o56 =
+                    V position_level = _o53.position_level;
+                    V velocity_level = _o53.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o54 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m53, _o56.margin, flat);
-                    tilt = lanes_select(_m53, _o56.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m53, _o56.rate_margin, rate_slack);
+                    flat = lanes_select(_m51, _o54.margin, flat);
+                    tilt = lanes_select(_m51, _o54.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m51, _o54.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) _o57 =
+                const LANES(hoop_advanced_out) _o55 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o57.arrival;
-                certain = _o57.certain;
-                M exhausted = _o57.exhausted;
-                searching = _o57.searching;
-                t = _o57.t;
-                const M _m58 = lanes_both(active, exhausted);
+                arrival = _o55.arrival;
+                certain = _o55.certain;
+                M exhausted = _o55.exhausted;
+                searching = _o55.searching;
+                t = _o55.t;
+                const M _m56 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o59 =
+                    const LANES(hoop_ring_enter_out) _o57 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m58, _o59.t, t);
-                    end = lanes_select(_m58, _o59.end, end);
-                    searching = lanes_choose(_m58, _o59.searching, searching);
+                    t = lanes_select(_m56, _o57.t, t);
+                    end = lanes_select(_m56, _o57.end, end);
+                    searching = lanes_choose(_m56, _o57.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -1257,6 +1194,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
         for (size_t k = 0; k < open_searching_shots; k++) {
             const size_t row = (size_t)lists->open_searching_row[k];
             lists->open_arrival[row] = lists->open_searching_arrival[k];
+            lists->open_ceiling[row] = lists->open_searching_ceiling[k];
             lists->open_certain[row] = lists->open_searching_certain[k];
             lists->open_flat[row] = lists->open_searching_flat[k];
             lists->open_tilt[row] = lists->open_searching_tilt[k];
@@ -1275,7 +1213,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V rho_start = lanes_load(lists->open_rho_start + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
@@ -1283,13 +1220,16 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o60 =
+            const LANES(hoop_ring_started_out) _o58 =
+                LANES(hoop_ring_started)(x, y);
+            V rho_start = _o58.rho_start;
+            const LANES(hoop_found_out) _o59 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o60.arrives;
-            M refining = _o60.refining;
-            const LANES(hoop_nearby_out) _o61 =
+            M arrives = _o59.arrives;
+            M refining = _o59.refining;
+            const LANES(hoop_nearby_out) _o60 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o61.leaving;
+            V leaving = _o60.leaving;
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
@@ -1365,15 +1305,15 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o62 =
+                const LANES(hoop_ring_refine_out) _o61 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o62.time;
-                V gap = _o62.gap;
-                V rate = _o62.rate;
-                const LANES(hoop_polished_out) _o63 =
+                V refined = _o61.time;
+                V gap = _o61.gap;
+                V rate = _o61.rate;
+                const LANES(hoop_polished_out) _o62 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o63.arrival;
-                refining = _o63.refining;
+                arrival = _o62.arrival;
+                refining = _o62.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -1397,13 +1337,13 @@ static void LANES(hoop_plain)(const hoop_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_landed_out) _o64 =
+            const LANES(hoop_landed_out) _o63 =
                 LANES(hoop_landed)(arrival);
-            V time = _o64.time;
-            const LANES(hoop_sooner_out) _o65 =
+            V time = _o63.time;
+            const LANES(hoop_sooner_out) _o64 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o65.when;
-            which = _o65.which;
+            when = _o64.when;
+            which = _o64.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -1441,65 +1381,65 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m66 = lanes_both(rows, limited);
-            if (lanes_any(_m66)) {
-                const LANES(hoop_expiry_out) _o67 =
+            const M _m65 = lanes_both(rows, limited);
+            if (lanes_any(_m65)) {
+                const LANES(hoop_expiry_out) _o66 =
                     LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o67.time;
-                M arrives = _o67.arrives;
-                const LANES(hoop_sooner_out) _o68 =
+                V time = _o66.time;
+                M arrives = _o66.arrives;
+                const LANES(hoop_sooner_out) _o67 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m66, _o68.when, when);
-                which = lanes_select(_m66, _o68.which, which);
+                when = lanes_select(_m65, _o67.when, when);
+                which = lanes_select(_m65, _o67.which, which);
             }
-            const LANES(hoop_departed_out) _o69 =
+            const LANES(hoop_departed_out) _o68 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o69.moves;
-            M ends = _o69.ends;
-            M touches = _o69.touches;
-            V reached = _o69.reached;
-            const LANES(hoop_body_of_out) _o70 =
+            M moves = _o68.moves;
+            M ends = _o68.ends;
+            M touches = _o68.touches;
+            V reached = _o68.reached;
+            const LANES(hoop_body_of_out) _o69 =
                 LANES(hoop_body_of)(which);
-            V body = _o70.body;
-            const M _m71 = lanes_both(rows, moves);
+            V body = _o69.body;
+            const M _m70 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o72 =
+                const LANES(hoop_flight_out) _o71 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m71, _o72.x, x);
-                y = lanes_select(_m71, _o72.y, y);
-                z = lanes_select(_m71, _o72.z, z);
-                vx = lanes_select(_m71, _o72.vx, vx);
-                vy = lanes_select(_m71, _o72.vy, vy);
-                vz = lanes_select(_m71, _o72.vz, vz);
-                const LANES(hoop_ticked_out) _o73 =
+                x = lanes_select(_m70, _o71.x, x);
+                y = lanes_select(_m70, _o71.y, y);
+                z = lanes_select(_m70, _o71.z, z);
+                vx = lanes_select(_m70, _o71.vx, vx);
+                vy = lanes_select(_m70, _o71.vy, vy);
+                vz = lanes_select(_m70, _o71.vz, vz);
+                const LANES(hoop_ticked_out) _o72 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m71, _o73.clock, clock);
+                clock = lanes_select(_m70, _o72.clock, clock);
             }
-            const M _m74 = lanes_both(rows, limited);
-            if (lanes_any(_m74)) {
-                const LANES(hoop_expired_out) _o75 =
+            const M _m73 = lanes_both(rows, limited);
+            if (lanes_any(_m73)) {
+                const LANES(hoop_expired_out) _o74 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m74, _o75.clock, clock);
-                body = lanes_select(_m74, _o75.body, body);
-                reached = lanes_select(_m74, _o75.reached, reached);
-                ends = lanes_choose(_m74, _o75.ends, ends);
+                clock = lanes_select(_m73, _o74.clock, clock);
+                body = lanes_select(_m73, _o74.body, body);
+                reached = lanes_select(_m73, _o74.reached, reached);
+                ends = lanes_choose(_m73, _o74.ends, ends);
             }
-            const LANES(hoop_here_out) _o76 =
+            const LANES(hoop_here_out) _o75 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o76.here;
-            const M _m77 = lanes_both(rows, here);
+            M here = _o75.here;
+            const M _m76 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o78 =
+                const LANES(hoop_end_bounds_out) _o77 =
                     LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o78.g0;
-                const LANES(hoop_end_reached_out) _o79 =
+                V g0 = _o77.g0;
+                const LANES(hoop_end_reached_out) _o78 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m77, _o79.reached, reached);
+                reached = lanes_select(_m76, _o78.reached, reached);
             }
-            const LANES(hoop_accounted_out) _o80 =
+            const LANES(hoop_accounted_out) _o79 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o80.contacts;
-            V outcome = _o80.outcome;
+            contacts = _o79.contacts;
+            V outcome = _o79.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -1512,97 +1452,97 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o81 =
+            const LANES(hoop_meeting_out) _o80 =
                 LANES(hoop_meeting)(K(0.0), ends, touches);
-            M meeting = _o81.meeting;
-            const M _m82 = lanes_both(rows, meeting);
-            if (lanes_any(_m82)) {
-                const LANES(hoop_end_normal_out) _o83 =
+            M meeting = _o80.meeting;
+            const M _m81 = lanes_both(rows, meeting);
+            if (lanes_any(_m81)) {
+                const LANES(hoop_end_normal_out) _o82 =
                     LANES(hoop_end_normal)();
-                V nx = _o83.nx;
-                V ny = _o83.ny;
-                V nz = _o83.nz;
-                const LANES(hoop_here_out) _o84 =
+                V nx = _o82.nx;
+                V ny = _o82.ny;
+                V nz = _o82.nz;
+                const LANES(hoop_here_out) _o83 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o84.here;
-                const M _m85 = lanes_both(_m82, here);
+                M here = _o83.here;
+                const M _m84 = lanes_both(_m81, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o86 =
+                    const LANES(hoop_ring_normal_out) _o85 =
                         LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m85, _o86.nx, nx);
-                    ny = lanes_select(_m85, _o86.ny, ny);
-                    nz = lanes_select(_m85, _o86.nz, nz);
-                    const LANES(hoop_counted_out) _o87 =
+                    nx = lanes_select(_m84, _o85.nx, nx);
+                    ny = lanes_select(_m84, _o85.ny, ny);
+                    nz = lanes_select(_m84, _o85.nz, nz);
+                    const LANES(hoop_counted_out) _o86 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m85, _o87.count, count_0);
+                    count_0 = lanes_select(_m84, _o86.count, count_0);
                 }
-                const LANES(hoop_here_out) _o88 =
+                const LANES(hoop_here_out) _o87 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o88.here;
-                const M _m89 = lanes_both(_m82, here);
+                here = _o87.here;
+                const M _m88 = lanes_both(_m81, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o90 =
+                    const LANES(hoop_backboard_normal_out) _o89 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m89, _o90.nx, nx);
-                    ny = lanes_select(_m89, _o90.ny, ny);
-                    nz = lanes_select(_m89, _o90.nz, nz);
-                    const LANES(hoop_counted_out) _o91 =
+                    nx = lanes_select(_m88, _o89.nx, nx);
+                    ny = lanes_select(_m88, _o89.ny, ny);
+                    nz = lanes_select(_m88, _o89.nz, nz);
+                    const LANES(hoop_counted_out) _o90 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m89, _o91.count, count_1);
+                    count_1 = lanes_select(_m88, _o90.count, count_1);
                 }
-                const LANES(hoop_here_out) _o92 =
+                const LANES(hoop_here_out) _o91 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o92.here;
-                const M _m93 = lanes_both(_m82, here);
+                here = _o91.here;
+                const M _m92 = lanes_both(_m81, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o94 =
+                    const LANES(hoop_bridge_normal_out) _o93 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m93, _o94.nx, nx);
-                    ny = lanes_select(_m93, _o94.ny, ny);
-                    nz = lanes_select(_m93, _o94.nz, nz);
-                    const LANES(hoop_counted_out) _o95 =
+                    nx = lanes_select(_m92, _o93.nx, nx);
+                    ny = lanes_select(_m92, _o93.ny, ny);
+                    nz = lanes_select(_m92, _o93.nz, nz);
+                    const LANES(hoop_counted_out) _o94 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m93, _o95.count, count_2);
+                    count_2 = lanes_select(_m92, _o94.count, count_2);
                 }
-                const M _m96 = lanes_both(_m82, touches);
-                if (lanes_any(_m96)) {
-                    const LANES(hoop_impact_out) _o97 =
+                const M _m95 = lanes_both(_m81, touches);
+                if (lanes_any(_m95)) {
+                    const LANES(hoop_impact_out) _o96 =
                         LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m96, _o97.vx, vx);
-                    vy = lanes_select(_m96, _o97.vy, vy);
-                    vz = lanes_select(_m96, _o97.vz, vz);
-                    wx = lanes_select(_m96, _o97.wx, wx);
-                    wy = lanes_select(_m96, _o97.wy, wy);
-                    wz = lanes_select(_m96, _o97.wz, wz);
+                    vx = lanes_select(_m95, _o96.vx, vx);
+                    vy = lanes_select(_m95, _o96.vy, vy);
+                    vz = lanes_select(_m95, _o96.vz, vz);
+                    wx = lanes_select(_m95, _o96.wx, wx);
+                    wy = lanes_select(_m95, _o96.wy, wy);
+                    wz = lanes_select(_m95, _o96.wz, wz);
                 }
-                const LANES(hoop_here_out) _o98 =
+                const LANES(hoop_here_out) _o97 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o98.here;
-                const M _m99 = lanes_both(_m82, here);
+                here = _o97.here;
+                const M _m98 = lanes_both(_m81, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o100 =
+                    const LANES(hoop_backboard_place_out) _o99 =
                         LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m99, _o100.x, x);
-                    y = lanes_select(_m99, _o100.y, y);
-                    z = lanes_select(_m99, _o100.z, z);
+                    x = lanes_select(_m98, _o99.x, x);
+                    y = lanes_select(_m98, _o99.y, y);
+                    z = lanes_select(_m98, _o99.z, z);
                 }
-                const LANES(hoop_here_out) _o101 =
+                const LANES(hoop_here_out) _o100 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o101.here;
-                const M _m102 = lanes_both(_m82, here);
+                here = _o100.here;
+                const M _m101 = lanes_both(_m81, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o103 =
+                    const LANES(hoop_bridge_place_out) _o102 =
                         LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m102, _o103.x, x);
-                    y = lanes_select(_m102, _o103.y, y);
-                    z = lanes_select(_m102, _o103.z, z);
+                    x = lanes_select(_m101, _o102.x, x);
+                    y = lanes_select(_m101, _o102.y, y);
+                    z = lanes_select(_m101, _o102.z, z);
                 }
-                const M _m104 = lanes_both(_m82, touches);
+                const M _m103 = lanes_both(_m81, touches);
                 {
-                    const LANES(hoop_touched_out) _o105 =
+                    const LANES(hoop_touched_out) _o104 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m104, _o105.first, first);
-                    last = lanes_select(_m104, _o105.last, last);
+                    first = lanes_select(_m103, _o104.first, first);
+                    last = lanes_select(_m103, _o104.last, last);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -1740,22 +1680,14 @@ typedef struct {
     LANES(hoop_column) open_arrival;
     LANES(hoop_column) open_ceiling;
     LANES(hoop_column) open_certain;
-    LANES(hoop_column) open_end;
+    LANES(hoop_column) open_fits;
     LANES(hoop_column) open_flat;
-    LANES(hoop_column) open_high0;
-    LANES(hoop_column) open_high1;
-    LANES(hoop_column) open_high2;
     LANES(hoop_column) open_latest;
-    LANES(hoop_column) open_low0;
-    LANES(hoop_column) open_low1;
-    LANES(hoop_column) open_low2;
-    LANES(hoop_column) open_rho_start;
     LANES(hoop_column) open_searching;
     LANES(hoop_column) open_share;
     LANES(hoop_singles) open_short_t;
-    LANES(hoop_column) open_steady;
-    LANES(hoop_column) open_swing;
-    LANES(hoop_column) open_t;
+    LANES(hoop_column) open_since;
+    LANES(hoop_column) open_sound;
     LANES(hoop_column) open_tilt;
     LANES(hoop_column) open_leaping_row;
     LANES(hoop_column) open_leaping_leaping;
@@ -1785,30 +1717,19 @@ typedef struct {
     LANES(hoop_singles) open_leaping_short_z;
     LANES(hoop_column) open_searching_row;
     LANES(hoop_column) open_searching_arrival;
-    LANES(hoop_column) open_searching_ceiling;
     LANES(hoop_column) open_searching_certain;
     LANES(hoop_column) open_searching_doubt;
-    LANES(hoop_column) open_searching_end;
     LANES(hoop_column) open_searching_extent;
-    LANES(hoop_column) open_searching_high0;
-    LANES(hoop_column) open_searching_high1;
-    LANES(hoop_column) open_searching_high2;
     LANES(hoop_column) open_searching_last;
-    LANES(hoop_column) open_searching_latest;
-    LANES(hoop_column) open_searching_low0;
-    LANES(hoop_column) open_searching_low1;
-    LANES(hoop_column) open_searching_low2;
     LANES(hoop_column) open_searching_p_ball_radius;
     LANES(hoop_column) open_searching_p_gravity;
     LANES(hoop_column) open_searching_p_ring_radius;
     LANES(hoop_column) open_searching_p_wire_radius;
     LANES(hoop_column) open_searching_position_error;
-    LANES(hoop_column) open_searching_rho_start;
     LANES(hoop_column) open_searching_share;
     LANES(hoop_column) open_searching_speed;
-    LANES(hoop_column) open_searching_steady;
-    LANES(hoop_column) open_searching_swing;
     LANES(hoop_column) open_searching_t;
+    LANES(hoop_column) open_searching_until;
     LANES(hoop_column) open_searching_velocity_error;
     LANES(hoop_column) open_searching_vx;
     LANES(hoop_column) open_searching_vy;
@@ -1816,7 +1737,9 @@ typedef struct {
     LANES(hoop_column) open_searching_x;
     LANES(hoop_column) open_searching_y;
     LANES(hoop_column) open_searching_z;
+    LANES(hoop_column) open_searching_ceiling;
     LANES(hoop_column) open_searching_flat;
+    LANES(hoop_column) open_searching_latest;
     LANES(hoop_column) open_searching_searching;
     LANES(hoop_column) open_searching_tilt;
     LANES(hoop_column) open_searching_searching_row;
@@ -2508,107 +2431,86 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_ring_prepare_out) _o57 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o57.steady;
-            V swing = _o57.swing;
-            V rho_start = _o57.rho_start;
-            V low0 = _o57.low0;
-            V high0 = _o57.high0;
-            V low1 = _o57.low1;
-            V high1 = _o57.high1;
-            V low2 = _o57.low2;
-            V high2 = _o57.high2;
-            V ceiling = _o57.ceiling;
-            V latest = _o57.latest;
-            V lost = _o57.lost;
-            const LANES(hoop_beginning_out) _o58 =
+            const LANES(hoop_beginning_out) _o57 =
                 LANES(hoop_beginning)();
-            V share = _o58.share;
-            V arrival = _o58.arrival;
-            M certain = _o58.certain;
-            const LANES(hoop_ring_enter_out) _o59 =
-                LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o59.t;
-            V end = _o59.end;
-            M searching = _o59.searching;
-            const LANES(hoop_allowance_out) _o60 =
-                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o60.position_level;
-            V velocity_level = _o60.velocity_level;
-            V excess = _o60.excess;
-            const LANES(hoop_beyond_out) _o61 =
-                LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o61.doubt;
-            const LANES(hoop_left_out) _o62 =
+            V share = _o57.share;
+            V arrival = _o57.arrival;
+            M certain = _o57.certain;
+            const LANES(hoop_left_out) _o58 =
                 LANES(hoop_left)(K(0.0), last);
-            V leaving = _o62.leaving;
-            const LANES(hoop_ring_grain_out) _o63 =
-                LANES(hoop_ring_grain)(t, end, leaving, latest, speed, position_level, velocity_level, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V place = _o63.place;
-            V motion = _o63.motion;
-            V near_end = _o63.end;
-            V near_low1 = _o63.low1;
-            V near_high1 = _o63.high1;
-            V near_low2 = _o63.low2;
-            V near_high2 = _o63.high2;
-            M fits = _o63.fits;
-            const LANES(hoop_ring_margins_out) _o64 =
-                LANES(hoop_ring_margins)(latest, extent, speed, place, motion, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o64.margin;
-            V tilt = _o64.leaving_margin;
-            V rate_slack = _o64.rate_margin;
-            const LANES(hoop_flight_out) _o65 =
-                LANES(hoop_flight)(t, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o65.x;
-            V near_y = _o65.y;
-            V near_z = _o65.z;
-            V near_vz = _o65.vz;
-            const LANES(hoop_ring_narrow_out) _o66 =
-                LANES(hoop_ring_narrow)(lanes_narrow(near_end), lanes_narrow(leaving), lanes_narrow(rate_slack), lanes_narrow(ceiling), lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(steady), lanes_narrow(swing), lanes_narrow(rho_start), lanes_narrow(flat), lanes_narrow(tilt), lanes_narrow(near_low1), lanes_narrow(near_high1), lanes_narrow(near_low2), lanes_narrow(near_high2));
-            S short_t = _o66.t;
-            S short_end = _o66.end;
-            S short_x = _o66.x;
-            S short_y = _o66.y;
-            S short_z = _o66.z;
-            S short_vx = _o66.vx;
-            S short_vy = _o66.vy;
-            S short_vz = _o66.vz;
-            S short_steady = _o66.steady;
-            S short_swing = _o66.swing;
-            S short_rho_start = _o66.rho_start;
-            S short_ceiling = _o66.ceiling;
-            S short_rate_margin = _o66.rate_margin;
-            S short_leaving = _o66.leaving;
-            S short_flat = _o66.flat;
-            S short_tilt = _o66.tilt;
-            S short_low1 = _o66.low1;
-            S short_high1 = _o66.high1;
-            S short_low2 = _o66.low2;
-            S short_high2 = _o66.high2;
-            const LANES(hoop_coarse_out) _o67 =
-                LANES(hoop_coarse)(fits, searching);
-            M leaping = _o67.leaping;
+            V leaving = _o58.leaving;
+            const LANES(hoop_ring_opened_out) _o59 =
+                LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S onset = _o59.t;
+            S wide_end = _o59.end;
+            M searching = _o59.searching;
+            S wide_low1 = _o59.low1;
+            S wide_high1 = _o59.high1;
+            S wide_low2 = _o59.low2;
+            S wide_high2 = _o59.high2;
+            S ended = _o59.latest;
+            M sound = _o59.sound;
+            const LANES(hoop_opened_out) _o60 =
+                LANES(hoop_opened)(lanes_wide(ended), lanes_wide(onset));
+            V since = _o60.time;
+            V latest = _o60.latest;
+            const LANES(hoop_allowance_out) _o61 =
+                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            V excess = _o61.excess;
+            const LANES(hoop_ring_lost_out) _o62 =
+                LANES(hoop_ring_lost)(latest, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius);
+            V lost = _o62.lost;
+            const LANES(hoop_beyond_out) _o63 =
+                LANES(hoop_beyond)(doubt, excess, late, lost, pad);
+            doubt = _o63.doubt;
+            const LANES(hoop_flight_out) _o64 =
+                LANES(hoop_flight)(since, x, y, z, vx, vy, vz, p_gravity);
+            V near_x = _o64.x;
+            V near_y = _o64.y;
+            V near_z = _o64.z;
+            V near_vz = _o64.vz;
+            const LANES(hoop_ring_grain_out) _o65 =
+                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S short_t = _o65.t;
+            S short_end = _o65.end;
+            S short_x = _o65.x;
+            S short_y = _o65.y;
+            S short_z = _o65.z;
+            S short_vx = _o65.vx;
+            S short_vy = _o65.vy;
+            S short_vz = _o65.vz;
+            S short_leaving = _o65.leaving;
+            S short_steady = _o65.steady;
+            S short_swing = _o65.swing;
+            S short_rho_start = _o65.rho_start;
+            S short_ceiling = _o65.ceiling;
+            S short_flat = _o65.flat;
+            S short_tilt = _o65.tilt;
+            S short_rate_margin = _o65.rate_margin;
+            S short_low1 = _o65.low1;
+            S short_high1 = _o65.high1;
+            S short_low2 = _o65.low2;
+            S short_high2 = _o65.high2;
+            M fits = _o65.fits;
+            const LANES(hoop_coarse_out) _o66 =
+                LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), searching, sound, lanes_wide(short_tilt));
+            M leaping = _o66.leaping;
+            searching = _o66.searching;
+            V ceiling = _o66.ceiling;
+            V flat = _o66.flat;
+            V tilt = _o66.tilt;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             lanes_store(lists->open_doubt + i, doubt);
-            lanes_store(lists->open_end + i, end);
+            lanes_store(lists->open_fits + i, lanes_select(fits, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
-            lanes_store(lists->open_high0 + i, high0);
-            lanes_store(lists->open_high1 + i, high1);
-            lanes_store(lists->open_high2 + i, high2);
             lanes_store(lists->open_latest + i, latest);
-            lanes_store(lists->open_low0 + i, low0);
-            lanes_store(lists->open_low1 + i, low1);
-            lanes_store(lists->open_low2 + i, low2);
-            lanes_store(lists->open_rho_start + i, rho_start);
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
             singles_store(lists->open_short_t + i, short_t);
-            lanes_store(lists->open_steady + i, steady);
-            lanes_store(lists->open_swing + i, swing);
-            lanes_store(lists->open_t + i, t);
+            lanes_store(lists->open_since + i, since);
+            lanes_store(lists->open_sound + i, lanes_select(sound, K(1.0), K(0.0)));
             lanes_store(lists->open_tilt + i, tilt);
             const M packed = lanes_both(rows, leaping);
             if (lanes_any(packed)) {
@@ -2711,12 +2613,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o68 =
+                const LANES(hoop_ring_leap_out) _o67 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o68.t;
-                short_end = _o68.end;
-                M certain = _o68.certain;
-                leaping = _o68.leaping;
+                short_t = _o67.t;
+                short_end = _o67.end;
+                M certain = _o67.certain;
+                leaping = _o67.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -2743,32 +2645,23 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             V arrival = lanes_load(lists->open_arrival + i);
-            V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V doubt = lanes_load(lists->open_doubt + i);
-            V end = lanes_load(lists->open_end + i);
             V extent = lanes_load(lists->open_extent + i);
-            V high0 = lanes_load(lists->open_high0 + i);
-            V high1 = lanes_load(lists->open_high1 + i);
-            V high2 = lanes_load(lists->open_high2 + i);
+            M fits = lanes_less(K(0.0), lanes_load(lists->open_fits + i));
             V last = lanes_load(lists->open_last + i);
-            V latest = lanes_load(lists->open_latest + i);
-            V low0 = lanes_load(lists->open_low0 + i);
-            V low1 = lanes_load(lists->open_low1 + i);
-            V low2 = lanes_load(lists->open_low2 + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_position_error + i);
-            V rho_start = lanes_load(lists->open_rho_start + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             V share = lanes_load(lists->open_share + i);
             S short_t = singles_load(lists->open_short_t + i);
+            V since = lanes_load(lists->open_since + i);
+            M sound = lanes_less(K(0.0), lanes_load(lists->open_sound + i));
             V speed = lanes_load(lists->open_speed + i);
-            V steady = lanes_load(lists->open_steady + i);
-            V swing = lanes_load(lists->open_swing + i);
-            V t = lanes_load(lists->open_t + i);
+            V until = lanes_load(lists->open_until + i);
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
@@ -2776,29 +2669,20 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o69 =
-                LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, t);
-            arrival = _o69.arrival;
-            t = _o69.t;
-            searching = _o69.searching;
+            const LANES(hoop_leapt_out) _o68 =
+                LANES(hoop_leapt)(arrival, certain, fits, lanes_wide(short_t), searching, since, sound);
+            arrival = _o68.arrival;
+            V t = _o68.t;
+            searching = _o68.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
                 lanes_pack(lists->open_searching_arrival + open_searching_shots, packed, arrival);
-                lanes_pack(lists->open_searching_ceiling + open_searching_shots, packed, ceiling);
                 lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
                 lanes_pack(lists->open_searching_doubt + open_searching_shots, packed, doubt);
-                lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
                 lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
-                lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
-                lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
-                lanes_pack(lists->open_searching_high2 + open_searching_shots, packed, high2);
                 lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                lanes_pack(lists->open_searching_latest + open_searching_shots, packed, latest);
-                lanes_pack(lists->open_searching_low0 + open_searching_shots, packed, low0);
-                lanes_pack(lists->open_searching_low1 + open_searching_shots, packed, low1);
-                lanes_pack(lists->open_searching_low2 + open_searching_shots, packed, low2);
                 if (varying)
                     lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
                 if (varying)
@@ -2808,12 +2692,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (varying)
                     lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
-                lanes_pack(lists->open_searching_rho_start + open_searching_shots, packed, rho_start);
                 lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
                 lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
-                lanes_pack(lists->open_searching_steady + open_searching_shots, packed, steady);
-                lanes_pack(lists->open_searching_swing + open_searching_shots, packed, swing);
                 lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
+                lanes_pack(lists->open_searching_until + open_searching_shots, packed, until);
                 lanes_pack(lists->open_searching_velocity_error + open_searching_shots, packed, velocity_error);
                 lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
                 lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
@@ -2829,30 +2711,19 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
-            V ceiling = lanes_load(lists->open_searching_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
             V doubt = lanes_load(lists->open_searching_doubt + i);
-            V end = lanes_load(lists->open_searching_end + i);
             V extent = lanes_load(lists->open_searching_extent + i);
-            V high0 = lanes_load(lists->open_searching_high0 + i);
-            V high1 = lanes_load(lists->open_searching_high1 + i);
-            V high2 = lanes_load(lists->open_searching_high2 + i);
             V last = lanes_load(lists->open_searching_last + i);
-            V latest = lanes_load(lists->open_searching_latest + i);
-            V low0 = lanes_load(lists->open_searching_low0 + i);
-            V low1 = lanes_load(lists->open_searching_low1 + i);
-            V low2 = lanes_load(lists->open_searching_low2 + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_searching_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_searching_position_error + i);
-            V rho_start = lanes_load(lists->open_searching_rho_start + i);
             V share = lanes_load(lists->open_searching_share + i);
             V speed = lanes_load(lists->open_searching_speed + i);
-            V steady = lanes_load(lists->open_searching_steady + i);
-            V swing = lanes_load(lists->open_searching_swing + i);
             V t = lanes_load(lists->open_searching_t + i);
+            V until = lanes_load(lists->open_searching_until + i);
             V velocity_error = lanes_load(lists->open_searching_velocity_error + i);
             V vx = lanes_load(lists->open_searching_vx + i);
             V vy = lanes_load(lists->open_searching_vy + i);
@@ -2860,6 +2731,19 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
+            const LANES(hoop_ring_prepare_out) _o69 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V steady = _o69.steady;
+            V swing = _o69.swing;
+            V rho_start = _o69.rho_start;
+            V low0 = _o69.low0;
+            V high0 = _o69.high0;
+            V low1 = _o69.low1;
+            V high1 = _o69.high1;
+            V low2 = _o69.low2;
+            V high2 = _o69.high2;
+            V ceiling = _o69.ceiling;
+            V latest = _o69.latest;
             const LANES(hoop_allowance_out) _o70 =
                 LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
             V position_level = _o70.position_level;
@@ -2870,11 +2754,13 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V tilt = _o71.leaving_margin;
             V rate_slack = _o71.rate_margin;
             const LANES(hoop_ring_enter_out) _o72 =
-                LANES(hoop_ring_enter)(t, end, high0, high1, high2, low0, low1, low2, t);
+                LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
             t = _o72.t;
-            end = _o72.end;
+            V end = _o72.end;
             M searching = _o72.searching;
+            lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
+            lanes_store(lists->open_searching_latest + i, latest);
             lanes_store(lists->open_searching_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_searching_t + i, t);
             lanes_store(lists->open_searching_tilt + i, tilt);
@@ -3111,9 +2997,11 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t k = 0; k < open_searching_shots; k++) {
             const size_t row = (size_t)lists->open_searching_row[k];
             lists->open_arrival[row] = lists->open_searching_arrival[k];
+            lists->open_ceiling[row] = lists->open_searching_ceiling[k];
             lists->open_certain[row] = lists->open_searching_certain[k];
             lists->open_doubt[row] = lists->open_searching_doubt[k];
             lists->open_flat[row] = lists->open_searching_flat[k];
+            lists->open_latest[row] = lists->open_searching_latest[k];
             lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
@@ -3130,7 +3018,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V rho_start = lanes_load(lists->open_rho_start + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
@@ -3138,14 +3025,17 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o85 =
+            const LANES(hoop_ring_started_out) _o85 =
+                LANES(hoop_ring_started)(x, y);
+            V rho_start = _o85.rho_start;
+            const LANES(hoop_found_out) _o86 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o85.arrives;
-            M refining = _o85.refining;
-            V rate = _o85.rate;
-            const LANES(hoop_nearby_out) _o86 =
+            M arrives = _o86.arrives;
+            M refining = _o86.refining;
+            V rate = _o86.rate;
+            const LANES(hoop_nearby_out) _o87 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o86.leaving;
+            V leaving = _o87.leaving;
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             lanes_store(lists->open_leaving + i, leaving);
             lanes_store(lists->open_rate + i, rate);
@@ -3223,15 +3113,15 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o87 =
+                const LANES(hoop_ring_refine_out) _o88 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o87.time;
-                V gap = _o87.gap;
-                V rate = _o87.rate;
-                const LANES(hoop_polished_out) _o88 =
+                V refined = _o88.time;
+                V gap = _o88.gap;
+                V rate = _o88.rate;
+                const LANES(hoop_polished_out) _o89 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o88.arrival;
-                refining = _o88.refining;
+                arrival = _o89.arrival;
+                refining = _o89.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -3273,33 +3163,33 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_ring_margins_out) _o89 =
+            const LANES(hoop_ring_margins_out) _o90 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o89.margin;
-            V tilt = _o89.leaving_margin;
-            V rate_margin = _o89.rate_margin;
-            const LANES(hoop_own_margin_out) _o90 =
+            V flat = _o90.margin;
+            V tilt = _o90.leaving_margin;
+            V rate_margin = _o90.rate_margin;
+            const LANES(hoop_own_margin_out) _o91 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o90.margin;
-            const LANES(hoop_crossing_out) _o91 =
+            V margin = _o91.margin;
+            const LANES(hoop_crossing_out) _o92 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o91.clearance;
-            V delay = _o91.delay;
-            const LANES(hoop_landed_out) _o92 =
+            V clearance = _o92.clearance;
+            V delay = _o92.delay;
+            const LANES(hoop_landed_out) _o93 =
                 LANES(hoop_landed)(arrival);
-            V time = _o92.time;
-            const LANES(hoop_landed_surely_out) _o93 =
+            V time = _o93.time;
+            const LANES(hoop_landed_surely_out) _o94 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o93.delay;
-            doubt = _o93.doubt;
-            const LANES(hoop_tied_out) _o94 =
-                LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+            delay = _o94.delay;
             doubt = _o94.doubt;
-            late = _o94.late;
-            const LANES(hoop_sooner_out) _o95 =
+            const LANES(hoop_tied_out) _o95 =
+                LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+            doubt = _o95.doubt;
+            late = _o95.late;
+            const LANES(hoop_sooner_out) _o96 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o95.when;
-            which = _o95.which;
+            when = _o96.when;
+            which = _o96.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -3367,81 +3257,81 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m96 = lanes_both(rows, limited);
-            if (lanes_any(_m96)) {
-                const LANES(hoop_expiry_out) _o97 =
+            const M _m97 = lanes_both(rows, limited);
+            if (lanes_any(_m97)) {
+                const LANES(hoop_expiry_out) _o98 =
                     LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o97.time;
-                V delay = _o97.delay;
-                M arrives = _o97.arrives;
-                doubt = lanes_select(_m96, _o97.doubt, doubt);
-                const LANES(hoop_tied_out) _o98 =
+                V time = _o98.time;
+                V delay = _o98.delay;
+                M arrives = _o98.arrives;
+                doubt = lanes_select(_m97, _o98.doubt, doubt);
+                const LANES(hoop_tied_out) _o99 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m96, _o98.doubt, doubt);
-                late = lanes_select(_m96, _o98.late, late);
-                const LANES(hoop_sooner_out) _o99 =
+                doubt = lanes_select(_m97, _o99.doubt, doubt);
+                late = lanes_select(_m97, _o99.late, late);
+                const LANES(hoop_sooner_out) _o100 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m96, _o99.when, when);
-                which = lanes_select(_m96, _o99.which, which);
+                when = lanes_select(_m97, _o100.when, when);
+                which = lanes_select(_m97, _o100.which, which);
             }
-            const LANES(hoop_departed_out) _o100 =
+            const LANES(hoop_departed_out) _o101 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o100.moves;
-            M ends = _o100.ends;
-            M touches = _o100.touches;
-            V reached = _o100.reached;
-            M edge = _o100.edge;
-            const LANES(hoop_body_of_out) _o101 =
+            M moves = _o101.moves;
+            M ends = _o101.ends;
+            M touches = _o101.touches;
+            V reached = _o101.reached;
+            M edge = _o101.edge;
+            const LANES(hoop_body_of_out) _o102 =
                 LANES(hoop_body_of)(which);
-            V body = _o101.body;
-            const M _m102 = lanes_both(rows, moves);
+            V body = _o102.body;
+            const M _m103 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o103 =
+                const LANES(hoop_flight_out) _o104 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m102, _o103.x, x);
-                y = lanes_select(_m102, _o103.y, y);
-                z = lanes_select(_m102, _o103.z, z);
-                vx = lanes_select(_m102, _o103.vx, vx);
-                vy = lanes_select(_m102, _o103.vy, vy);
-                vz = lanes_select(_m102, _o103.vz, vz);
-                const LANES(hoop_ticked_out) _o104 =
+                x = lanes_select(_m103, _o104.x, x);
+                y = lanes_select(_m103, _o104.y, y);
+                z = lanes_select(_m103, _o104.z, z);
+                vx = lanes_select(_m103, _o104.vx, vx);
+                vy = lanes_select(_m103, _o104.vy, vy);
+                vz = lanes_select(_m103, _o104.vz, vz);
+                const LANES(hoop_ticked_out) _o105 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m102, _o104.clock, clock);
+                clock = lanes_select(_m103, _o105.clock, clock);
             }
-            const M _m105 = lanes_both(rows, limited);
-            if (lanes_any(_m105)) {
-                const LANES(hoop_expired_out) _o106 =
+            const M _m106 = lanes_both(rows, limited);
+            if (lanes_any(_m106)) {
+                const LANES(hoop_expired_out) _o107 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m105, _o106.clock, clock);
-                body = lanes_select(_m105, _o106.body, body);
-                reached = lanes_select(_m105, _o106.reached, reached);
-                ends = lanes_choose(_m105, _o106.ends, ends);
+                clock = lanes_select(_m106, _o107.clock, clock);
+                body = lanes_select(_m106, _o107.body, body);
+                reached = lanes_select(_m106, _o107.reached, reached);
+                ends = lanes_choose(_m106, _o107.ends, ends);
             }
-            const LANES(hoop_displacement_out) _o107 =
+            const LANES(hoop_displacement_out) _o108 =
                 LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o107.margin;
-            const LANES(hoop_here_out) _o108 =
+            V slack = _o108.margin;
+            const LANES(hoop_here_out) _o109 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o108.here;
-            const M _m109 = lanes_both(rows, here);
+            M here = _o109.here;
+            const M _m110 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o110 =
+                const LANES(hoop_end_bounds_out) _o111 =
                     LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o110.g0;
-                const LANES(hoop_end_reached_out) _o111 =
+                V g0 = _o111.g0;
+                const LANES(hoop_end_reached_out) _o112 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m109, _o111.reached, reached);
-                const LANES(hoop_end_edge_out) _o112 =
+                reached = lanes_select(_m110, _o112.reached, reached);
+                const LANES(hoop_end_edge_out) _o113 =
                     LANES(hoop_end_edge)(g0, slack);
-                edge = lanes_choose(_m109, _o112.edge, edge);
+                edge = lanes_choose(_m110, _o113.edge, edge);
             }
-            const LANES(hoop_doubted_out) _o113 =
+            const LANES(hoop_doubted_out) _o114 =
                 LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
-            uncertain = _o113.uncertain;
-            const LANES(hoop_accounted_out) _o114 =
+            uncertain = _o114.uncertain;
+            const LANES(hoop_accounted_out) _o115 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o114.contacts;
-            V outcome = _o114.outcome;
+            contacts = _o115.contacts;
+            V outcome = _o115.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -3454,205 +3344,205 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o115 =
+            const LANES(hoop_meeting_out) _o116 =
                 LANES(hoop_meeting)(claims, ends, touches);
-            M meeting = _o115.meeting;
-            const M _m116 = lanes_both(rows, meeting);
-            if (lanes_any(_m116)) {
-                const LANES(hoop_end_normal_out) _o117 =
+            M meeting = _o116.meeting;
+            const M _m117 = lanes_both(rows, meeting);
+            if (lanes_any(_m117)) {
+                const LANES(hoop_end_normal_out) _o118 =
                     LANES(hoop_end_normal)();
-                V nx = _o117.nx;
-                V ny = _o117.ny;
-                V nz = _o117.nz;
-                const LANES(hoop_here_out) _o118 =
+                V nx = _o118.nx;
+                V ny = _o118.ny;
+                V nz = _o118.nz;
+                const LANES(hoop_here_out) _o119 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o118.here;
-                const M _m119 = lanes_both(_m116, here);
+                M here = _o119.here;
+                const M _m120 = lanes_both(_m117, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o120 =
+                    const LANES(hoop_ring_normal_out) _o121 =
                         LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m119, _o120.nx, nx);
-                    ny = lanes_select(_m119, _o120.ny, ny);
-                    nz = lanes_select(_m119, _o120.nz, nz);
-                    const LANES(hoop_counted_out) _o121 =
+                    nx = lanes_select(_m120, _o121.nx, nx);
+                    ny = lanes_select(_m120, _o121.ny, ny);
+                    nz = lanes_select(_m120, _o121.nz, nz);
+                    const LANES(hoop_counted_out) _o122 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m119, _o121.count, count_0);
+                    count_0 = lanes_select(_m120, _o122.count, count_0);
                 }
-                const LANES(hoop_here_out) _o122 =
+                const LANES(hoop_here_out) _o123 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o122.here;
-                const M _m123 = lanes_both(_m116, here);
+                here = _o123.here;
+                const M _m124 = lanes_both(_m117, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o124 =
+                    const LANES(hoop_backboard_normal_out) _o125 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m123, _o124.nx, nx);
-                    ny = lanes_select(_m123, _o124.ny, ny);
-                    nz = lanes_select(_m123, _o124.nz, nz);
-                    const LANES(hoop_counted_out) _o125 =
+                    nx = lanes_select(_m124, _o125.nx, nx);
+                    ny = lanes_select(_m124, _o125.ny, ny);
+                    nz = lanes_select(_m124, _o125.nz, nz);
+                    const LANES(hoop_counted_out) _o126 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m123, _o125.count, count_1);
+                    count_1 = lanes_select(_m124, _o126.count, count_1);
                 }
-                const LANES(hoop_here_out) _o126 =
+                const LANES(hoop_here_out) _o127 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o126.here;
-                const M _m127 = lanes_both(_m116, here);
+                here = _o127.here;
+                const M _m128 = lanes_both(_m117, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o128 =
+                    const LANES(hoop_bridge_normal_out) _o129 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m127, _o128.nx, nx);
-                    ny = lanes_select(_m127, _o128.ny, ny);
-                    nz = lanes_select(_m127, _o128.nz, nz);
-                    const LANES(hoop_counted_out) _o129 =
+                    nx = lanes_select(_m128, _o129.nx, nx);
+                    ny = lanes_select(_m128, _o129.ny, ny);
+                    nz = lanes_select(_m128, _o129.nz, nz);
+                    const LANES(hoop_counted_out) _o130 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m127, _o129.count, count_2);
+                    count_2 = lanes_select(_m128, _o130.count, count_2);
                 }
-                const LANES(hoop_elsewhere_out) _o130 =
+                const LANES(hoop_elsewhere_out) _o131 =
                     LANES(hoop_elsewhere)();
-                V curving = _o130.curving;
-                const LANES(hoop_again_out) _o131 =
+                V curving = _o131.curving;
+                const LANES(hoop_again_out) _o132 =
                     LANES(hoop_again)(K(0.0), last, which);
-                M again = _o131.again;
-                const M _m132 = lanes_both(_m116, again);
+                M again = _o132.again;
+                const M _m133 = lanes_both(_m117, again);
                 {
-                    const LANES(hoop_ring_curvature_out) _o133 =
+                    const LANES(hoop_ring_curvature_out) _o134 =
                         LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m132, _o133.curvature, curving);
+                    curving = lanes_select(_m133, _o134.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o134 =
+                const LANES(hoop_again_out) _o135 =
                     LANES(hoop_again)(K(1.0), last, which);
-                again = _o134.again;
-                const M _m135 = lanes_both(_m116, again);
+                again = _o135.again;
+                const M _m136 = lanes_both(_m117, again);
                 {
-                    const LANES(hoop_backboard_curvature_out) _o136 =
+                    const LANES(hoop_backboard_curvature_out) _o137 =
                         LANES(hoop_backboard_curvature)();
-                    curving = lanes_select(_m135, _o136.curvature, curving);
+                    curving = lanes_select(_m136, _o137.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o137 =
+                const LANES(hoop_again_out) _o138 =
                     LANES(hoop_again)(K(2.0), last, which);
-                again = _o137.again;
-                const M _m138 = lanes_both(_m116, again);
+                again = _o138.again;
+                const M _m139 = lanes_both(_m117, again);
                 {
-                    const LANES(hoop_bridge_curvature_out) _o139 =
+                    const LANES(hoop_bridge_curvature_out) _o140 =
                         LANES(hoop_bridge_curvature)();
-                    curving = lanes_select(_m138, _o139.curvature, curving);
+                    curving = lanes_select(_m139, _o140.curvature, curving);
                 }
-                const LANES(hoop_carry_flight_out) _o140 =
+                const LANES(hoop_carry_flight_out) _o141 =
                     LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m116, _o140.dx, dx);
-                dy = lanes_select(_m116, _o140.dy, dy);
-                dz = lanes_select(_m116, _o140.dz, dz);
-                dvx = lanes_select(_m116, _o140.dvx, dvx);
-                dvy = lanes_select(_m116, _o140.dvy, dvy);
-                dvz = lanes_select(_m116, _o140.dvz, dvz);
-                V delay = _o140.delay;
-                V shift = _o140.shift;
-                const LANES(hoop_delayed_out) _o141 =
+                dx = lanes_select(_m117, _o141.dx, dx);
+                dy = lanes_select(_m117, _o141.dy, dy);
+                dz = lanes_select(_m117, _o141.dz, dz);
+                dvx = lanes_select(_m117, _o141.dvx, dvx);
+                dvy = lanes_select(_m117, _o141.dvy, dvy);
+                dvz = lanes_select(_m117, _o141.dvz, dvz);
+                V delay = _o141.delay;
+                V shift = _o141.shift;
+                const LANES(hoop_delayed_out) _o142 =
                     LANES(hoop_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m116, _o141.clock_error, clock_error);
-                const M _m142 = lanes_both(_m116, ends);
+                clock_error = lanes_select(_m117, _o142.clock_error, clock_error);
+                const M _m143 = lanes_both(_m117, ends);
                 {
-                    const LANES(hoop_floored_out) _o143 =
+                    const LANES(hoop_floored_out) _o144 =
                         LANES(hoop_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m142, _o143.dx, dx);
-                    dy = lanes_select(_m142, _o143.dy, dy);
-                    dz = lanes_select(_m142, _o143.dz, dz);
+                    dx = lanes_select(_m143, _o144.dx, dx);
+                    dy = lanes_select(_m143, _o144.dy, dy);
+                    dz = lanes_select(_m143, _o144.dz, dz);
                 }
-                const LANES(hoop_unturned_out) _o144 =
+                const LANES(hoop_unturned_out) _o145 =
                     LANES(hoop_unturned)();
-                V dnx = _o144.dnx;
-                V dny = _o144.dny;
-                V dnz = _o144.dnz;
-                V turn = _o144.turn;
-                const LANES(hoop_here_out) _o145 =
+                V dnx = _o145.dnx;
+                V dny = _o145.dny;
+                V dnz = _o145.dnz;
+                V turn = _o145.turn;
+                const LANES(hoop_here_out) _o146 =
                     LANES(hoop_here)(K(0.0), which);
-                here = _o145.here;
-                const M _m146 = lanes_both(_m116, here);
-                if (lanes_any(_m146)) {
-                    const LANES(hoop_ring_carry_normal_out) _o147 =
+                here = _o146.here;
+                const M _m147 = lanes_both(_m117, here);
+                if (lanes_any(_m147)) {
+                    const LANES(hoop_ring_carry_normal_out) _o148 =
                         LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m146, _o147.dnx, dnx);
-                    dny = lanes_select(_m146, _o147.dny, dny);
-                    dnz = lanes_select(_m146, _o147.dnz, dnz);
-                    turn = lanes_select(_m146, _o147.turn, turn);
+                    dnx = lanes_select(_m147, _o148.dnx, dnx);
+                    dny = lanes_select(_m147, _o148.dny, dny);
+                    dnz = lanes_select(_m147, _o148.dnz, dnz);
+                    turn = lanes_select(_m147, _o148.turn, turn);
                 }
-                const M _m148 = lanes_both(_m116, touches);
-                if (lanes_any(_m148)) {
-                    const LANES(hoop_carry_impact_out) _o149 =
+                const M _m149 = lanes_both(_m117, touches);
+                if (lanes_any(_m149)) {
+                    const LANES(hoop_carry_impact_out) _o150 =
                         LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                    dvx = lanes_select(_m148, _o149.dvx, dvx);
-                    dvy = lanes_select(_m148, _o149.dvy, dvy);
-                    dvz = lanes_select(_m148, _o149.dvz, dvz);
-                    dwx = lanes_select(_m148, _o149.dwx, dwx);
-                    dwy = lanes_select(_m148, _o149.dwy, dwy);
-                    dwz = lanes_select(_m148, _o149.dwz, dwz);
-                    const LANES(hoop_impact_out) _o150 =
+                    dvx = lanes_select(_m149, _o150.dvx, dvx);
+                    dvy = lanes_select(_m149, _o150.dvy, dvy);
+                    dvz = lanes_select(_m149, _o150.dvz, dvz);
+                    dwx = lanes_select(_m149, _o150.dwx, dwx);
+                    dwy = lanes_select(_m149, _o150.dwy, dwy);
+                    dwz = lanes_select(_m149, _o150.dwz, dwz);
+                    const LANES(hoop_impact_out) _o151 =
                         LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m148, _o150.vx, vx);
-                    vy = lanes_select(_m148, _o150.vy, vy);
-                    vz = lanes_select(_m148, _o150.vz, vz);
-                    wx = lanes_select(_m148, _o150.wx, wx);
-                    wy = lanes_select(_m148, _o150.wy, wy);
-                    wz = lanes_select(_m148, _o150.wz, wz);
+                    vx = lanes_select(_m149, _o151.vx, vx);
+                    vy = lanes_select(_m149, _o151.vy, vy);
+                    vz = lanes_select(_m149, _o151.vz, vz);
+                    wx = lanes_select(_m149, _o151.wx, wx);
+                    wy = lanes_select(_m149, _o151.wy, wy);
+                    wz = lanes_select(_m149, _o151.wz, wz);
                 }
-                const LANES(hoop_here_out) _o151 =
+                const LANES(hoop_here_out) _o152 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o151.here;
-                const M _m152 = lanes_both(_m116, here);
+                here = _o152.here;
+                const M _m153 = lanes_both(_m117, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o153 =
+                    const LANES(hoop_backboard_place_out) _o154 =
                         LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m152, _o153.x, x);
-                    y = lanes_select(_m152, _o153.y, y);
-                    z = lanes_select(_m152, _o153.z, z);
+                    x = lanes_select(_m153, _o154.x, x);
+                    y = lanes_select(_m153, _o154.y, y);
+                    z = lanes_select(_m153, _o154.z, z);
                 }
-                const LANES(hoop_here_out) _o154 =
+                const LANES(hoop_here_out) _o155 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o154.here;
-                const M _m155 = lanes_both(_m116, here);
+                here = _o155.here;
+                const M _m156 = lanes_both(_m117, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o156 =
+                    const LANES(hoop_bridge_place_out) _o157 =
                         LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m155, _o156.x, x);
-                    y = lanes_select(_m155, _o156.y, y);
-                    z = lanes_select(_m155, _o156.z, z);
+                    x = lanes_select(_m156, _o157.x, x);
+                    y = lanes_select(_m156, _o157.y, y);
+                    z = lanes_select(_m156, _o157.z, z);
                 }
-                const M _m157 = lanes_both(_m116, touches);
+                const M _m158 = lanes_both(_m117, touches);
                 {
-                    const LANES(hoop_touched_out) _o158 =
+                    const LANES(hoop_touched_out) _o159 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m157, _o158.first, first);
-                    last = lanes_select(_m157, _o158.last, last);
+                    first = lanes_select(_m158, _o159.first, first);
+                    last = lanes_select(_m158, _o159.last, last);
                 }
             }
-            const M _m159 = lanes_both(rows, limited);
-            if (lanes_any(_m159)) {
-                const LANES(hoop_timed_out) _o160 =
+            const M _m160 = lanes_both(rows, limited);
+            if (lanes_any(_m160)) {
+                const LANES(hoop_timed_out) _o161 =
                     LANES(hoop_timed)(claims, K(4.0), which);
-                M timed = _o160.timed;
-                const M _m161 = lanes_both(_m159, timed);
-                if (lanes_any(_m161)) {
-                    const LANES(hoop_carry_time_out) _o162 =
+                M timed = _o161.timed;
+                const M _m162 = lanes_both(_m160, timed);
+                if (lanes_any(_m162)) {
+                    const LANES(hoop_carry_time_out) _o163 =
                         LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m161, _o162.dx, dx);
-                    dy = lanes_select(_m161, _o162.dy, dy);
-                    dz = lanes_select(_m161, _o162.dz, dz);
-                    dvx = lanes_select(_m161, _o162.dvx, dvx);
-                    dvy = lanes_select(_m161, _o162.dvy, dvy);
-                    dvz = lanes_select(_m161, _o162.dvz, dvz);
-                    clock_error = lanes_select(_m161, _o162.clock_error, clock_error);
+                    dx = lanes_select(_m162, _o163.dx, dx);
+                    dy = lanes_select(_m162, _o163.dy, dy);
+                    dz = lanes_select(_m162, _o163.dz, dz);
+                    dvx = lanes_select(_m162, _o163.dvx, dvx);
+                    dvy = lanes_select(_m162, _o163.dvy, dvy);
+                    dvz = lanes_select(_m162, _o163.dvz, dvz);
+                    clock_error = lanes_select(_m162, _o163.clock_error, clock_error);
                 }
             }
-            const LANES(hoop_closing_out) _o163 =
+            const LANES(hoop_closing_out) _o164 =
                 LANES(hoop_closing)(claims, outcome);
-            M closed = _o163.closed;
-            const M _m164 = lanes_both(rows, closed);
+            M closed = _o164.closed;
+            const M _m165 = lanes_both(rows, closed);
             {
-                const LANES(hoop_claimed_errors_out) _o165 =
+                const LANES(hoop_claimed_errors_out) _o166 =
                     LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m164, _o165.position_error, position_claim);
-                velocity_claim = lanes_select(_m164, _o165.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m164, _o165.spin_error, spin_claim);
-                time_claim = lanes_select(_m164, _o165.time_error, time_claim);
+                position_claim = lanes_select(_m165, _o166.position_error, position_claim);
+                velocity_claim = lanes_select(_m165, _o166.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m165, _o166.spin_error, spin_claim);
+                time_claim = lanes_select(_m165, _o166.time_error, time_claim);
             }
             lanes_store(lists->clock + i, clock);
             lanes_store(lists->clock_error + i, clock_error);

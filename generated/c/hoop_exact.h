@@ -1,6 +1,6 @@
 /* Whether doubles are computed here as IEEE 754 says, and as hoopgen's results need.
 
-   Generated from templates/c/exact.h.j2, scene hoop, derivation 5850b5d158b4c41b,
+   Generated from templates/c/exact.h.j2, scene hoop, derivation b5b7441f9e264529,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width: compilers choose instructions by function. What

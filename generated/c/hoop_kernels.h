@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 5850b5d158b4c41b,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation b5b7441f9e264529,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -500,20 +500,37 @@ LANES(hoop_nearby)(V flat, V index, V last, V t, V tilt)
     return (LANES(hoop_nearby_out)){ lanes_select(_s1, K(1.0), K(0.0)), lanes_select(_s1, _s0, flat) };
 }
 
-/* Whether a search begins in single precision.
-   Table 1. 1 operation: 1 conjunction. */
+/* When the first window opens, in single precision, and when the last one ends.
+   Table 1. No operations. */
+typedef struct {
+    V time;
+    V latest;
+} LANES(hoop_opened_out);
+
+LANES_INLINE LANES(hoop_opened_out)
+LANES(hoop_opened)(V horizon, V time)
+{
+    return (LANES(hoop_opened_out)){ time, horizon };
+}
+
+/* Whether a search begins in single precision, and what it is known by.
+   Table 1. 4 operations: 2 conjunctions, 1 disjunction, 1 complement. */
 typedef struct {
     M leaping;
+    M searching;
+    V ceiling;
+    V flat;
+    V tilt;
 } LANES(hoop_coarse_out);
 
 LANES_INLINE LANES(hoop_coarse_out)
-LANES(hoop_coarse)(M fits, M searching)
+LANES(hoop_coarse)(V ceiling, M fits, V flat, M searching, M sound, V tilt)
 {
-    return (LANES(hoop_coarse_out)){ lanes_both(searching, fits) };
+    return (LANES(hoop_coarse_out)){ lanes_both(lanes_both(searching, sound), fits), lanes_either(searching, lanes_not(sound)), ceiling, flat, tilt };
 }
 
 /* What a search in single precision found, and whether it goes on, and from when.
-   Table 1. 6 operations: 1 addition, 1 comparison, 2 conjunctions, 1 complement, 1 selection. */
+   Table 1. 8 operations: 1 addition, 1 comparison, 3 conjunctions, 1 complement, 2 selections. */
 typedef struct {
     V arrival;
     V t;
@@ -521,10 +538,10 @@ typedef struct {
 } LANES(hoop_leapt_out);
 
 LANES_INLINE LANES(hoop_leapt_out)
-LANES(hoop_leapt)(V arrival, M certain, V lasting, M searching, V t)
+LANES(hoop_leapt)(V arrival, M certain, M fits, V lasting, M searching, V since, M sound)
 {
-    const V _s0 = lanes_add(lasting, t);
-    return (LANES(hoop_leapt_out)){ lanes_select(certain, _s0, arrival), _s0, lanes_both(lanes_both(searching, lanes_not(certain)), lanes_less(lasting, K(INFINITY))) };
+    const V _s0 = lanes_add(lasting, since);
+    return (LANES(hoop_leapt_out)){ lanes_select(certain, _s0, arrival), lanes_select(lanes_both(sound, fits), _s0, K(0.0)), lanes_both(lanes_both(searching, lanes_not(certain)), lanes_less(lasting, K(INFINITY))) };
 }
 
 /* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
@@ -1338,37 +1355,95 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     return (LANES(hoop_ring_advance_out)){ _s10, _s14, lanes_sub(lanes_sub(steady, _s16), _s17), _s41, lanes_add(t, _s41), lanes_select(lanes_less(K(0.0), _s42), lanes_sub(lanes_mul(_s42, _s42), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s25))), _s42) };
 }
 
-/* Errors that single precision comes to, whether it serves, and windows from t on.
-   running error analysis. 47 operations: 8 additions, 7 subtractions, 13 multiplications, 10 comparisons, 8 conjunctions, 1 selection. */
+/* Windows of the search along a flight, and whether single precision serves for it.
+   bounds of the event condition. 186 operations: 24 additions, 16 subtractions, 37 multiplications, 2 divisions, 4 square roots, 1 negation, 4 absolute values, 43 comparisons, 7 conjunctions, 3 disjunctions, 45 selections. */
 typedef struct {
-    V place;
-    V motion;
-    V end;
-    V low1;
-    V high1;
-    V low2;
-    V high2;
-    M fits;
-} LANES(hoop_ring_grain_out);
+    S t;
+    S end;
+    M searching;
+    S low1;
+    S high1;
+    S low2;
+    S high2;
+    S latest;
+    M sound;
+} LANES(hoop_ring_opened_out);
 
-LANES_INLINE LANES(hoop_ring_grain_out)
-LANES(hoop_ring_grain)(V t, V end, V leaving, V horizon, V speed, V position_error, V velocity_error, V low1, V high1, V low2, V high2, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES_INLINE LANES(hoop_ring_opened_out)
+LANES(hoop_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
 {
-    const V _s0 = lanes_sub(horizon, t);
-    const V _s1 = lanes_mul(p_gravity, lanes_mul(_s0, _s0));
-    const V _s2 = lanes_mul(K(1.00006103515625), lanes_add(p_ball_radius, p_wire_radius));
-    const V _s3 = lanes_add(p_ring_radius, _s2);
-    const V _s4 = lanes_add(speed, lanes_mul(p_gravity, horizon));
-    const V _s5 = lanes_sub(p_ring_radius, _s2);
-    const V _s6 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s7 = lanes_max(_s5, _s6);
-    const M _s8 = lanes_both(lanes_both(lanes_both(lanes_at_most(_s1, lanes_add(lanes_mul(K(128.0), p_ball_radius), lanes_mul(K(128.0), p_wire_radius))), lanes_at_most(_s3, lanes_mul(K(32.0), _s7))), lanes_at_most(_s3, lanes_add(lanes_mul(K(32.0), p_ball_radius), lanes_mul(K(32.0), p_wire_radius)))), lanes_at_most(_s3, K(4096.0)));
-    const M _s9 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(_s8, lanes_at_most(K(0.000244140625), _s7)), lanes_at_most(_s4, K(4096.0))), lanes_at_most(p_gravity, K(4096.0))), lanes_at_most(K(0.000244140625), p_gravity)), lanes_at_most(lanes_mul(leaving, t), K(0.0)));
-    return (LANES(hoop_ring_grain_out)){ lanes_add(position_error, lanes_mul(K(9.5367431640625e-07), lanes_add(_s1, _s3))), lanes_add(velocity_error, lanes_mul(K(2.384185791015625e-07), _s4)), lanes_sub(end, t), lanes_sub(low1, t), lanes_sub(high1, t), lanes_sub(low2, t), lanes_sub(high2, t), _s9 };
+    const S _s0 = singles_mul(vz, vz);
+    const S _s1 = singles_mul(KS(1.00006103515625), singles_add(p_ball_radius, p_wire_radius));
+    const S _s2 = singles_mul(KS(2.0), p_gravity);
+    const S _s3 = singles_mul(KS(4.76837158203125e-07), singles_add(_s0, singles_mul(_s2, singles_add(singles_abs(z), _s1))));
+    const S _s4 = singles_add(singles_add(_s0, singles_mul(_s2, singles_add(z, _s1))), _s3);
+    const S _s5 = singles_div(KS(1.0), p_gravity);
+    const S _s6 = singles_sqrt(_s4);
+    const S _s7 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_abs(vz), _s6));
+    const Q _s8 = singles_at_most(KS(0.0), _s4);
+    const S _s9 = singles_select(_s8, singles_mul(_s5, singles_sub(singles_sub(vz, _s6), _s7)), KS(INFINITY));
+    const S _s10 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
+    const S _s11 = singles_add(p_ring_radius, _s1);
+    const S _s12 = singles_mul(_s11, _s11);
+    const S _s13 = singles_mul(singles_mul(KS(9.5367431640625e-07), _s10), singles_add(_s12, singles_add(singles_mul(x, x), singles_mul(y, y))));
+    const S _s14 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s15 = singles_mul(_s14, _s14);
+    const S _s16 = singles_sub(singles_add(singles_mul(_s12, _s10), _s13), _s15);
+    const S _s17 = singles_add(singles_mul(vx, x), singles_mul(vy, y));
+    const S _s18 = singles_sqrt(_s16);
+    const S _s19 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_abs(_s17), singles_abs(_s14)), _s18));
+    const S _s20 = singles_div(KS(1.0), _s10);
+    const Q _s21 = singles_at_most(KS(0.0), _s16);
+    const Q _s22 = singles_less(KS(8.673617379884035e-19), _s10);
+    const S _s23 = singles_select(_s22, singles_select(_s21, singles_mul(singles_neg(singles_add(singles_add(_s17, _s18), _s19)), _s20), KS(INFINITY)), KS(-INFINITY));
+    const S _s24 = singles_max(_s9, _s23);
+    const S _s25 = singles_max(KS(0.0), _s24);
+    const S _s26 = singles_max(KS(0.0), _s25);
+    const S _s27 = singles_sub(p_ring_radius, _s1);
+    const S _s28 = singles_mul(KS(0.0001220703125), p_ring_radius);
+    const S _s29 = singles_max(_s27, _s28);
+    const S _s30 = singles_sub(singles_sub(singles_mul(_s10, singles_mul(_s29, _s29)), _s13), _s15);
+    const S _s31 = singles_sqrt(singles_max(_s30, KS(0.0)));
+    const S _s32 = singles_select(_s22, singles_select(_s21, singles_mul(singles_sub(singles_add(_s18, _s19), _s17), _s20), KS(-INFINITY)), KS(INFINITY));
+    const Q _s33 = singles_less(KS(0.0), singles_select(_s22, _s30, KS(0.0)));
+    const S _s34 = singles_select(_s33, singles_mul(singles_sub(singles_sub(_s19, _s17), _s31), _s20), _s32);
+    const S _s35 = singles_sub(singles_add(_s0, singles_mul(_s2, singles_sub(z, _s1))), _s3);
+    const S _s36 = singles_sqrt(singles_max(_s35, KS(0.0)));
+    const S _s37 = singles_select(_s8, singles_mul(_s5, singles_add(singles_add(vz, _s6), _s7)), KS(-INFINITY));
+    const Q _s38 = singles_less(KS(0.0), _s35);
+    const S _s39 = singles_select(_s38, singles_mul(_s5, singles_sub(singles_add(vz, _s7), _s36)), _s37);
+    const S _s40 = singles_min(_s34, _s39);
+    const S _s41 = singles_mul(KS(1.000000238418579), horizon);
+    const S _s42 = singles_min(_s40, _s41);
+    const Q _s43 = singles_less(_s26, _s42);
+    const S _s44 = singles_select(_s33, singles_mul(singles_sub(singles_sub(_s31, _s17), _s19), _s20), KS(INFINITY));
+    const S _s45 = singles_max(_s44, _s34);
+    const S _s46 = singles_max(_s9, _s45);
+    const S _s47 = singles_min(_s32, _s39);
+    const S _s48 = singles_select(_s38, singles_mul(_s5, singles_sub(singles_add(vz, _s36), _s7)), KS(INFINITY));
+    const S _s49 = singles_max(_s48, _s39);
+    const Q _s50 = singles_at_most(_s46, _s47);
+    const S _s51 = singles_select(_s50, _s46, singles_max(_s49, _s23));
+    const S _s52 = singles_max(KS(0.0), _s51);
+    const S _s53 = singles_max(KS(0.0), _s52);
+    const S _s54 = singles_select(_s50, _s47, singles_min(_s34, _s37));
+    const S _s55 = singles_min(_s54, _s41);
+    const Q _s56 = singles_less(_s53, _s55);
+    const S _s57 = singles_max(_s49, _s45);
+    const S _s58 = singles_max(KS(0.0), _s57);
+    const S _s59 = singles_max(KS(0.0), _s58);
+    const S _s60 = singles_min(_s32, _s37);
+    const S _s61 = singles_min(_s60, _s41);
+    const Q _s62 = singles_less(_s59, _s61);
+    const S _s63 = singles_max(KS(0.0), _s40);
+    const S _s64 = singles_max(_s63, _s54);
+    const S _s65 = singles_max(_s64, _s60);
+    const Q _s66 = singles_both(singles_both(singles_both(singles_at_most(_s11, singles_mul(KS(32.0), _s29)), singles_at_most(_s11, singles_add(singles_mul(KS(32.0), p_ball_radius), singles_mul(KS(32.0), p_wire_radius)))), singles_at_most(_s11, KS(4096.0))), singles_at_most(KS(0.000244140625), _s29));
+    return (LANES(hoop_ring_opened_out)){ singles_select(_s43, _s26, singles_select(_s56, _s53, singles_select(_s62, _s59, KS(0.0)))), singles_select(_s43, _s42, singles_select(_s56, _s55, singles_select(_s62, _s61, KS(0.0)))), singles_truth(singles_either(singles_either(singles_either(singles_nowhere(), _s62), _s56), _s43)), _s52, _s55, _s58, _s61, singles_min(_s65, _s41), singles_truth(singles_both(singles_both(singles_both(singles_both(_s66, singles_at_most(p_gravity, KS(4096.0))), singles_at_most(KS(0.000244140625), p_gravity)), singles_at_most(extent, KS(4096.0))), singles_at_most(speed, KS(4096.0)))) };
 }
 
-/* What a search needs to know, in single precision.
-   Newton from the left under a curvature bound, in single precision. No operations. */
+/* What a search in single precision is given, from where it begins.
+   running error analysis. 72 operations: 14 additions, 8 subtractions, 39 multiplications, 2 divisions, 1 square root, 1 absolute value, 4 comparisons, 1 conjunction, 2 selections. */
 typedef struct {
     S t;
     S end;
@@ -1378,28 +1453,45 @@ typedef struct {
     S vx;
     S vy;
     S vz;
+    S leaving;
     S steady;
     S swing;
     S rho_start;
     S ceiling;
-    S rate_margin;
-    S leaving;
     S flat;
     S tilt;
+    S rate_margin;
     S low1;
     S high1;
     S low2;
     S high2;
-} LANES(hoop_ring_narrow_out);
+    M fits;
+} LANES(hoop_ring_grain_out);
 
-LANES_INLINE LANES(hoop_ring_narrow_out)
-LANES(hoop_ring_narrow)(S end, S leaving, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S low1, S high1, S low2, S high2)
+LANES_INLINE LANES(hoop_ring_grain_out)
+LANES(hoop_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
 {
-    return (LANES(hoop_ring_narrow_out)){ KS(0.0), end, x, y, z, vx, vy, vz, steady, swing, rho_start, ceiling, rate_margin, leaving, flat, tilt, low1, high1, low2, high2 };
+    const S _s0 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(singles_mul(KS(4.0), p_gravity), z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
+    const S _s1 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s2 = singles_mul(singles_mul(KS(2.0), p_ring_radius), singles_mul(_s1, _s1));
+    const S _s3 = singles_add(p_ball_radius, p_wire_radius);
+    const S _s4 = singles_mul(KS(1.00006103515625), _s3);
+    const S _s5 = singles_sub(p_ring_radius, _s4);
+    const S _s6 = singles_mul(KS(0.0001220703125), p_ring_radius);
+    const S _s7 = singles_max(_s5, _s6);
+    const S _s8 = singles_div(KS(1.0), _s7);
+    const S _s9 = singles_mul(KS(1.0009765625), singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s3), singles_mul(_s2, singles_mul(_s8, singles_mul(_s8, _s8)))), singles_abs(_s0)));
+    const S _s10 = singles_add(speed, singles_mul(p_gravity, horizon));
+    const S _s11 = singles_sub(horizon, t);
+    const S _s12 = singles_mul(p_gravity, singles_mul(_s11, _s11));
+    const S _s13 = singles_add(singles_mul(KS(2.9802322387695312e-08), singles_add(extent, singles_mul(horizon, _s10))), singles_mul(KS(9.5367431640625e-07), singles_add(_s12, singles_add(p_ring_radius, _s4))));
+    const S _s14 = singles_div(_s3, _s7);
+    const S _s15 = singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), singles_mul(_s10, singles_max(KS(1.0), _s14))), _s13), singles_mul(singles_mul(KS(2.682209014892578e-07), _s3), _s10)));
+    return (LANES(hoop_ring_grain_out)){ KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, leaving, _s0, _s2, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), _s9, singles_mul(singles_mul(KS(5.0048828125), _s3), _s13), _s15, _s15, singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s12, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
 }
 
 /* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
-   Newton from the left under a curvature bound, in single precision. 178 operations: 29 additions, 14 subtractions, 56 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 26 comparisons, 5 conjunctions, 5 disjunctions, 4 complements, 29 selections. */
+   Newton from the left under a curvature bound. 178 operations: 29 additions, 14 subtractions, 56 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 26 comparisons, 5 conjunctions, 5 disjunctions, 4 complements, 29 selections. */
 typedef struct {
     S t;
     S end;
@@ -1464,6 +1556,32 @@ LANES(hoop_ring_leap)(S t, S end, S leaving, S rate_margin, S ceiling, S x, S y,
     const S _s51 = singles_max(end, low2);
     const Q _s52 = singles_less(_s51, high2);
     return (LANES(hoop_ring_leap_out)){ singles_select(_s48, singles_select(_s50, _s49, singles_select(_s52, _s51, KS(INFINITY))), singles_select(_s46, t, _s45)), singles_select(_s48, singles_select(_s50, high1, singles_select(_s52, high2, end)), end), singles_truth(_s21), singles_truth(singles_both(_s47, singles_either(singles_not(_s48), singles_either(singles_either(singles_nowhere(), _s52), _s50)))) };
+}
+
+/* The distance from the axis at the start of the flight.
+   Table 2. 4 operations: 1 addition, 2 multiplications, 1 square root. */
+typedef struct {
+    V rho_start;
+} LANES(hoop_ring_started_out);
+
+LANES_INLINE LANES(hoop_ring_started_out)
+LANES(hoop_ring_started)(V x, V y)
+{
+    return (LANES(hoop_ring_started_out)){ lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))) };
+}
+
+/* Positive where the bounds of the search do not hold.
+   bounds of the event condition. 12 operations: 2 additions, 4 subtractions, 4 multiplications, 1 comparison, 1 selection. */
+typedef struct {
+    V lost;
+} LANES(hoop_ring_lost_out);
+
+LANES_INLINE LANES(hoop_ring_lost_out)
+LANES(hoop_ring_lost)(V horizon, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+{
+    const V _s0 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius)));
+    const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    return (LANES(hoop_ring_lost_out)){ lanes_max(_s0, _s1) };
 }
 
 /* The first window that ends later than a time, if there is one, from then on.

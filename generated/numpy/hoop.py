@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 5850b5d158b4c41b,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation b5b7441f9e264529,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -223,8 +223,9 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "beginning": (),
     "beyond": ("doubt", "excess", "late", "lost", "pad",),
     "nearby": ("flat", "index", "last", "t", "tilt",),
-    "coarse": ("fits", "searching",),
-    "leapt": ("arrival", "certain", "lasting", "searching", "t",),
+    "opened": ("horizon", "time",),
+    "coarse": ("ceiling", "fits", "flat", "searching", "sound", "tilt",),
+    "leapt": ("arrival", "certain", "fits", "lasting", "searching", "since", "sound",),
     "struck": ("bend", "clearance", "gap", "margin", "rate", "rate_margin", "share",),
     "finer": ("share",),
     "exceeded": ("doubt", "excess", "t",),
@@ -268,9 +269,11 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_margins": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_grain": ("t", "end", "leaving", "horizon", "speed", "position_error", "velocity_error", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_narrow": ("end", "leaving", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "low1", "high1", "low2", "high2",),
+    "ring_opened": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_grain": ("t", "end", "leaving", "horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_leap": ("t", "end", "leaving", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_started": ("x", "y",),
+    "ring_lost": ("horizon", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
     "ring_enter": ("after", "end", "high0", "high1", "high2", "low0", "low1", "low2", "t",),
     "backboard_coefficients": ("x", "vx", "p_ball_radius", "p_board_distance",),
     "backboard_deflated": ("vx",),
@@ -342,7 +345,8 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "beginning": ("share", "arrival", "certain",),
     "beyond": ("doubt",),
     "nearby": ("leaving", "margin",),
-    "coarse": ("leaping",),
+    "opened": ("time", "latest",),
+    "coarse": ("leaping", "searching", "ceiling", "flat", "tilt",),
     "leapt": ("arrival", "t", "searching",),
     "struck": ("hit", "sure", "vague",),
     "finer": ("share",),
@@ -387,9 +391,11 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_margins": ("margin", "leaving_margin", "rate_margin",),
     "ring_refine": ("time", "gap", "rate",),
     "ring_advance": ("gap", "rate", "bend", "step", "next", "clearance",),
-    "ring_grain": ("place", "motion", "end", "low1", "high1", "low2", "high2", "fits",),
-    "ring_narrow": ("t", "end", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "ceiling", "rate_margin", "leaving", "flat", "tilt", "low1", "high1", "low2", "high2",),
+    "ring_opened": ("t", "end", "searching", "low1", "high1", "low2", "high2", "latest", "sound",),
+    "ring_grain": ("t", "end", "x", "y", "z", "vx", "vy", "vz", "leaving", "steady", "swing", "rho_start", "ceiling", "flat", "tilt", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
     "ring_leap": ("t", "end", "certain", "leaping",),
+    "ring_started": ("rho_start",),
+    "ring_lost": ("lost",),
     "ring_enter": ("t", "end", "searching",),
     "backboard_coefficients": ("c0", "c1",),
     "backboard_deflated": ("c0",),
@@ -433,7 +439,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
 }
 """Names of each kernel's outputs."""
 
-ROWS = 35
+ROWS = 41
 """Rows that a kernel writes into, at the most: what it computes on the way to its results."""
 
 FEW = 1 << 10
@@ -940,23 +946,32 @@ def nearby(flat: Any, index: Any, last: Any, t: Any, tilt: Any) -> tuple[Any, ..
     return _where(_s1, 1.0, 0.0), _where(_s1, _s0, flat)
 
 
-def coarse(fits: Any, searching: Any) -> tuple[Any, ...]:
-    """Whether a search begins in single precision.
+def opened(horizon: Any, time: Any) -> tuple[Any, ...]:
+    """When the first window opens, in single precision, and when the last one ends.
 
-    Table 1. 1 operation: 1 conjunction.
-    Returns leaping.
+    Table 1. No operations.
+    Returns time, latest.
     """
-    return _logical_and(searching, fits),
+    return time, horizon
 
 
-def leapt(arrival: Any, certain: Any, lasting: Any, searching: Any, t: Any) -> tuple[Any, ...]:
+def coarse(ceiling: Any, fits: Any, flat: Any, searching: Any, sound: Any, tilt: Any) -> tuple[Any, ...]:
+    """Whether a search begins in single precision, and what it is known by.
+
+    Table 1. 4 operations: 2 conjunctions, 1 disjunction, 1 complement.
+    Returns leaping, searching, ceiling, flat, tilt.
+    """
+    return _logical_and(_logical_and(searching, sound), fits), _logical_or(searching, _logical_not(sound)), ceiling, flat, tilt
+
+
+def leapt(arrival: Any, certain: Any, fits: Any, lasting: Any, searching: Any, since: Any, sound: Any) -> tuple[Any, ...]:
     """What a search in single precision found, and whether it goes on, and from when.
 
-    Table 1. 6 operations: 1 addition, 1 comparison, 2 conjunctions, 1 complement, 1 selection.
+    Table 1. 8 operations: 1 addition, 1 comparison, 3 conjunctions, 1 complement, 2 selections.
     Returns arrival, t, searching.
     """
-    _s0 = lasting + t
-    return _where(certain, _s0, arrival), _s0, _logical_and(_logical_and(searching, _logical_not(certain)), (lasting < _inf))
+    _s0 = lasting + since
+    return _where(certain, _s0, arrival), _where(_logical_and(sound, fits), _s0, 0.0), _logical_and(_logical_and(searching, _logical_not(certain)), (lasting < _inf))
 
 
 def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
@@ -1636,58 +1651,146 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(0.0 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(8.0, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
-def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, speed: Any, position_error: Any, velocity_error: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Errors that single precision comes to, whether it serves, and windows from t on.
+def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Windows of the search along a flight, and whether single precision serves for it.
 
-    running error analysis. 47 operations: 8 additions, 7 subtractions, 13 multiplications, 10 comparisons, 8 conjunctions, 1 selection.
-    Returns place, motion, end, low1, high1, low2, high2, fits.
+    bounds of the event condition. 186 operations: 24 additions, 16 subtractions, 37 multiplications, 2 divisions, 4 square roots, 1 negation, 4 absolute values, 43 comparisons, 7 conjunctions, 3 disjunctions, 45 selections.
+    Returns t, end, searching, low1, high1, low2, high2, latest, sound.
     """
-    _r0, _r1, _r2, *_ = _room
-    _s0 = _subtract(horizon, t, _r0)
-    _s1 = _multiply(p_gravity, _multiply(_s0, _s0, _r0), _r0)
-    _s2 = 1.00006103515625 * (p_ball_radius + p_wire_radius)
-    _s3 = p_ring_radius + _s2
-    _s4 = _add(speed, _multiply(p_gravity, horizon, _r1), _r1)
-    _s5 = p_ring_radius - _s2
-    _s6 = 0.0001220703125 * p_ring_radius
-    _s7 = _where(_s5 < _s6, _s6, _s5)
-    _s8 = _logical_and(_logical_and(_logical_and((_s1 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_s3 <= (32.0 * _s7))), (_s3 <= ((32.0 * p_ball_radius) + (32.0 * p_wire_radius)))), (_s3 <= 4096.0))
-    _s9 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and(_s8, (0.000244140625 <= _s7)), (_s4 <= 4096.0)), (p_gravity <= 4096.0)), (0.000244140625 <= p_gravity)), (_multiply(leaving, t, _r2) <= 0.0))
-    return position_error + _multiply(9.5367431640625e-07, _add(_s1, _s3, _r0), _r0), velocity_error + _multiply(2.384185791015625e-07, _s4, _r1), end - t, low1 - t, high1 - t, low2 - t, high2 - t, _s9
-
-
-def ring_narrow(end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, low1: Any, high1: Any, low2: Any, high2: Any) -> tuple[Any, ...]:
-    """What a search needs to know, in single precision.
-
-    Newton from the left under a curvature bound, in single precision. No operations.
-    Returns t, end, x, y, z, vx, vy, vz, steady, swing, rho_start, ceiling, rate_margin, leaving, flat, tilt, low1, high1, low2, high2.
-    """
-    end = _single(end)
-    leaving = _single(leaving)
-    rate_margin = _single(rate_margin)
-    ceiling = _single(ceiling)
+    horizon = _single(horizon)
     x = _single(x)
     y = _single(y)
     z = _single(z)
     vx = _single(vx)
     vy = _single(vy)
     vz = _single(vz)
-    steady = _single(steady)
-    swing = _single(swing)
-    rho_start = _single(rho_start)
-    flat = _single(flat)
-    tilt = _single(tilt)
+    extent = _single(extent)
+    speed = _single(speed)
+    p_ball_radius = _single(p_ball_radius)
+    p_ring_radius = _single(p_ring_radius)
+    p_wire_radius = _single(p_wire_radius)
+    p_gravity = _single(p_gravity)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, *_ = _halves(_room)
+    _s0 = _multiply(vz, vz, _r0)
+    _s1 = 1.00006103515625 * (p_ball_radius + p_wire_radius)
+    _s2 = 2.0 * p_gravity
+    _s3 = _multiply(4.76837158203125e-07, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
+    _s5 = 1.0 / p_gravity
+    _s6 = _sqrt(_s4, _r3)
+    _s7 = _multiply(9.5367431640625e-07, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = 0.0 <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _inf, _r5)
+    _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
+    _s11 = p_ring_radius + _s1
+    _s12 = _s11 * _s11
+    _s13 = _multiply(_multiply(9.5367431640625e-07, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s14 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
+    _s15 = _multiply(_s14, _s14, _r9)
+    _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
+    _s17 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
+    _s18 = _sqrt(_s16, _r11)
+    _s19 = _multiply(9.5367431640625e-07, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(1.0, _s10, _r13)
+    _s21 = 0.0 <= _s16
+    _s22 = 8.673617379884035e-19 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _inf, _r14), -_inf, _r15)
+    _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
+    _s25 = _select(0.0 < _s24, _s24, 0.0, _r17)
+    _s26 = _select(0.0 < _s25, _s25, 0.0, _r18)
+    _s27 = p_ring_radius - _s1
+    _s28 = 0.0001220703125 * p_ring_radius
+    _s29 = _where(_s27 < _s28, _s28, _s27)
+    _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
+    _s31 = _sqrt(_select(_s30 < 0.0, 0.0, _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), -_inf, _r6), _inf, _r19)
+    _s33 = 0.0 < _select(_s22, _s30, 0.0, _r20)
+    _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
+    _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
+    _s36 = _sqrt(_select(_s35 < 0.0, 0.0, _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), -_inf, _r0)
+    _s38 = 0.0 < _s35
+    _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
+    _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
+    _s41 = _multiply(1.000000238418579, horizon, _r24)
+    _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
+    _s43 = _s26 < _s42
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _inf, _r13)
+    _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
+    _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
+    _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _inf, _r4)
+    _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
+    _s50 = _s46 <= _s47
+    _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
+    _s52 = _result(0.0 < _s51, _s51, 0.0, _r0)
+    _s53 = _select(0.0 < _s52, _s52, 0.0, _r30)
+    _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
+    _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
+    _s56 = _s53 < _s55
+    _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
+    _s58 = _result(0.0 < _s57, _s57, 0.0, _r0)
+    _s59 = _select(0.0 < _s58, _s58, 0.0, _r34)
+    _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
+    _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
+    _s62 = _s59 < _s61
+    _s63 = _select(0.0 < _s40, _s40, 0.0, _r36)
+    _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
+    _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (32.0 * _s29)), (_s11 <= ((32.0 * p_ball_radius) + (32.0 * p_wire_radius)))), (_s11 <= 4096.0)), (0.000244140625 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, 0.0, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, 0.0, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= 4096.0)), (0.000244140625 <= p_gravity)), (extent <= 4096.0)), (speed <= 4096.0))
+
+
+def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """What a search in single precision is given, from where it begins.
+
+    running error analysis. 72 operations: 14 additions, 8 subtractions, 39 multiplications, 2 divisions, 1 square root, 1 absolute value, 4 comparisons, 1 conjunction, 2 selections.
+    Returns t, end, x, y, z, vx, vy, vz, leaving, steady, swing, rho_start, ceiling, flat, tilt, rate_margin, low1, high1, low2, high2, fits.
+    """
+    t = _single(t)
+    end = _single(end)
+    leaving = _single(leaving)
+    horizon = _single(horizon)
+    x = _single(x)
+    y = _single(y)
+    z = _single(z)
+    vx = _single(vx)
+    vy = _single(vy)
+    vz = _single(vz)
+    extent = _single(extent)
+    speed = _single(speed)
     low1 = _single(low1)
     high1 = _single(high1)
     low2 = _single(low2)
     high2 = _single(high2)
-    return 0.0, end, x, y, z, vx, vy, vz, steady, swing, rho_start, ceiling, rate_margin, leaving, flat, tilt, low1, high1, low2, high2
+    p_ball_radius = _single(p_ball_radius)
+    p_ring_radius = _single(p_ring_radius)
+    p_wire_radius = _single(p_wire_radius)
+    p_gravity = _single(p_gravity)
+    _r0, _r1, _r2, _r3, *_ = _halves(_room)
+    _s0 = _add(_multiply(2.0, _multiply(vz, vz, _r0), _r0), _multiply(4.0 * p_gravity, z, _r1), _r1) + _multiply(2.0, _add(_multiply(vx, vx, _r0), _multiply(vy, vy, _r2), _r2), _r2)
+    _s1 = _subtract(_multiply(vy, x, _r2), _multiply(vx, y, _r1), _r1)
+    _s2 = (2.0 * p_ring_radius) * _multiply(_s1, _s1, _r1)
+    _s3 = p_ball_radius + p_wire_radius
+    _s4 = 1.00006103515625 * _s3
+    _s5 = p_ring_radius - _s4
+    _s6 = 0.0001220703125 * p_ring_radius
+    _s7 = _where(_s5 < _s6, _s6, _s5)
+    _s8 = 1.0 / _s7
+    _s9 = 1.0009765625 * _add(_add((6.0003662109375 * p_gravity) * _s3, _multiply(_s2, _s8 * (_s8 * _s8), _r1), _r1), _absolute(_s0, _r2), _r2)
+    _s10 = _add(speed, _multiply(p_gravity, horizon, _r2), _r2)
+    _s11 = _subtract(horizon, t, _r1)
+    _s12 = _multiply(p_gravity, _multiply(_s11, _s11, _r1), _r1)
+    _s13 = _add(_multiply(2.9802322387695312e-08, _add(extent, _multiply(horizon, _s10, _r0), _r0), _r0), _multiply(9.5367431640625e-07, _add(_s12, p_ring_radius + _s4, _r3), _r3), _r3)
+    _s14 = _s3 / _s7
+    _s15 = 5.0 * _add(_multiply(_multiply(1.0009765625, _multiply(_s10, _where(1.0 < _s14, _s14, 1.0), _r0), _r0), _s13, _r0), _multiply(2.682209014892578e-07 * _s3, _s10, _r2), _r2)
+    return 0.0, end - t, x, y, z, vx, vy, vz, leaving, _s0, _s2, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r0), _r0)), _s9, (5.0048828125 * _s3) * _s13, _s15, _s15, low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s12 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r1) <= 0.0))
 
 
 def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
 
-    Newton from the left under a curvature bound, in single precision. 178 operations: 29 additions, 14 subtractions, 56 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 26 comparisons, 5 conjunctions, 5 disjunctions, 4 complements, 29 selections.
+    Newton from the left under a curvature bound. 178 operations: 29 additions, 14 subtractions, 56 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 26 comparisons, 5 conjunctions, 5 disjunctions, 4 complements, 29 selections.
     Returns t, end, certain, leaping.
     """
     t = _single(t)
@@ -1769,6 +1872,26 @@ def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x:
     _s51 = _select(end < low2, low2, end, _r4)
     _s52 = _s51 < high2
     return _result(_s48, _select(_s50, _s49, _select(_s52, _s51, _inf, _r1), _r15), _select(_s46, t, _s45, _r16), _r0), _result(_s48, _select(_s50, high1, _select(_s52, high2, end, _r16), _r15), end, _r0), _s21, _logical_and(_s47, _logical_or(_logical_not(_s48), _logical_or(_logical_or(False, _s52), _s50)))
+
+
+def ring_started(x: Any, y: Any) -> tuple[Any, ...]:
+    """The distance from the axis at the start of the flight.
+
+    Table 2. 4 operations: 1 addition, 2 multiplications, 1 square root.
+    Returns rho_start.
+    """
+    return _sqrt(((x * x) + (y * y))),
+
+
+def ring_lost(horizon: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+    """Positive where the bounds of the search do not hold.
+
+    bounds of the event condition. 12 operations: 2 additions, 4 subtractions, 4 multiplications, 1 comparison, 1 selection.
+    Returns lost.
+    """
+    _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s1 = ((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
+    return _where(_s0 < _s1, _s1, _s0),
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2430,16 +2553,13 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _y_1 = _take(_y_0, _rows3)
         _z_1 = _take(_z_0, _rows3)
         _room_1 = room(_count4)
-        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, *_ = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
-        _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0, _room_1)
-        _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1, _room_1)
         _leaving_1, = left(0.0, _last_1)
-        _place_1, _motion_1, _near_end_1, _near_low1_1, _near_high1_1, _near_low2_1, _near_high2_1, _fits_1 = ring_grain(_t_1, _end_1, _leaving_1, _latest_1, _speed_1, _position_level_1, _velocity_level_1, _low1_1, _high1_1, _low2_1, _high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _place_1, _motion_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_t_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
-        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_rate_margin_1, _short_leaving_1, _short_flat_1, _short_tilt_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1 = ring_narrow(_near_end_1, _leaving_1, _rate_slack_1, _ceiling_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _steady_1, _swing_1, _rho_start_1, _flat_1, _tilt_1, _near_low1_1, _near_high1_1, _near_low2_1, _near_high2_1)
-        _leaping_1, = coarse(_fits_1, _searching_1)
+        _onset_1, _wide_end_1, _searching_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _ended_1, _sound_1 = ring_opened(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _since_1, *_ = opened(_double(_ended_1), _double(_onset_1))
+        _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
+        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _leaping_1, _searching_1, _ceiling_1, _flat_1, _tilt_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _searching_1, _sound_1, _double(_short_tilt_1))
         _rows5, _count6 = _rows(_leaping_1, _count4)
         if _count6:
             _leaping_2 = _take(_leaping_1, _rows5)
@@ -2510,32 +2630,21 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_certain_1, _rows5, _certain_2, None)
                 _store(_short_t_1, _rows5, _short_t_2, None)
-        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _t_1)
+        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _fits_1, _double(_short_t_1), _searching_1, _since_1, _sound_1)
         _rows8, _count9 = _rows(_searching_1, _count4)
         if _count9:
             _arrival_2 = _take(_arrival_1, _rows8)
-            _ceiling_2 = _take(_ceiling_1, _rows8)
             _certain_2 = _take(_certain_1, _rows8)
-            _end_2 = _take(_end_1, _rows8)
             _extent_2 = _take(_extent_1, _rows8)
-            _high0_2 = _take(_high0_1, _rows8)
-            _high1_2 = _take(_high1_1, _rows8)
-            _high2_2 = _take(_high2_1, _rows8)
             _last_2 = _take(_last_1, _rows8)
-            _latest_2 = _take(_latest_1, _rows8)
-            _low0_2 = _take(_low0_1, _rows8)
-            _low1_2 = _take(_low1_1, _rows8)
-            _low2_2 = _take(_low2_1, _rows8)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows8)
             _p_gravity_2 = _take(_p_gravity_1, _rows8)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows8)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows8)
-            _rho_start_2 = _take(_rho_start_1, _rows8)
             _share_2 = _take(_share_1, _rows8)
             _speed_2 = _take(_speed_1, _rows8)
-            _steady_2 = _take(_steady_1, _rows8)
-            _swing_2 = _take(_swing_1, _rows8)
             _t_2 = _take(_t_1, _rows8)
+            _until_2 = _take(_until_1, _rows8)
             _vx_2 = _take(_vx_1, _rows8)
             _vy_2 = _take(_vy_1, _rows8)
             _vz_2 = _take(_vz_1, _rows8)
@@ -2543,9 +2652,10 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _y_2 = _take(_y_1, _rows8)
             _z_2 = _take(_z_1, _rows8)
             _room_2 = room(_count9)
+            _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, 0.0, 0.0, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, 0.0, 0.0, _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _t_2, _end_2, _searching_2 = ring_enter(_t_2, _end_2, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
+            _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
             _rows10, _count11 = _rows(_searching_2, _count9)
             if _count11:
                 _arrival_3 = _take(_arrival_2, _rows10)
@@ -2658,9 +2768,11 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _store(_flat_2, _rows10, _flat_3, None)
                     _store(_tilt_2, _rows10, _tilt_3, None)
             _arrival_1 = _put(_arrival_1, _rows8, _arrival_2, _count4)
+            _ceiling_1 = _put(_ceiling_1, _rows8, _ceiling_2, _count4)
             _certain_1 = _put(_certain_1, _rows8, _certain_2, _count4)
             _flat_1 = _put(_flat_1, _rows8, _flat_2, _count4)
             _tilt_1 = _put(_tilt_1, _rows8, _tilt_2, _count4)
+        _rho_start_1, = ring_started(_x_1, _y_1)
         _arrives_1, _refining_1, *_ = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
         _rows17, _count18 = _rows(_refining_1, _count4)
@@ -3137,17 +3249,16 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _y_1 = _take(_y_0, _rows5)
         _z_1 = _take(_z_0, _rows5)
         _room_1 = room(_count6)
-        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, _lost_1 = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
-        _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0, _room_1)
-        _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
-        _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
         _leaving_1, = left(0.0, _last_1)
-        _place_1, _motion_1, _near_end_1, _near_low1_1, _near_high1_1, _near_low2_1, _near_high2_1, _fits_1 = ring_grain(_t_1, _end_1, _leaving_1, _latest_1, _speed_1, _position_level_1, _velocity_level_1, _low1_1, _high1_1, _low2_1, _high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _place_1, _motion_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_t_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
-        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_rate_margin_1, _short_leaving_1, _short_flat_1, _short_tilt_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1 = ring_narrow(_near_end_1, _leaving_1, _rate_slack_1, _ceiling_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _steady_1, _swing_1, _rho_start_1, _flat_1, _tilt_1, _near_low1_1, _near_high1_1, _near_low2_1, _near_high2_1)
-        _leaping_1, = coarse(_fits_1, _searching_1)
+        _onset_1, _wide_end_1, _searching_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _ended_1, _sound_1 = ring_opened(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _since_1, _latest_1 = opened(_double(_ended_1), _double(_onset_1))
+        _, _, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
+        _lost_1, = ring_lost(_latest_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
+        _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
+        _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
+        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _leaping_1, _searching_1, _ceiling_1, _flat_1, _tilt_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _searching_1, _sound_1, _double(_short_tilt_1))
         _rows7, _count8 = _rows(_leaping_1, _count6)
         if _count8:
             _leaping_2 = _take(_leaping_1, _rows7)
@@ -3218,34 +3329,23 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_certain_1, _rows7, _certain_2, None)
                 _store(_short_t_1, _rows7, _short_t_2, None)
-        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _t_1)
+        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _fits_1, _double(_short_t_1), _searching_1, _since_1, _sound_1)
         _rows10, _count11 = _rows(_searching_1, _count6)
         if _count11:
             _arrival_2 = _take(_arrival_1, _rows10)
-            _ceiling_2 = _take(_ceiling_1, _rows10)
             _certain_2 = _take(_certain_1, _rows10)
             _doubt_2 = _take(_doubt_1, _rows10)
-            _end_2 = _take(_end_1, _rows10)
             _extent_2 = _take(_extent_1, _rows10)
-            _high0_2 = _take(_high0_1, _rows10)
-            _high1_2 = _take(_high1_1, _rows10)
-            _high2_2 = _take(_high2_1, _rows10)
             _last_2 = _take(_last_1, _rows10)
-            _latest_2 = _take(_latest_1, _rows10)
-            _low0_2 = _take(_low0_1, _rows10)
-            _low1_2 = _take(_low1_1, _rows10)
-            _low2_2 = _take(_low2_1, _rows10)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows10)
             _p_gravity_2 = _take(_p_gravity_1, _rows10)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows10)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows10)
             _position_error_2 = _take(_position_error_1, _rows10)
-            _rho_start_2 = _take(_rho_start_1, _rows10)
             _share_2 = _take(_share_1, _rows10)
             _speed_2 = _take(_speed_1, _rows10)
-            _steady_2 = _take(_steady_1, _rows10)
-            _swing_2 = _take(_swing_1, _rows10)
             _t_2 = _take(_t_1, _rows10)
+            _until_2 = _take(_until_1, _rows10)
             _velocity_error_2 = _take(_velocity_error_1, _rows10)
             _vx_2 = _take(_vx_1, _rows10)
             _vy_2 = _take(_vy_1, _rows10)
@@ -3254,9 +3354,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _y_2 = _take(_y_1, _rows10)
             _z_2 = _take(_z_1, _rows10)
             _room_2 = room(_count11)
+            _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _position_error_2, _velocity_error_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _t_2, _end_2, _searching_2 = ring_enter(_t_2, _end_2, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
+            _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
             _rows12, _count13 = _rows(_searching_2, _count11)
             if _count13:
                 _arrival_3 = _take(_arrival_2, _rows12)
@@ -3387,10 +3488,13 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _store(_tilt_2, _rows12, _tilt_3, None)
             _doubt_2, = questioned(_doubt_2, _t_2, _searching_2)
             _arrival_1 = _put(_arrival_1, _rows10, _arrival_2, _count6)
+            _ceiling_1 = _put(_ceiling_1, _rows10, _ceiling_2, _count6)
             _certain_1 = _put(_certain_1, _rows10, _certain_2, _count6)
             _doubt_1 = _put(_doubt_1, _rows10, _doubt_2, _count6)
             _flat_1 = _put(_flat_1, _rows10, _flat_2, _count6)
+            _latest_1 = _put(_latest_1, _rows10, _latest_2, _count6)
             _tilt_1 = _put(_tilt_1, _rows10, _tilt_2, _count6)
+        _rho_start_1, = ring_started(_x_1, _y_1)
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
         _rows19, _count20 = _rows(_refining_1, _count6)

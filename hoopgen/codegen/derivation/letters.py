@@ -145,6 +145,8 @@ LOOP = {
     "sure": Letter(r"\text{sure}", "and that root is certain"),
     "met": Letter(r"\text{met}", "it is a root at which the ball comes in"),
     "searching": Letter(r"\text{searching}", "there is a window to search"),
+    "since": Letter(r"t_0", "when a search in single precision began"),
+    "sound": Letter(r"\text{sound}", "nothing of it over- or underflows"),
     "fits": Letter(r"\text{fits}", "sizes are such that single precision serves"),
     "sunk": Letter(r"\text{sunk}", "the ball is on the other side than the search took it to be"),
     "vague": Letter(r"\text{vague}", "it is to be looked at with smaller errors allowed"),
