@@ -48,16 +48,24 @@ from ..ground.rounding import SAFETY, extent, speed
 from ..ground.symbols import POSITION, VELOCITY, t
 from .decisions import flat, tilt
 from .events import SHARES, end, horizon, leaving
+from .polar import rho_start
 from .ring import RingApproach
 from .windows import enter, opening
 
 TURNS = 24
 """Steps after which the search goes on in double precision; it takes about two."""
 
+parting, drift = sp.symbols("parting drift", real=True)
+"""F' and rho' at the start of a flight, from the state in double precision."""
+
+grit = sp.Symbol("grit", nonnegative=True)
+"""Bound on the error of what the deflated gap is bent by."""
+
 _LONGEST, _SHORTEST = sp.Integer(2) ** 12, sp.Rational(1, 2**12)
 """Between these lengths, speeds and accelerations, in SI units, nothing over- or underflows."""
 
-_NEAR = every(Less(0, leaving), Less(tilt * t, flat))
+_TILTED = hold(t * hold(tilt + grit * t), r"m_\ell")
+_NEAR = every(Less(0, leaving), Less(_TILTED, flat))
 """Near the surface that the ball left, where F/t is known better than F."""
 
 
@@ -71,7 +79,7 @@ class CoarseRing(RingApproach):
     @property
     def passed(self) -> tuple[sp.Symbol, ...]:
         """What its kernels are given beside the constants of the flight: margins and windows."""
-        return (flat, tilt, *(edge for window in self._later() for edge in window))
+        return (flat, tilt, grit, parting, drift, *(edge for window in self._later() for edge in window))
 
     def _later(self) -> list[tuple[sp.Symbol, sp.Symbol]]:
         """The windows after the first, which nothing is before."""
@@ -84,7 +92,7 @@ class CoarseRing(RingApproach):
     @property
     def allowed(self) -> sp.Expr:
         """The margin of the form that F is known better in."""
-        return hold(Choose(_NEAR, tilt * t, flat), "m")
+        return hold(Choose(_NEAR, _TILTED, flat), "m")
 
     def _searched(self) -> sp.Expr:
         return Choose(_NEAR, hold(self.leaving_gap, r"F_\ell"), hold(self.gap, "F"))
@@ -116,6 +124,35 @@ class CoarseRing(RingApproach):
         )
         return first | later | {"latest": ends, "sound": sound}
 
+    @property
+    def leaving_gap(self) -> sp.Expr:
+        """F = t (F'_0 + t H), H being half of F'' at the start and known to its own size.
+
+        With w the mean of rho' since then,
+
+            H = 2 (rho0 - R_H) (V² - rho'_0 w) / (rho + rho0) + w² + (vz - g t/2)² - g z0.
+        """
+        _, _, rho = self._here()
+        _, q, speed_squared, _ = self.polar()
+        _, _, z0 = POSITION
+        _, _, vz = VELOCITY
+        per = self._inverses(rho)[1]
+        mean = hold(hold(2 * q + speed_squared * t) * per)
+        inward = 2 * hold(rho_start - self.ring.ring_radius)
+        turning = hold(inward * hold(speed_squared - drift * mean)) * per
+        upward = hold(vz - self.gravity * t / 2)
+        return t * hold(parting + t * hold(turning + mean**2 + upward**2 - self.gravity * z0))
+
+    def started(self) -> dict[str, sp.Expr]:
+        """Return rho, and F' and rho', at the start of the flight, in double precision."""
+        x, y, z = POSITION
+        vx, vy, vz = VELOCITY
+        start = hold(self.ring.rho)
+        outward = hold(hold(x * vx + y * vy) / start)
+        depth = hold(start - self.ring.ring_radius)
+        rate = 2 * hold(depth * outward + z * vz)
+        return {"rho_start": start, "parting": rate, "drift": outward}
+
     def grain(self) -> dict[str, sp.Basic]:
         """Return the search from t on, where the first window opens: all that `leap` is given.
 
@@ -130,12 +167,13 @@ class CoarseRing(RingApproach):
             # F/t is of the place where the ball left.
             AtMost(leaving * t, 0),
         )
-        carried = SHARES[0] * hold(extent + horizon * fastest)
-        place = SAFETY * hold(carried + sp.Rational(1, 2**20) * hold(outermost + dropped))
+        furthest = hold(extent + horizon * fastest)
+        place = SAFETY * hold(SHARES[0] * furthest + sp.Rational(1, 2**20) * hold(outermost + dropped))
         motion = (SHARES[0] + sp.Rational(1, 2**22)) * fastest
         reach = hold(self.ring.reach, "R")
         stretch = largest(1, reach / innermost)
         slope = hold(5 * hold(reach * motion + hold(stretch * fastest) * place))
+        carried = hold(5 * SHARES[0] * hold(reach * fastest + hold(stretch * fastest) * furthest))
         constants = {name: hold(value) for name, value in self.constants.items()}
         turn = constants["swing"] * hold(1 / innermost) ** 3
         bend = hold(size(constants["steady"]) + 6 * self.gravity * self.reach + turn)
@@ -147,7 +185,10 @@ class CoarseRing(RingApproach):
             **constants,
             "ceiling": SAFETY * bend,
             "flat": 5 * reach * place,
-            "tilt": slope,
+            "tilt": SAFETY * hold(carried + sp.Rational(1, 2**21) * size(parting)),
+            "grit": sp.Rational(1, 2**19) * hold(stretch * bend),
+            "parting": parting,
+            "drift": drift,
             "rate_margin": slope,
             **windows,
             "fits": fits,
@@ -164,7 +205,8 @@ class CoarseRing(RingApproach):
         allowed = self.allowed
         sure = Less(0, said["clearance"])
         closing = every(Less(rate, 0), AtMost(gap - allowed, allowed))
-        stuck = every(Not(sure), some(closing, Not(Less(t, following))))
+        still = every(Less(t, end), Not(Less(t, following)))
+        stuck = every(Not(sure), some(closing, still))
         exhausted = every(Not(some(sure, stuck)), AtMost(end - t, step))
         entered = enter(self._later(), end, sp.oo)
         more = entered["searching"]

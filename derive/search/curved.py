@@ -122,7 +122,7 @@ class CurvedSearch(Search):
             entered = Do(own["enter"], {"after": "t", "end": 0.0})
             again = (prepared, *allowing, entered, *found)
             leaping = _leaping(common, own, index)
-            search = (*leaping, Guard("searching", again), Do(own["started"]))
+            search = (*leaping, Guard("searching", again))
         yield Guard("open", (*search, *_landing(common, own, index), *proposed(index)))
 
 
@@ -147,8 +147,8 @@ def _coarse(coarse: CoarseRing) -> dict[str, Formula]:
             "Newton from the left under a curvature bound",
         ),
         "started": (
-            {"rho_start": coarse.constants["rho_start"]},
-            "The distance from the axis at the start of the flight.",
+            coarse.started(),
+            "Distance from the axis, rate of the gap and of that distance, at the start of the flight.",
             "Table 2",
         ),
         "lost": (
@@ -171,10 +171,11 @@ def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     yield Do(common["allowance"], {"horizon": "latest"})
     yield given(own["lost"], horizon="latest")
     yield Do(KERNELS["beyond"])
+    yield Do(own["started"])
     there = {name: f"near_{name}" for name in ("x", "y", "z", "vz")}
     yield Do(common["flight"], {"t": "since"}, there, frozenset(there))
     grain = given(own["grain"], t="onset", horizon="ended", **wide, **there)
-    given_away = ("ceiling", "flat", "tilt")
+    given_away = ("ceiling", "flat", "rate_margin")
     short = {name: f"short_{name}" for name in grain.kernel.output_names if name != "fits"}
     yield Do(grain.kernel, grain.inputs, short)
     yield Do(KERNELS["coarse"], {name: short[name] for name in given_away})

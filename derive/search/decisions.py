@@ -47,7 +47,7 @@ windows."""
 unsure, arrives, certain, hit, sure, vague, met, sunk = map(
     Truth, ("unsure", "arrives", "certain", "hit", "sure", "vague", "met", "sunk")
 )
-searching, sound, fits = map(Truth, ("searching", "sound", "fits"))
+searching, sound, fits, served = map(Truth, ("searching", "sound", "fits", "served"))
 
 
 def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
@@ -152,18 +152,20 @@ KERNELS = {
             {
                 "leaping": every(searching, sound, fits),
                 "searching": some(searching, Not(sound)),
+                "served": every(searching, sound, fits),
                 "ceiling": ceiling,
                 "flat": flat,
-                "tilt": tilt,
+                "tilt": rate_margin,
             },
             "Whether a search begins in single precision, and what it is known by.",
         ),
         decision(
             "leapt",
             {
-                "arrival": Choose(certain, since + lasting, arrival),
-                "t": Choose(every(sound, fits), since + lasting, 0),
-                "searching": every(searching, Not(certain), Less(lasting, sp.oo)),
+                "arrival": Choose(every(certain, served), since + lasting, arrival),
+                "certain": every(certain, served),
+                "t": Choose(served, since + lasting, 0),
+                "searching": every(searching, Not(every(certain, served)), Less(lasting, sp.oo)),
             },
             "What a search in single precision found, and whether it goes on, and from when.",
         ),

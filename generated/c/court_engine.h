@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 0c69fbe08f24561f,
+   Generated from templates/c/engine.h.j2, scene court, derivation ad3d4fdcacf7e68f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -163,13 +163,13 @@ typedef struct {
     LANES(court_column) open_arrival;
     LANES(court_column) open_ceiling;
     LANES(court_column) open_certain;
-    LANES(court_column) open_fits;
     LANES(court_column) open_flat;
+    LANES(court_column) open_rho_start;
     LANES(court_column) open_searching;
+    LANES(court_column) open_served;
     LANES(court_column) open_share;
     LANES(court_singles) open_short_t;
     LANES(court_column) open_since;
-    LANES(court_column) open_sound;
     LANES(court_column) open_tilt;
     LANES(court_column) open_leaping_row;
     LANES(court_column) open_leaping_leaping;
@@ -178,13 +178,16 @@ typedef struct {
     LANES(court_column) open_leaping_p_ring_radius;
     LANES(court_column) open_leaping_p_wire_radius;
     LANES(court_singles) open_leaping_short_ceiling;
+    LANES(court_singles) open_leaping_short_drift;
     LANES(court_singles) open_leaping_short_end;
     LANES(court_singles) open_leaping_short_flat;
+    LANES(court_singles) open_leaping_short_grit;
     LANES(court_singles) open_leaping_short_high1;
     LANES(court_singles) open_leaping_short_high2;
     LANES(court_singles) open_leaping_short_leaving;
     LANES(court_singles) open_leaping_short_low1;
     LANES(court_singles) open_leaping_short_low2;
+    LANES(court_singles) open_leaping_short_parting;
     LANES(court_singles) open_leaping_short_rate_margin;
     LANES(court_singles) open_leaping_short_rho_start;
     LANES(court_singles) open_leaping_short_steady;
@@ -218,6 +221,7 @@ typedef struct {
     LANES(court_column) open_searching_z;
     LANES(court_column) open_searching_ceiling;
     LANES(court_column) open_searching_flat;
+    LANES(court_column) open_searching_rho_start;
     LANES(court_column) open_searching_tilt;
     LANES(court_column) open_searching_searching_row;
     LANES(court_column) open_searching_searching_arrival;
@@ -2405,52 +2409,61 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_opened_out) _o22 =
                 LANES(court_opened)(lanes_wide(ended), lanes_wide(onset));
             V since = _o22.time;
-            const LANES(court_flight_out) _o23 =
+            const LANES(court_ring_started_out) _o23 =
+                LANES(court_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
+            V rho_start = _o23.rho_start;
+            V parting = _o23.parting;
+            V drift = _o23.drift;
+            const LANES(court_flight_out) _o24 =
                 LANES(court_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o23.x;
-            V near_y = _o23.y;
-            V near_z = _o23.z;
-            V near_vz = _o23.vz;
-            const LANES(court_ring_grain_out) _o24 =
-                LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_t = _o24.t;
-            S short_end = _o24.end;
-            S short_x = _o24.x;
-            S short_y = _o24.y;
-            S short_z = _o24.z;
-            S short_vx = _o24.vx;
-            S short_vy = _o24.vy;
-            S short_vz = _o24.vz;
-            S short_leaving = _o24.leaving;
-            S short_steady = _o24.steady;
-            S short_swing = _o24.swing;
-            S short_rho_start = _o24.rho_start;
-            S short_ceiling = _o24.ceiling;
-            S short_flat = _o24.flat;
-            S short_tilt = _o24.tilt;
-            S short_rate_margin = _o24.rate_margin;
-            S short_low1 = _o24.low1;
-            S short_high1 = _o24.high1;
-            S short_low2 = _o24.low2;
-            S short_high2 = _o24.high2;
-            M fits = _o24.fits;
-            const LANES(court_coarse_out) _o25 =
-                LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), searching, sound, lanes_wide(short_tilt));
-            M leaping = _o25.leaping;
-            searching = _o25.searching;
-            V ceiling = _o25.ceiling;
-            V flat = _o25.flat;
-            V tilt = _o25.tilt;
+            V near_x = _o24.x;
+            V near_y = _o24.y;
+            V near_z = _o24.z;
+            V near_vz = _o24.vz;
+            const LANES(court_ring_grain_out) _o25 =
+                LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S short_t = _o25.t;
+            S short_end = _o25.end;
+            S short_x = _o25.x;
+            S short_y = _o25.y;
+            S short_z = _o25.z;
+            S short_vx = _o25.vx;
+            S short_vy = _o25.vy;
+            S short_vz = _o25.vz;
+            S short_leaving = _o25.leaving;
+            S short_steady = _o25.steady;
+            S short_swing = _o25.swing;
+            S short_rho_start = _o25.rho_start;
+            S short_ceiling = _o25.ceiling;
+            S short_flat = _o25.flat;
+            S short_tilt = _o25.tilt;
+            S short_grit = _o25.grit;
+            S short_parting = _o25.parting;
+            S short_drift = _o25.drift;
+            S short_rate_margin = _o25.rate_margin;
+            S short_low1 = _o25.low1;
+            S short_high1 = _o25.high1;
+            S short_low2 = _o25.low2;
+            S short_high2 = _o25.high2;
+            M fits = _o25.fits;
+            const LANES(court_coarse_out) _o26 =
+                LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, sound);
+            M leaping = _o26.leaping;
+            searching = _o26.searching;
+            M served = _o26.served;
+            V ceiling = _o26.ceiling;
+            V flat = _o26.flat;
+            V tilt = _o26.tilt;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
-            lanes_store(lists->open_fits + i, lanes_select(fits, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
+            lanes_store(lists->open_rho_start + i, rho_start);
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
+            lanes_store(lists->open_served + i, lanes_select(served, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
             singles_store(lists->open_short_t + i, short_t);
             lanes_store(lists->open_since + i, since);
-            lanes_store(lists->open_sound + i, lanes_select(sound, K(1.0), K(0.0)));
             lanes_store(lists->open_tilt + i, tilt);
             const M packed = lanes_both(rows, leaping);
             if (lanes_any(packed)) {
@@ -2464,13 +2477,16 @@ static void LANES(court_plain)(const court_job *job)
                 if (varying)
                     lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, p_wire_radius);
                 singles_pack(lists->open_leaping_short_ceiling + open_leaping_shots, packed, short_ceiling);
+                singles_pack(lists->open_leaping_short_drift + open_leaping_shots, packed, short_drift);
                 singles_pack(lists->open_leaping_short_end + open_leaping_shots, packed, short_end);
                 singles_pack(lists->open_leaping_short_flat + open_leaping_shots, packed, short_flat);
+                singles_pack(lists->open_leaping_short_grit + open_leaping_shots, packed, short_grit);
                 singles_pack(lists->open_leaping_short_high1 + open_leaping_shots, packed, short_high1);
                 singles_pack(lists->open_leaping_short_high2 + open_leaping_shots, packed, short_high2);
                 singles_pack(lists->open_leaping_short_leaving + open_leaping_shots, packed, short_leaving);
                 singles_pack(lists->open_leaping_short_low1 + open_leaping_shots, packed, short_low1);
                 singles_pack(lists->open_leaping_short_low2 + open_leaping_shots, packed, short_low2);
+                singles_pack(lists->open_leaping_short_parting + open_leaping_shots, packed, short_parting);
                 singles_pack(lists->open_leaping_short_rate_margin + open_leaping_shots, packed, short_rate_margin);
                 singles_pack(lists->open_leaping_short_rho_start + open_leaping_shots, packed, short_rho_start);
                 singles_pack(lists->open_leaping_short_steady + open_leaping_shots, packed, short_steady);
@@ -2495,13 +2511,16 @@ static void LANES(court_plain)(const court_job *job)
             V p_ring_radius = lanes_load(lists->p_ring_radius);
             V p_wire_radius = lanes_load(lists->p_wire_radius);
             S short_ceiling = KS(0.0);
+            S short_drift = KS(0.0);
             S short_end = KS(0.0);
             S short_flat = KS(0.0);
+            S short_grit = KS(0.0);
             S short_high1 = KS(0.0);
             S short_high2 = KS(0.0);
             S short_leaving = KS(0.0);
             S short_low1 = KS(0.0);
             S short_low2 = KS(0.0);
+            S short_parting = KS(0.0);
             S short_rate_margin = KS(0.0);
             S short_rho_start = KS(0.0);
             S short_steady = KS(0.0);
@@ -2520,13 +2539,16 @@ static void LANES(court_plain)(const court_job *job)
                     row = lanes_expand(lists->open_leaping_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
                     short_ceiling = singles_expand(lists->open_leaping_short_ceiling + taken, idle, short_ceiling);
+                    short_drift = singles_expand(lists->open_leaping_short_drift + taken, idle, short_drift);
                     short_end = singles_expand(lists->open_leaping_short_end + taken, idle, short_end);
                     short_flat = singles_expand(lists->open_leaping_short_flat + taken, idle, short_flat);
+                    short_grit = singles_expand(lists->open_leaping_short_grit + taken, idle, short_grit);
                     short_high1 = singles_expand(lists->open_leaping_short_high1 + taken, idle, short_high1);
                     short_high2 = singles_expand(lists->open_leaping_short_high2 + taken, idle, short_high2);
                     short_leaving = singles_expand(lists->open_leaping_short_leaving + taken, idle, short_leaving);
                     short_low1 = singles_expand(lists->open_leaping_short_low1 + taken, idle, short_low1);
                     short_low2 = singles_expand(lists->open_leaping_short_low2 + taken, idle, short_low2);
+                    short_parting = singles_expand(lists->open_leaping_short_parting + taken, idle, short_parting);
                     short_rate_margin = singles_expand(lists->open_leaping_short_rate_margin + taken, idle, short_rate_margin);
                     short_rho_start = singles_expand(lists->open_leaping_short_rho_start + taken, idle, short_rho_start);
                     short_steady = singles_expand(lists->open_leaping_short_steady + taken, idle, short_steady);
@@ -2553,12 +2575,12 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(court_ring_leap_out) _o26 =
-                    LANES(court_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o26.t;
-                short_end = _o26.end;
-                M certain = _o26.certain;
-                leaping = _o26.leaping;
+                const LANES(court_ring_leap_out) _o27 =
+                    LANES(court_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                short_t = _o27.t;
+                short_end = _o27.end;
+                M certain = _o27.certain;
+                leaping = _o27.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -2587,17 +2609,16 @@ static void LANES(court_plain)(const court_job *job)
             V arrival = lanes_load(lists->open_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V extent = lanes_load(lists->open_extent + i);
-            M fits = lanes_less(K(0.0), lanes_load(lists->open_fits + i));
             V last = lanes_load(lists->open_last + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
             S short_t = singles_load(lists->open_short_t + i);
             V since = lanes_load(lists->open_since + i);
-            M sound = lanes_less(K(0.0), lanes_load(lists->open_sound + i));
             V speed = lanes_load(lists->open_speed + i);
             V until = lanes_load(lists->open_until + i);
             V vx = lanes_load(lists->open_vx + i);
@@ -2606,12 +2627,14 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_leapt_out) _o27 =
-                LANES(court_leapt)(arrival, certain, fits, lanes_wide(short_t), searching, since, sound);
-            arrival = _o27.arrival;
-            V t = _o27.t;
-            searching = _o27.searching;
+            const LANES(court_leapt_out) _o28 =
+                LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
+            arrival = _o28.arrival;
+            certain = _o28.certain;
+            V t = _o28.t;
+            searching = _o28.searching;
             lanes_store(lists->open_arrival + i, arrival);
+            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -2662,35 +2685,36 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(court_ring_prepare_out) _o28 =
+            const LANES(court_ring_prepare_out) _o29 =
                 LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o28.steady;
-            V swing = _o28.swing;
-            V rho_start = _o28.rho_start;
-            V low0 = _o28.low0;
-            V high0 = _o28.high0;
-            V low1 = _o28.low1;
-            V high1 = _o28.high1;
-            V low2 = _o28.low2;
-            V high2 = _o28.high2;
-            V ceiling = _o28.ceiling;
-            V latest = _o28.latest;
-            const LANES(court_allowance_out) _o29 =
+            V steady = _o29.steady;
+            V swing = _o29.swing;
+            V rho_start = _o29.rho_start;
+            V low0 = _o29.low0;
+            V high0 = _o29.high0;
+            V low1 = _o29.low1;
+            V high1 = _o29.high1;
+            V low2 = _o29.low2;
+            V high2 = _o29.high2;
+            V ceiling = _o29.ceiling;
+            V latest = _o29.latest;
+            const LANES(court_allowance_out) _o30 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o29.position_level;
-            V velocity_level = _o29.velocity_level;
-            const LANES(court_ring_margins_out) _o30 =
+            V position_level = _o30.position_level;
+            V velocity_level = _o30.velocity_level;
+            const LANES(court_ring_margins_out) _o31 =
                 LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o30.margin;
-            V tilt = _o30.leaving_margin;
-            V rate_slack = _o30.rate_margin;
-            const LANES(court_ring_enter_out) _o31 =
+            V flat = _o31.margin;
+            V tilt = _o31.leaving_margin;
+            V rate_slack = _o31.rate_margin;
+            const LANES(court_ring_enter_out) _o32 =
                 LANES(court_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o31.t;
-            V end = _o31.end;
-            M searching = _o31.searching;
+            t = _o32.t;
+            V end = _o32.end;
+            M searching = _o32.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
+            lanes_store(lists->open_searching_rho_start + i, rho_start);
             lanes_store(lists->open_searching_tilt + i, tilt);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -2817,52 +2841,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o32 =
+                const LANES(court_nearby_out) _o33 =
                     LANES(court_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o32.leaving;
-                V margin = _o32.margin;
-                const LANES(court_ring_advance_out) _o33 =
+                V leaving = _o33.leaving;
+                V margin = _o33.margin;
+                const LANES(court_ring_advance_out) _o34 =
                     LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o33.gap;
-                V rate = _o33.rate;
-                V bend = _o33.bend;
-                V step = _o33.step;
-                V next = _o33.next;
-                V clearance = _o33.clearance;
-                const LANES(court_struck_out) _o34 =
+                V gap = _o34.gap;
+                V rate = _o34.rate;
+                V bend = _o34.bend;
+                V step = _o34.step;
+                V next = _o34.next;
+                V clearance = _o34.clearance;
+                const LANES(court_struck_out) _o35 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o34.hit;
-                M sure = _o34.sure;
-                M vague = _o34.vague;
-                const M _m35 = lanes_both(active, vague);
-                if (lanes_any(_m35)) {
-                    const LANES(court_finer_out) _o36 =
+                M hit = _o35.hit;
+                M sure = _o35.sure;
+                M vague = _o35.vague;
+                const M _m36 = lanes_both(active, vague);
+                if (lanes_any(_m36)) {
+                    const LANES(court_finer_out) _o37 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m35, _o36.share, share);
-                    const LANES(court_allowance_out) _o37 =
+                    share = lanes_select(_m36, _o37.share, share);
+                    const LANES(court_allowance_out) _o38 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o37.position_level;
-                    V velocity_level = _o37.velocity_level;
-                    const LANES(court_ring_margins_out) _o38 =
+                    V position_level = _o38.position_level;
+                    V velocity_level = _o38.velocity_level;
+                    const LANES(court_ring_margins_out) _o39 =
                         LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m35, _o38.margin, flat);
-                    tilt = lanes_select(_m35, _o38.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m35, _o38.rate_margin, rate_slack);
+                    flat = lanes_select(_m36, _o39.margin, flat);
+                    tilt = lanes_select(_m36, _o39.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m36, _o39.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o39 =
+                const LANES(court_advanced_out) _o40 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o39.arrival;
-                certain = _o39.certain;
-                M exhausted = _o39.exhausted;
-                searching = _o39.searching;
-                t = _o39.t;
-                const M _m40 = lanes_both(active, exhausted);
+                arrival = _o40.arrival;
+                certain = _o40.certain;
+                M exhausted = _o40.exhausted;
+                searching = _o40.searching;
+                t = _o40.t;
+                const M _m41 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_ring_enter_out) _o41 =
+                    const LANES(court_ring_enter_out) _o42 =
                         LANES(court_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m40, _o41.t, t);
-                    end = lanes_select(_m40, _o41.end, end);
-                    searching = lanes_choose(_m40, _o41.searching, searching);
+                    t = lanes_select(_m41, _o42.t, t);
+                    end = lanes_select(_m41, _o42.end, end);
+                    searching = lanes_choose(_m41, _o42.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -2897,6 +2921,7 @@ static void LANES(court_plain)(const court_job *job)
             lists->open_ceiling[row] = lists->open_searching_ceiling[k];
             lists->open_certain[row] = lists->open_searching_certain[k];
             lists->open_flat[row] = lists->open_searching_flat[k];
+            lists->open_rho_start[row] = lists->open_searching_rho_start[k];
             lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
@@ -2913,6 +2938,7 @@ static void LANES(court_plain)(const court_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V rho_start = lanes_load(lists->open_rho_start + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
@@ -2920,9 +2946,6 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_ring_started_out) _o42 =
-                LANES(court_ring_started)(x, y);
-            V rho_start = _o42.rho_start;
             const LANES(court_found_out) _o43 =
                 LANES(court_found)(arrival);
             M arrives = _o43.arrives;
@@ -4751,14 +4774,14 @@ typedef struct {
     LANES(court_column) open_arrival;
     LANES(court_column) open_ceiling;
     LANES(court_column) open_certain;
-    LANES(court_column) open_fits;
     LANES(court_column) open_flat;
     LANES(court_column) open_latest;
+    LANES(court_column) open_rho_start;
     LANES(court_column) open_searching;
+    LANES(court_column) open_served;
     LANES(court_column) open_share;
     LANES(court_singles) open_short_t;
     LANES(court_column) open_since;
-    LANES(court_column) open_sound;
     LANES(court_column) open_tilt;
     LANES(court_column) open_leaping_row;
     LANES(court_column) open_leaping_leaping;
@@ -4767,13 +4790,16 @@ typedef struct {
     LANES(court_column) open_leaping_p_ring_radius;
     LANES(court_column) open_leaping_p_wire_radius;
     LANES(court_singles) open_leaping_short_ceiling;
+    LANES(court_singles) open_leaping_short_drift;
     LANES(court_singles) open_leaping_short_end;
     LANES(court_singles) open_leaping_short_flat;
+    LANES(court_singles) open_leaping_short_grit;
     LANES(court_singles) open_leaping_short_high1;
     LANES(court_singles) open_leaping_short_high2;
     LANES(court_singles) open_leaping_short_leaving;
     LANES(court_singles) open_leaping_short_low1;
     LANES(court_singles) open_leaping_short_low2;
+    LANES(court_singles) open_leaping_short_parting;
     LANES(court_singles) open_leaping_short_rate_margin;
     LANES(court_singles) open_leaping_short_rho_start;
     LANES(court_singles) open_leaping_short_steady;
@@ -4811,6 +4837,7 @@ typedef struct {
     LANES(court_column) open_searching_ceiling;
     LANES(court_column) open_searching_flat;
     LANES(court_column) open_searching_latest;
+    LANES(court_column) open_searching_rho_start;
     LANES(court_column) open_searching_searching;
     LANES(court_column) open_searching_tilt;
     LANES(court_column) open_searching_searching_row;
@@ -8074,54 +8101,63 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_beyond_out) _o31 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
             doubt = _o31.doubt;
-            const LANES(court_flight_out) _o32 =
+            const LANES(court_ring_started_out) _o32 =
+                LANES(court_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
+            V rho_start = _o32.rho_start;
+            V parting = _o32.parting;
+            V drift = _o32.drift;
+            const LANES(court_flight_out) _o33 =
                 LANES(court_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o32.x;
-            V near_y = _o32.y;
-            V near_z = _o32.z;
-            V near_vz = _o32.vz;
-            const LANES(court_ring_grain_out) _o33 =
-                LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_t = _o33.t;
-            S short_end = _o33.end;
-            S short_x = _o33.x;
-            S short_y = _o33.y;
-            S short_z = _o33.z;
-            S short_vx = _o33.vx;
-            S short_vy = _o33.vy;
-            S short_vz = _o33.vz;
-            S short_leaving = _o33.leaving;
-            S short_steady = _o33.steady;
-            S short_swing = _o33.swing;
-            S short_rho_start = _o33.rho_start;
-            S short_ceiling = _o33.ceiling;
-            S short_flat = _o33.flat;
-            S short_tilt = _o33.tilt;
-            S short_rate_margin = _o33.rate_margin;
-            S short_low1 = _o33.low1;
-            S short_high1 = _o33.high1;
-            S short_low2 = _o33.low2;
-            S short_high2 = _o33.high2;
-            M fits = _o33.fits;
-            const LANES(court_coarse_out) _o34 =
-                LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), searching, sound, lanes_wide(short_tilt));
-            M leaping = _o34.leaping;
-            searching = _o34.searching;
-            V ceiling = _o34.ceiling;
-            V flat = _o34.flat;
-            V tilt = _o34.tilt;
+            V near_x = _o33.x;
+            V near_y = _o33.y;
+            V near_z = _o33.z;
+            V near_vz = _o33.vz;
+            const LANES(court_ring_grain_out) _o34 =
+                LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S short_t = _o34.t;
+            S short_end = _o34.end;
+            S short_x = _o34.x;
+            S short_y = _o34.y;
+            S short_z = _o34.z;
+            S short_vx = _o34.vx;
+            S short_vy = _o34.vy;
+            S short_vz = _o34.vz;
+            S short_leaving = _o34.leaving;
+            S short_steady = _o34.steady;
+            S short_swing = _o34.swing;
+            S short_rho_start = _o34.rho_start;
+            S short_ceiling = _o34.ceiling;
+            S short_flat = _o34.flat;
+            S short_tilt = _o34.tilt;
+            S short_grit = _o34.grit;
+            S short_parting = _o34.parting;
+            S short_drift = _o34.drift;
+            S short_rate_margin = _o34.rate_margin;
+            S short_low1 = _o34.low1;
+            S short_high1 = _o34.high1;
+            S short_low2 = _o34.low2;
+            S short_high2 = _o34.high2;
+            M fits = _o34.fits;
+            const LANES(court_coarse_out) _o35 =
+                LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, sound);
+            M leaping = _o35.leaping;
+            searching = _o35.searching;
+            M served = _o35.served;
+            V ceiling = _o35.ceiling;
+            V flat = _o35.flat;
+            V tilt = _o35.tilt;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             lanes_store(lists->open_doubt + i, doubt);
-            lanes_store(lists->open_fits + i, lanes_select(fits, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
             lanes_store(lists->open_latest + i, latest);
+            lanes_store(lists->open_rho_start + i, rho_start);
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
+            lanes_store(lists->open_served + i, lanes_select(served, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
             singles_store(lists->open_short_t + i, short_t);
             lanes_store(lists->open_since + i, since);
-            lanes_store(lists->open_sound + i, lanes_select(sound, K(1.0), K(0.0)));
             lanes_store(lists->open_tilt + i, tilt);
             const M packed = lanes_both(rows, leaping);
             if (lanes_any(packed)) {
@@ -8135,13 +8171,16 @@ static void LANES(court_bounded)(const court_job *job)
                 if (varying)
                     lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, p_wire_radius);
                 singles_pack(lists->open_leaping_short_ceiling + open_leaping_shots, packed, short_ceiling);
+                singles_pack(lists->open_leaping_short_drift + open_leaping_shots, packed, short_drift);
                 singles_pack(lists->open_leaping_short_end + open_leaping_shots, packed, short_end);
                 singles_pack(lists->open_leaping_short_flat + open_leaping_shots, packed, short_flat);
+                singles_pack(lists->open_leaping_short_grit + open_leaping_shots, packed, short_grit);
                 singles_pack(lists->open_leaping_short_high1 + open_leaping_shots, packed, short_high1);
                 singles_pack(lists->open_leaping_short_high2 + open_leaping_shots, packed, short_high2);
                 singles_pack(lists->open_leaping_short_leaving + open_leaping_shots, packed, short_leaving);
                 singles_pack(lists->open_leaping_short_low1 + open_leaping_shots, packed, short_low1);
                 singles_pack(lists->open_leaping_short_low2 + open_leaping_shots, packed, short_low2);
+                singles_pack(lists->open_leaping_short_parting + open_leaping_shots, packed, short_parting);
                 singles_pack(lists->open_leaping_short_rate_margin + open_leaping_shots, packed, short_rate_margin);
                 singles_pack(lists->open_leaping_short_rho_start + open_leaping_shots, packed, short_rho_start);
                 singles_pack(lists->open_leaping_short_steady + open_leaping_shots, packed, short_steady);
@@ -8166,13 +8205,16 @@ static void LANES(court_bounded)(const court_job *job)
             V p_ring_radius = lanes_load(lists->p_ring_radius);
             V p_wire_radius = lanes_load(lists->p_wire_radius);
             S short_ceiling = KS(0.0);
+            S short_drift = KS(0.0);
             S short_end = KS(0.0);
             S short_flat = KS(0.0);
+            S short_grit = KS(0.0);
             S short_high1 = KS(0.0);
             S short_high2 = KS(0.0);
             S short_leaving = KS(0.0);
             S short_low1 = KS(0.0);
             S short_low2 = KS(0.0);
+            S short_parting = KS(0.0);
             S short_rate_margin = KS(0.0);
             S short_rho_start = KS(0.0);
             S short_steady = KS(0.0);
@@ -8191,13 +8233,16 @@ static void LANES(court_bounded)(const court_job *job)
                     row = lanes_expand(lists->open_leaping_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
                     short_ceiling = singles_expand(lists->open_leaping_short_ceiling + taken, idle, short_ceiling);
+                    short_drift = singles_expand(lists->open_leaping_short_drift + taken, idle, short_drift);
                     short_end = singles_expand(lists->open_leaping_short_end + taken, idle, short_end);
                     short_flat = singles_expand(lists->open_leaping_short_flat + taken, idle, short_flat);
+                    short_grit = singles_expand(lists->open_leaping_short_grit + taken, idle, short_grit);
                     short_high1 = singles_expand(lists->open_leaping_short_high1 + taken, idle, short_high1);
                     short_high2 = singles_expand(lists->open_leaping_short_high2 + taken, idle, short_high2);
                     short_leaving = singles_expand(lists->open_leaping_short_leaving + taken, idle, short_leaving);
                     short_low1 = singles_expand(lists->open_leaping_short_low1 + taken, idle, short_low1);
                     short_low2 = singles_expand(lists->open_leaping_short_low2 + taken, idle, short_low2);
+                    short_parting = singles_expand(lists->open_leaping_short_parting + taken, idle, short_parting);
                     short_rate_margin = singles_expand(lists->open_leaping_short_rate_margin + taken, idle, short_rate_margin);
                     short_rho_start = singles_expand(lists->open_leaping_short_rho_start + taken, idle, short_rho_start);
                     short_steady = singles_expand(lists->open_leaping_short_steady + taken, idle, short_steady);
@@ -8224,12 +8269,12 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(court_ring_leap_out) _o35 =
-                    LANES(court_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o35.t;
-                short_end = _o35.end;
-                M certain = _o35.certain;
-                leaping = _o35.leaping;
+                const LANES(court_ring_leap_out) _o36 =
+                    LANES(court_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                short_t = _o36.t;
+                short_end = _o36.end;
+                M certain = _o36.certain;
+                leaping = _o36.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -8259,7 +8304,6 @@ static void LANES(court_bounded)(const court_job *job)
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
-            M fits = lanes_less(K(0.0), lanes_load(lists->open_fits + i));
             V last = lanes_load(lists->open_last + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
@@ -8267,10 +8311,10 @@ static void LANES(court_bounded)(const court_job *job)
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_position_error + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
             S short_t = singles_load(lists->open_short_t + i);
             V since = lanes_load(lists->open_since + i);
-            M sound = lanes_less(K(0.0), lanes_load(lists->open_sound + i));
             V speed = lanes_load(lists->open_speed + i);
             V until = lanes_load(lists->open_until + i);
             V velocity_error = lanes_load(lists->open_velocity_error + i);
@@ -8280,12 +8324,14 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_leapt_out) _o36 =
-                LANES(court_leapt)(arrival, certain, fits, lanes_wide(short_t), searching, since, sound);
-            arrival = _o36.arrival;
-            V t = _o36.t;
-            searching = _o36.searching;
+            const LANES(court_leapt_out) _o37 =
+                LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
+            arrival = _o37.arrival;
+            certain = _o37.certain;
+            V t = _o37.t;
+            searching = _o37.searching;
             lanes_store(lists->open_arrival + i, arrival);
+            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -8342,36 +8388,37 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(court_ring_prepare_out) _o37 =
+            const LANES(court_ring_prepare_out) _o38 =
                 LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o37.steady;
-            V swing = _o37.swing;
-            V rho_start = _o37.rho_start;
-            V low0 = _o37.low0;
-            V high0 = _o37.high0;
-            V low1 = _o37.low1;
-            V high1 = _o37.high1;
-            V low2 = _o37.low2;
-            V high2 = _o37.high2;
-            V ceiling = _o37.ceiling;
-            V latest = _o37.latest;
-            const LANES(court_allowance_out) _o38 =
+            V steady = _o38.steady;
+            V swing = _o38.swing;
+            V rho_start = _o38.rho_start;
+            V low0 = _o38.low0;
+            V high0 = _o38.high0;
+            V low1 = _o38.low1;
+            V high1 = _o38.high1;
+            V low2 = _o38.low2;
+            V high2 = _o38.high2;
+            V ceiling = _o38.ceiling;
+            V latest = _o38.latest;
+            const LANES(court_allowance_out) _o39 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o38.position_level;
-            V velocity_level = _o38.velocity_level;
-            const LANES(court_ring_margins_out) _o39 =
+            V position_level = _o39.position_level;
+            V velocity_level = _o39.velocity_level;
+            const LANES(court_ring_margins_out) _o40 =
                 LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o39.margin;
-            V tilt = _o39.leaving_margin;
-            V rate_slack = _o39.rate_margin;
-            const LANES(court_ring_enter_out) _o40 =
+            V flat = _o40.margin;
+            V tilt = _o40.leaving_margin;
+            V rate_slack = _o40.rate_margin;
+            const LANES(court_ring_enter_out) _o41 =
                 LANES(court_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o40.t;
-            V end = _o40.end;
-            M searching = _o40.searching;
+            t = _o41.t;
+            V end = _o41.end;
+            M searching = _o41.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
+            lanes_store(lists->open_searching_rho_start + i, rho_start);
             lanes_store(lists->open_searching_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_searching_t + i, t);
             lanes_store(lists->open_searching_tilt + i, tilt);
@@ -8509,56 +8556,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o41 =
+                const LANES(court_nearby_out) _o42 =
                     LANES(court_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o41.leaving;
-                V margin = _o41.margin;
-                const LANES(court_ring_advance_out) _o42 =
+                V leaving = _o42.leaving;
+                V margin = _o42.margin;
+                const LANES(court_ring_advance_out) _o43 =
                     LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o42.gap;
-                V rate = _o42.rate;
-                V bend = _o42.bend;
-                V step = _o42.step;
-                V next = _o42.next;
-                V clearance = _o42.clearance;
-                const LANES(court_struck_out) _o43 =
+                V gap = _o43.gap;
+                V rate = _o43.rate;
+                V bend = _o43.bend;
+                V step = _o43.step;
+                V next = _o43.next;
+                V clearance = _o43.clearance;
+                const LANES(court_struck_out) _o44 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o43.hit;
-                M sure = _o43.sure;
-                M vague = _o43.vague;
-                const M _m44 = lanes_both(active, vague);
-                if (lanes_any(_m44)) {
-                    const LANES(court_finer_out) _o45 =
+                M hit = _o44.hit;
+                M sure = _o44.sure;
+                M vague = _o44.vague;
+                const M _m45 = lanes_both(active, vague);
+                if (lanes_any(_m45)) {
+                    const LANES(court_finer_out) _o46 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m44, _o45.share, share);
-                    const LANES(court_allowance_out) _o46 =
+                    share = lanes_select(_m45, _o46.share, share);
+                    const LANES(court_allowance_out) _o47 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o46.position_level;
-                    V velocity_level = _o46.velocity_level;
-                    V excess = _o46.excess;
-                    const LANES(court_ring_margins_out) _o47 =
+                    V position_level = _o47.position_level;
+                    V velocity_level = _o47.velocity_level;
+                    V excess = _o47.excess;
+                    const LANES(court_ring_margins_out) _o48 =
                         LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m44, _o47.margin, flat);
-                    tilt = lanes_select(_m44, _o47.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m44, _o47.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o48 =
+                    flat = lanes_select(_m45, _o48.margin, flat);
+                    tilt = lanes_select(_m45, _o48.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m45, _o48.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o49 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m44, _o48.doubt, doubt);
+                    doubt = lanes_select(_m45, _o49.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o49 =
+                const LANES(court_advanced_out) _o50 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o49.arrival;
-                certain = _o49.certain;
-                M exhausted = _o49.exhausted;
-                searching = _o49.searching;
-                t = _o49.t;
-                const M _m50 = lanes_both(active, exhausted);
+                arrival = _o50.arrival;
+                certain = _o50.certain;
+                M exhausted = _o50.exhausted;
+                searching = _o50.searching;
+                t = _o50.t;
+                const M _m51 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_ring_enter_out) _o51 =
+                    const LANES(court_ring_enter_out) _o52 =
                         LANES(court_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m50, _o51.t, t);
-                    end = lanes_select(_m50, _o51.end, end);
-                    searching = lanes_choose(_m50, _o51.searching, searching);
+                    t = lanes_select(_m51, _o52.t, t);
+                    end = lanes_select(_m51, _o52.end, end);
+                    searching = lanes_choose(_m51, _o52.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -8600,9 +8647,9 @@ static void LANES(court_bounded)(const court_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(court_questioned_out) _o52 =
+            const LANES(court_questioned_out) _o53 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o52.doubt;
+            doubt = _o53.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -8613,6 +8660,7 @@ static void LANES(court_bounded)(const court_job *job)
             lists->open_doubt[row] = lists->open_searching_doubt[k];
             lists->open_flat[row] = lists->open_searching_flat[k];
             lists->open_latest[row] = lists->open_searching_latest[k];
+            lists->open_rho_start[row] = lists->open_searching_rho_start[k];
             lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
@@ -8629,6 +8677,7 @@ static void LANES(court_bounded)(const court_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V rho_start = lanes_load(lists->open_rho_start + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
@@ -8636,9 +8685,6 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_ring_started_out) _o53 =
-                LANES(court_ring_started)(x, y);
-            V rho_start = _o53.rho_start;
             const LANES(court_found_out) _o54 =
                 LANES(court_found)(arrival);
             M arrives = _o54.arrives;

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 0c69fbe08f24561f,
+   Generated from templates/c/kernels.h.j2, scene court, derivation ad3d4fdcacf7e68f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -622,30 +622,34 @@ LANES(court_opened)(V horizon, V time)
 typedef struct {
     M leaping;
     M searching;
+    M served;
     V ceiling;
     V flat;
     V tilt;
 } LANES(court_coarse_out);
 
 LANES_INLINE LANES(court_coarse_out)
-LANES(court_coarse)(V ceiling, M fits, V flat, M searching, M sound, V tilt)
+LANES(court_coarse)(V ceiling, M fits, V flat, V rate_margin, M searching, M sound)
 {
-    return (LANES(court_coarse_out)){ lanes_both(lanes_both(searching, sound), fits), lanes_either(searching, lanes_not(sound)), ceiling, flat, tilt };
+    const M _s0 = lanes_both(lanes_both(searching, sound), fits);
+    return (LANES(court_coarse_out)){ _s0, lanes_either(searching, lanes_not(sound)), _s0, ceiling, flat, rate_margin };
 }
 
 /* What a search in single precision found, and whether it goes on, and from when.
    Table 1. 8 operations: 1 addition, 1 comparison, 3 conjunctions, 1 complement, 2 selections. */
 typedef struct {
     V arrival;
+    M certain;
     V t;
     M searching;
 } LANES(court_leapt_out);
 
 LANES_INLINE LANES(court_leapt_out)
-LANES(court_leapt)(V arrival, M certain, M fits, V lasting, M searching, V since, M sound)
+LANES(court_leapt)(V arrival, M certain, V lasting, M searching, M served, V since)
 {
-    const V _s0 = lanes_add(lasting, since);
-    return (LANES(court_leapt_out)){ lanes_select(certain, _s0, arrival), lanes_select(lanes_both(sound, fits), _s0, K(0.0)), lanes_both(lanes_both(searching, lanes_not(certain)), lanes_less(lasting, K(INFINITY))) };
+    const M _s0 = lanes_both(certain, served);
+    const V _s1 = lanes_add(lasting, since);
+    return (LANES(court_leapt_out)){ lanes_select(_s0, _s1, arrival), _s0, lanes_select(served, _s1, K(0.0)), lanes_both(lanes_both(searching, lanes_not(_s0)), lanes_less(lasting, K(INFINITY))) };
 }
 
 /* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
@@ -2958,7 +2962,7 @@ LANES(court_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S
 }
 
 /* What a search in single precision is given, from where it begins.
-   running error analysis. 72 operations: 14 additions, 8 subtractions, 39 multiplications, 2 divisions, 1 square root, 1 absolute value, 4 comparisons, 1 conjunction, 2 selections. */
+   running error analysis. 82 operations: 16 additions, 8 subtractions, 46 multiplications, 2 divisions, 1 square root, 2 absolute values, 4 comparisons, 1 conjunction, 2 selections. */
 typedef struct {
     S t;
     S end;
@@ -2975,6 +2979,9 @@ typedef struct {
     S ceiling;
     S flat;
     S tilt;
+    S grit;
+    S parting;
+    S drift;
     S rate_margin;
     S low1;
     S high1;
@@ -2984,7 +2991,7 @@ typedef struct {
 } LANES(court_ring_grain_out);
 
 LANES_INLINE LANES(court_ring_grain_out)
-LANES(court_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
+LANES(court_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S parting, S drift, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
 {
     const S _s0 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(singles_mul(KS(4.0), p_gravity), z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
     const S _s1 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
@@ -2995,18 +3002,20 @@ LANES(court_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S
     const S _s6 = singles_mul(KS(0.0001220703125), p_ring_radius);
     const S _s7 = singles_max(_s5, _s6);
     const S _s8 = singles_div(KS(1.0), _s7);
-    const S _s9 = singles_mul(KS(1.0009765625), singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s3), singles_mul(_s2, singles_mul(_s8, singles_mul(_s8, _s8)))), singles_abs(_s0)));
+    const S _s9 = singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s3), singles_mul(_s2, singles_mul(_s8, singles_mul(_s8, _s8)))), singles_abs(_s0));
     const S _s10 = singles_add(speed, singles_mul(p_gravity, horizon));
-    const S _s11 = singles_sub(horizon, t);
-    const S _s12 = singles_mul(p_gravity, singles_mul(_s11, _s11));
-    const S _s13 = singles_add(singles_mul(KS(2.9802322387695312e-08), singles_add(extent, singles_mul(horizon, _s10))), singles_mul(KS(9.5367431640625e-07), singles_add(_s12, singles_add(p_ring_radius, _s4))));
-    const S _s14 = singles_div(_s3, _s7);
-    const S _s15 = singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), singles_mul(_s10, singles_max(KS(1.0), _s14))), _s13), singles_mul(singles_mul(KS(2.682209014892578e-07), _s3), _s10)));
-    return (LANES(court_ring_grain_out)){ KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, leaving, _s0, _s2, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), _s9, singles_mul(singles_mul(KS(5.0048828125), _s3), _s13), _s15, _s15, singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s12, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
+    const S _s11 = singles_add(extent, singles_mul(horizon, _s10));
+    const S _s12 = singles_sub(horizon, t);
+    const S _s13 = singles_mul(p_gravity, singles_mul(_s12, _s12));
+    const S _s14 = singles_add(singles_mul(KS(2.9802322387695312e-08), _s11), singles_mul(KS(9.5367431640625e-07), singles_add(_s13, singles_add(p_ring_radius, _s4))));
+    const S _s15 = singles_div(_s3, _s7);
+    const S _s16 = singles_max(KS(1.0), _s15);
+    const S _s17 = singles_mul(_s10, _s16);
+    return (LANES(court_ring_grain_out)){ KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, leaving, _s0, _s2, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s9), singles_mul(singles_mul(KS(5.0048828125), _s3), _s14), singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(KS(1.4901161193847656e-07), singles_add(singles_mul(_s17, _s11), singles_mul(_s3, _s10))))), singles_mul(KS(1.9073486328125e-06), singles_mul(_s9, _s16)), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s17), _s14), singles_mul(singles_mul(KS(2.682209014892578e-07), _s3), _s10))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s13, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
 }
 
 /* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
-   Newton from the left under a curvature bound. 178 operations: 29 additions, 14 subtractions, 56 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 26 comparisons, 5 conjunctions, 5 disjunctions, 4 complements, 29 selections. */
+   Newton from the left under a curvature bound. 190 operations: 30 additions, 16 subtractions, 63 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 27 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 29 selections. */
 typedef struct {
     S t;
     S end;
@@ -3015,7 +3024,7 @@ typedef struct {
 } LANES(court_ring_leap_out);
 
 LANES_INLINE LANES(court_ring_leap_out)
-LANES(court_ring_leap)(S t, S end, S leaving, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
+LANES(court_ring_leap)(S t, S end, S leaving, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S parting, S drift, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
 {
     const S _s0 = singles_add(x, singles_mul(t, vx));
     const S _s1 = singles_add(y, singles_mul(t, vy));
@@ -3030,59 +3039,67 @@ LANES(court_ring_leap)(S t, S end, S leaving, S rate_margin, S ceiling, S x, S y
     const S _s10 = singles_add(z, singles_mul(t, _s9));
     const S _s11 = singles_mul(KS(2.0), singles_add(singles_mul(_s6, _s7), singles_mul(_s8, _s10)));
     const S _s12 = singles_neg(singles_add(rate_margin, _s11));
-    const S _s13 = singles_mul(t, tilt);
+    const S _s13 = singles_mul(t, singles_add(tilt, singles_mul(grit, t)));
     const Q _s14 = singles_both(singles_less(KS(0.0), leaving), singles_less(_s13, flat));
     const S _s15 = singles_select(_s14, _s13, flat);
-    const S _s16 = singles_mul(singles_mul(singles_add(singles_mul(t, singles_add(singles_mul(vx, vx), singles_mul(vy, vy))), singles_mul(KS(2.0), singles_add(singles_mul(vx, x), singles_mul(vy, y)))), singles_add(singles_sub(rho_start, p_ring_radius), _s7)), singles_mul(_s2, _s4));
-    const S _s17 = singles_add(p_ball_radius, p_wire_radius);
-    const S _s18 = singles_sub(singles_select(_s14, singles_mul(t, singles_add(_s16, singles_mul(singles_add(z, _s10), _s9))), singles_sub(singles_add(singles_mul(_s7, _s7), singles_mul(_s10, _s10)), singles_mul(_s17, _s17))), _s15);
-    const S _s19 = singles_max(_s18, KS(0.0));
-    const S _s20 = singles_select(singles_less(KS(0.0), _s12), singles_sub(singles_mul(_s12, _s12), singles_mul(singles_mul(KS(8.0), ceiling), singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s15), _s19)))), _s12);
-    const Q _s21 = singles_less(KS(0.0), _s20);
-    const S _s22 = singles_mul(KS(1.00006103515625), _s17);
-    const S _s23 = singles_mul(KS(0.000244140625), singles_add(p_ring_radius, _s22));
-    const S _s24 = singles_sub(_s11, rate_margin);
-    const S _s25 = singles_mul(KS(6.0), p_gravity);
-    const S _s26 = singles_sub(singles_add(singles_mul(_s25, _s10), singles_mul(swing, singles_mul(_s5, singles_mul(_s5, _s5)))), steady);
-    const Q _s27 = singles_less(_s24, KS(0.0));
-    const S _s28 = singles_mul(KS(2.0), _s19);
-    const S _s29 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s24), _s19, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s27, _s28, singles_mul(KS(4.0), _s24)), singles_select(_s27, singles_neg(_s24), singles_max(KS(0.0), _s26))));
-    const S _s30 = singles_sub(end, t);
-    const S _s31 = singles_min(_s29, _s30);
-    const S _s32 = singles_add(_s23, singles_add(singles_mul(_s31, singles_max(_s8, KS(0.0))), _s10));
-    const S _s33 = singles_mul(_s25, singles_min(_s22, _s32));
-    const S _s34 = singles_sub(singles_add(singles_mul(_s31, singles_min(KS(0.0), _s6)), _s2), _s23);
-    const S _s35 = singles_sub(p_ring_radius, _s22);
-    const S _s36 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s37 = singles_max(_s35, _s36);
-    const S _s38 = singles_div(KS(1.0), singles_max(_s34, _s37));
-    const S _s39 = singles_mul(swing, singles_mul(_s38, singles_mul(_s38, _s38)));
-    const S _s40 = singles_sub(singles_add(singles_add(_s33, _s39), singles_mul(KS(0.000244140625), singles_add(singles_add(_s39, singles_abs(steady)), singles_abs(_s33)))), steady);
-    const S _s41 = singles_add(singles_mul(singles_mul(KS(2.0), _s40), _s19), singles_mul(_s24, _s24));
-    const S _s42 = singles_sqrt(_s41);
-    const S _s43 = singles_select(singles_at_most(KS(0.0), _s41), singles_div(singles_select(_s27, _s28, singles_add(_s24, _s42)), singles_select(_s27, singles_sub(_s42, _s24), singles_max(KS(0.0), _s40))), KS(INFINITY));
-    const S _s44 = singles_min(_s43, _s31);
-    const S _s45 = singles_add(t, _s44);
-    const Q _s46 = singles_both(singles_not(_s21), singles_either(singles_both(singles_less(_s11, KS(0.0)), singles_at_most(_s18, _s15)), singles_not(singles_less(t, _s45))));
-    const Q _s47 = singles_not(singles_either(_s21, _s46));
-    const Q _s48 = singles_both(_s47, singles_at_most(_s30, _s44));
-    const S _s49 = singles_max(end, low1);
-    const Q _s50 = singles_less(_s49, high1);
-    const S _s51 = singles_max(end, low2);
-    const Q _s52 = singles_less(_s51, high2);
-    return (LANES(court_ring_leap_out)){ singles_select(_s48, singles_select(_s50, _s49, singles_select(_s52, _s51, KS(INFINITY))), singles_select(_s46, t, _s45)), singles_select(_s48, singles_select(_s50, high1, singles_select(_s52, high2, end)), end), singles_truth(_s21), singles_truth(singles_both(_s47, singles_either(singles_not(_s48), singles_either(singles_either(singles_nowhere(), _s52), _s50)))) };
+    const S _s16 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
+    const S _s17 = singles_mul(_s2, _s4);
+    const S _s18 = singles_mul(_s17, singles_add(singles_mul(t, _s16), singles_mul(KS(2.0), singles_add(singles_mul(vx, x), singles_mul(vy, y)))));
+    const S _s19 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, p_ring_radius)), singles_sub(_s16, singles_mul(drift, _s18))), _s17), singles_mul(_s18, _s18)), singles_mul(_s9, _s9));
+    const S _s20 = singles_add(p_ball_radius, p_wire_radius);
+    const S _s21 = singles_select(_s14, singles_mul(t, singles_add(parting, singles_mul(t, singles_sub(_s19, singles_mul(p_gravity, z))))), singles_sub(singles_add(singles_mul(_s7, _s7), singles_mul(_s10, _s10)), singles_mul(_s20, _s20)));
+    const S _s22 = singles_sub(_s21, _s15);
+    const S _s23 = singles_max(_s22, KS(0.0));
+    const S _s24 = singles_select(singles_less(KS(0.0), _s12), singles_sub(singles_mul(_s12, _s12), singles_mul(singles_mul(KS(8.0), ceiling), singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s15), _s23)))), _s12);
+    const Q _s25 = singles_less(KS(0.0), _s24);
+    const S _s26 = singles_mul(KS(1.00006103515625), _s20);
+    const S _s27 = singles_mul(KS(0.000244140625), singles_add(p_ring_radius, _s26));
+    const S _s28 = singles_sub(_s11, rate_margin);
+    const S _s29 = singles_mul(KS(6.0), p_gravity);
+    const S _s30 = singles_sub(singles_add(singles_mul(_s29, _s10), singles_mul(swing, singles_mul(_s5, singles_mul(_s5, _s5)))), steady);
+    const Q _s31 = singles_less(_s28, KS(0.0));
+    const S _s32 = singles_mul(KS(2.0), _s23);
+    const S _s33 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s28), _s23, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s31, _s32, singles_mul(KS(4.0), _s28)), singles_select(_s31, singles_neg(_s28), singles_max(KS(0.0), _s30))));
+    const S _s34 = singles_sub(end, t);
+    const S _s35 = singles_min(_s33, _s34);
+    const S _s36 = singles_add(_s27, singles_add(singles_mul(_s35, singles_max(_s8, KS(0.0))), _s10));
+    const S _s37 = singles_mul(_s29, singles_min(_s26, _s36));
+    const S _s38 = singles_sub(singles_add(singles_mul(_s35, singles_min(KS(0.0), _s6)), _s2), _s27);
+    const S _s39 = singles_sub(p_ring_radius, _s26);
+    const S _s40 = singles_mul(KS(0.0001220703125), p_ring_radius);
+    const S _s41 = singles_max(_s39, _s40);
+    const S _s42 = singles_div(KS(1.0), singles_max(_s38, _s41));
+    const S _s43 = singles_mul(swing, singles_mul(_s42, singles_mul(_s42, _s42)));
+    const S _s44 = singles_sub(singles_add(singles_add(_s37, _s43), singles_mul(KS(0.000244140625), singles_add(singles_add(_s43, singles_abs(steady)), singles_abs(_s37)))), steady);
+    const S _s45 = singles_add(singles_mul(singles_mul(KS(2.0), _s44), _s23), singles_mul(_s28, _s28));
+    const S _s46 = singles_sqrt(_s45);
+    const S _s47 = singles_select(singles_at_most(KS(0.0), _s45), singles_div(singles_select(_s31, _s32, singles_add(_s28, _s46)), singles_select(_s31, singles_sub(_s46, _s28), singles_max(KS(0.0), _s44))), KS(INFINITY));
+    const S _s48 = singles_min(_s47, _s35);
+    const S _s49 = singles_add(t, _s48);
+    const Q _s50 = singles_both(singles_not(_s25), singles_either(singles_both(singles_less(_s11, KS(0.0)), singles_at_most(_s22, _s15)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s49)))));
+    const Q _s51 = singles_not(singles_either(_s25, _s50));
+    const Q _s52 = singles_both(_s51, singles_at_most(_s34, _s48));
+    const S _s53 = singles_max(end, low1);
+    const Q _s54 = singles_less(_s53, high1);
+    const S _s55 = singles_max(end, low2);
+    const Q _s56 = singles_less(_s55, high2);
+    return (LANES(court_ring_leap_out)){ singles_select(_s52, singles_select(_s54, _s53, singles_select(_s56, _s55, KS(INFINITY))), singles_select(_s50, t, _s49)), singles_select(_s52, singles_select(_s54, high1, singles_select(_s56, high2, end)), end), singles_truth(_s25), singles_truth(singles_both(_s51, singles_either(singles_not(_s52), singles_either(singles_either(singles_nowhere(), _s56), _s54)))) };
 }
 
-/* The distance from the axis at the start of the flight.
-   Table 2. 4 operations: 1 addition, 2 multiplications, 1 square root. */
+/* Distance from the axis, rate of the gap and of that distance, at the start of the flight.
+   Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root. */
 typedef struct {
     V rho_start;
+    V parting;
+    V drift;
 } LANES(court_ring_started_out);
 
 LANES_INLINE LANES(court_ring_started_out)
-LANES(court_ring_started)(V x, V y)
+LANES(court_ring_started)(V x, V y, V z, V vx, V vy, V vz, V p_ring_radius)
 {
-    return (LANES(court_ring_started_out)){ lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))) };
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_div(lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)), _s0);
+    return (LANES(court_ring_started_out)){ _s0, lanes_mul(K(2.0), lanes_add(lanes_mul(vz, z), lanes_mul(_s1, lanes_sub(_s0, p_ring_radius)))), _s1 };
 }
 
 /* Positive where the bounds of the search do not hold.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation b5b7441f9e264529,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation e897546f3266e17f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -114,13 +114,13 @@ typedef struct {
     LANES(hoop_column) open_arrival;
     LANES(hoop_column) open_ceiling;
     LANES(hoop_column) open_certain;
-    LANES(hoop_column) open_fits;
     LANES(hoop_column) open_flat;
+    LANES(hoop_column) open_rho_start;
     LANES(hoop_column) open_searching;
+    LANES(hoop_column) open_served;
     LANES(hoop_column) open_share;
     LANES(hoop_singles) open_short_t;
     LANES(hoop_column) open_since;
-    LANES(hoop_column) open_sound;
     LANES(hoop_column) open_tilt;
     LANES(hoop_column) open_leaping_row;
     LANES(hoop_column) open_leaping_leaping;
@@ -129,13 +129,16 @@ typedef struct {
     LANES(hoop_column) open_leaping_p_ring_radius;
     LANES(hoop_column) open_leaping_p_wire_radius;
     LANES(hoop_singles) open_leaping_short_ceiling;
+    LANES(hoop_singles) open_leaping_short_drift;
     LANES(hoop_singles) open_leaping_short_end;
     LANES(hoop_singles) open_leaping_short_flat;
+    LANES(hoop_singles) open_leaping_short_grit;
     LANES(hoop_singles) open_leaping_short_high1;
     LANES(hoop_singles) open_leaping_short_high2;
     LANES(hoop_singles) open_leaping_short_leaving;
     LANES(hoop_singles) open_leaping_short_low1;
     LANES(hoop_singles) open_leaping_short_low2;
+    LANES(hoop_singles) open_leaping_short_parting;
     LANES(hoop_singles) open_leaping_short_rate_margin;
     LANES(hoop_singles) open_leaping_short_rho_start;
     LANES(hoop_singles) open_leaping_short_steady;
@@ -169,6 +172,7 @@ typedef struct {
     LANES(hoop_column) open_searching_z;
     LANES(hoop_column) open_searching_ceiling;
     LANES(hoop_column) open_searching_flat;
+    LANES(hoop_column) open_searching_rho_start;
     LANES(hoop_column) open_searching_tilt;
     LANES(hoop_column) open_searching_searching_row;
     LANES(hoop_column) open_searching_searching_arrival;
@@ -705,52 +709,61 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_opened_out) _o38 =
                 LANES(hoop_opened)(lanes_wide(ended), lanes_wide(onset));
             V since = _o38.time;
-            const LANES(hoop_flight_out) _o39 =
+            const LANES(hoop_ring_started_out) _o39 =
+                LANES(hoop_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
+            V rho_start = _o39.rho_start;
+            V parting = _o39.parting;
+            V drift = _o39.drift;
+            const LANES(hoop_flight_out) _o40 =
                 LANES(hoop_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o39.x;
-            V near_y = _o39.y;
-            V near_z = _o39.z;
-            V near_vz = _o39.vz;
-            const LANES(hoop_ring_grain_out) _o40 =
-                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_t = _o40.t;
-            S short_end = _o40.end;
-            S short_x = _o40.x;
-            S short_y = _o40.y;
-            S short_z = _o40.z;
-            S short_vx = _o40.vx;
-            S short_vy = _o40.vy;
-            S short_vz = _o40.vz;
-            S short_leaving = _o40.leaving;
-            S short_steady = _o40.steady;
-            S short_swing = _o40.swing;
-            S short_rho_start = _o40.rho_start;
-            S short_ceiling = _o40.ceiling;
-            S short_flat = _o40.flat;
-            S short_tilt = _o40.tilt;
-            S short_rate_margin = _o40.rate_margin;
-            S short_low1 = _o40.low1;
-            S short_high1 = _o40.high1;
-            S short_low2 = _o40.low2;
-            S short_high2 = _o40.high2;
-            M fits = _o40.fits;
-            const LANES(hoop_coarse_out) _o41 =
-                LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), searching, sound, lanes_wide(short_tilt));
-            M leaping = _o41.leaping;
-            searching = _o41.searching;
-            V ceiling = _o41.ceiling;
-            V flat = _o41.flat;
-            V tilt = _o41.tilt;
+            V near_x = _o40.x;
+            V near_y = _o40.y;
+            V near_z = _o40.z;
+            V near_vz = _o40.vz;
+            const LANES(hoop_ring_grain_out) _o41 =
+                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S short_t = _o41.t;
+            S short_end = _o41.end;
+            S short_x = _o41.x;
+            S short_y = _o41.y;
+            S short_z = _o41.z;
+            S short_vx = _o41.vx;
+            S short_vy = _o41.vy;
+            S short_vz = _o41.vz;
+            S short_leaving = _o41.leaving;
+            S short_steady = _o41.steady;
+            S short_swing = _o41.swing;
+            S short_rho_start = _o41.rho_start;
+            S short_ceiling = _o41.ceiling;
+            S short_flat = _o41.flat;
+            S short_tilt = _o41.tilt;
+            S short_grit = _o41.grit;
+            S short_parting = _o41.parting;
+            S short_drift = _o41.drift;
+            S short_rate_margin = _o41.rate_margin;
+            S short_low1 = _o41.low1;
+            S short_high1 = _o41.high1;
+            S short_low2 = _o41.low2;
+            S short_high2 = _o41.high2;
+            M fits = _o41.fits;
+            const LANES(hoop_coarse_out) _o42 =
+                LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, sound);
+            M leaping = _o42.leaping;
+            searching = _o42.searching;
+            M served = _o42.served;
+            V ceiling = _o42.ceiling;
+            V flat = _o42.flat;
+            V tilt = _o42.tilt;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
-            lanes_store(lists->open_fits + i, lanes_select(fits, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
+            lanes_store(lists->open_rho_start + i, rho_start);
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
+            lanes_store(lists->open_served + i, lanes_select(served, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
             singles_store(lists->open_short_t + i, short_t);
             lanes_store(lists->open_since + i, since);
-            lanes_store(lists->open_sound + i, lanes_select(sound, K(1.0), K(0.0)));
             lanes_store(lists->open_tilt + i, tilt);
             const M packed = lanes_both(rows, leaping);
             if (lanes_any(packed)) {
@@ -764,13 +777,16 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (varying)
                     lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, p_wire_radius);
                 singles_pack(lists->open_leaping_short_ceiling + open_leaping_shots, packed, short_ceiling);
+                singles_pack(lists->open_leaping_short_drift + open_leaping_shots, packed, short_drift);
                 singles_pack(lists->open_leaping_short_end + open_leaping_shots, packed, short_end);
                 singles_pack(lists->open_leaping_short_flat + open_leaping_shots, packed, short_flat);
+                singles_pack(lists->open_leaping_short_grit + open_leaping_shots, packed, short_grit);
                 singles_pack(lists->open_leaping_short_high1 + open_leaping_shots, packed, short_high1);
                 singles_pack(lists->open_leaping_short_high2 + open_leaping_shots, packed, short_high2);
                 singles_pack(lists->open_leaping_short_leaving + open_leaping_shots, packed, short_leaving);
                 singles_pack(lists->open_leaping_short_low1 + open_leaping_shots, packed, short_low1);
                 singles_pack(lists->open_leaping_short_low2 + open_leaping_shots, packed, short_low2);
+                singles_pack(lists->open_leaping_short_parting + open_leaping_shots, packed, short_parting);
                 singles_pack(lists->open_leaping_short_rate_margin + open_leaping_shots, packed, short_rate_margin);
                 singles_pack(lists->open_leaping_short_rho_start + open_leaping_shots, packed, short_rho_start);
                 singles_pack(lists->open_leaping_short_steady + open_leaping_shots, packed, short_steady);
@@ -795,13 +811,16 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V p_ring_radius = lanes_load(lists->p_ring_radius);
             V p_wire_radius = lanes_load(lists->p_wire_radius);
             S short_ceiling = KS(0.0);
+            S short_drift = KS(0.0);
             S short_end = KS(0.0);
             S short_flat = KS(0.0);
+            S short_grit = KS(0.0);
             S short_high1 = KS(0.0);
             S short_high2 = KS(0.0);
             S short_leaving = KS(0.0);
             S short_low1 = KS(0.0);
             S short_low2 = KS(0.0);
+            S short_parting = KS(0.0);
             S short_rate_margin = KS(0.0);
             S short_rho_start = KS(0.0);
             S short_steady = KS(0.0);
@@ -820,13 +839,16 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     row = lanes_expand(lists->open_leaping_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
                     short_ceiling = singles_expand(lists->open_leaping_short_ceiling + taken, idle, short_ceiling);
+                    short_drift = singles_expand(lists->open_leaping_short_drift + taken, idle, short_drift);
                     short_end = singles_expand(lists->open_leaping_short_end + taken, idle, short_end);
                     short_flat = singles_expand(lists->open_leaping_short_flat + taken, idle, short_flat);
+                    short_grit = singles_expand(lists->open_leaping_short_grit + taken, idle, short_grit);
                     short_high1 = singles_expand(lists->open_leaping_short_high1 + taken, idle, short_high1);
                     short_high2 = singles_expand(lists->open_leaping_short_high2 + taken, idle, short_high2);
                     short_leaving = singles_expand(lists->open_leaping_short_leaving + taken, idle, short_leaving);
                     short_low1 = singles_expand(lists->open_leaping_short_low1 + taken, idle, short_low1);
                     short_low2 = singles_expand(lists->open_leaping_short_low2 + taken, idle, short_low2);
+                    short_parting = singles_expand(lists->open_leaping_short_parting + taken, idle, short_parting);
                     short_rate_margin = singles_expand(lists->open_leaping_short_rate_margin + taken, idle, short_rate_margin);
                     short_rho_start = singles_expand(lists->open_leaping_short_rho_start + taken, idle, short_rho_start);
                     short_steady = singles_expand(lists->open_leaping_short_steady + taken, idle, short_steady);
@@ -853,12 +875,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o42 =
-                    LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o42.t;
-                short_end = _o42.end;
-                M certain = _o42.certain;
-                leaping = _o42.leaping;
+                const LANES(hoop_ring_leap_out) _o43 =
+                    LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                short_t = _o43.t;
+                short_end = _o43.end;
+                M certain = _o43.certain;
+                leaping = _o43.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -887,17 +909,16 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V arrival = lanes_load(lists->open_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V extent = lanes_load(lists->open_extent + i);
-            M fits = lanes_less(K(0.0), lanes_load(lists->open_fits + i));
             V last = lanes_load(lists->open_last + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
             S short_t = singles_load(lists->open_short_t + i);
             V since = lanes_load(lists->open_since + i);
-            M sound = lanes_less(K(0.0), lanes_load(lists->open_sound + i));
             V speed = lanes_load(lists->open_speed + i);
             V until = lanes_load(lists->open_until + i);
             V vx = lanes_load(lists->open_vx + i);
@@ -906,12 +927,14 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o43 =
-                LANES(hoop_leapt)(arrival, certain, fits, lanes_wide(short_t), searching, since, sound);
-            arrival = _o43.arrival;
-            V t = _o43.t;
-            searching = _o43.searching;
+            const LANES(hoop_leapt_out) _o44 =
+                LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
+            arrival = _o44.arrival;
+            certain = _o44.certain;
+            V t = _o44.t;
+            searching = _o44.searching;
             lanes_store(lists->open_arrival + i, arrival);
+            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -962,35 +985,36 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o44 =
+            const LANES(hoop_ring_prepare_out) _o45 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o44.steady;
-            V swing = _o44.swing;
-            V rho_start = _o44.rho_start;
-            V low0 = _o44.low0;
-            V high0 = _o44.high0;
-            V low1 = _o44.low1;
-            V high1 = _o44.high1;
-            V low2 = _o44.low2;
-            V high2 = _o44.high2;
-            V ceiling = _o44.ceiling;
-            V latest = _o44.latest;
-            const LANES(hoop_allowance_out) _o45 =
+            V steady = _o45.steady;
+            V swing = _o45.swing;
+            V rho_start = _o45.rho_start;
+            V low0 = _o45.low0;
+            V high0 = _o45.high0;
+            V low1 = _o45.low1;
+            V high1 = _o45.high1;
+            V low2 = _o45.low2;
+            V high2 = _o45.high2;
+            V ceiling = _o45.ceiling;
+            V latest = _o45.latest;
+            const LANES(hoop_allowance_out) _o46 =
                 LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o45.position_level;
-            V velocity_level = _o45.velocity_level;
-            const LANES(hoop_ring_margins_out) _o46 =
+            V position_level = _o46.position_level;
+            V velocity_level = _o46.velocity_level;
+            const LANES(hoop_ring_margins_out) _o47 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o46.margin;
-            V tilt = _o46.leaving_margin;
-            V rate_slack = _o46.rate_margin;
-            const LANES(hoop_ring_enter_out) _o47 =
+            V flat = _o47.margin;
+            V tilt = _o47.leaving_margin;
+            V rate_slack = _o47.rate_margin;
+            const LANES(hoop_ring_enter_out) _o48 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o47.t;
-            V end = _o47.end;
-            M searching = _o47.searching;
+            t = _o48.t;
+            V end = _o48.end;
+            M searching = _o48.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
+            lanes_store(lists->open_searching_rho_start + i, rho_start);
             lanes_store(lists->open_searching_tilt + i, tilt);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -1117,52 +1141,52 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o48 =
+                const LANES(hoop_nearby_out) _o49 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o48.leaving;
-                V margin = _o48.margin;
-                const LANES(hoop_ring_advance_out) _o49 =
+                V leaving = _o49.leaving;
+                V margin = _o49.margin;
+                const LANES(hoop_ring_advance_out) _o50 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o49.gap;
-                V rate = _o49.rate;
-                V bend = _o49.bend;
-                V step = _o49.step;
-                V next = _o49.next;
-                V clearance = _o49.clearance;
-                const LANES(hoop_struck_out) _o50 =
+                V gap = _o50.gap;
+                V rate = _o50.rate;
+                V bend = _o50.bend;
+                V step = _o50.step;
+                V next = _o50.next;
+                V clearance = _o50.clearance;
+                const LANES(hoop_struck_out) _o51 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o50.hit;
-                M sure = _o50.sure;
-                M vague = _o50.vague;
-                const M _m51 = lanes_both(active, vague);
-                if (lanes_any(_m51)) {
-                    const LANES(hoop_finer_out) _o52 =
+                M hit = _o51.hit;
+                M sure = _o51.sure;
+                M vague = _o51.vague;
+                const M _m52 = lanes_both(active, vague);
+                if (lanes_any(_m52)) {
+                    const LANES(hoop_finer_out) _o53 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m51, _o52.share, share);
-                    const LANES(hoop_allowance_out) _o53 =
+                    share = lanes_select(_m52, _o53.share, share);
+                    const LANES(hoop_allowance_out) _o54 =
                         LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o53.position_level;
-                    V velocity_level = _o53.velocity_level;
-                    const LANES(hoop_ring_margins_out) _o54 =
+                    V position_level = _o54.position_level;
+                    V velocity_level = _o54.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o55 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m51, _o54.margin, flat);
-                    tilt = lanes_select(_m51, _o54.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m51, _o54.rate_margin, rate_slack);
+                    flat = lanes_select(_m52, _o55.margin, flat);
+                    tilt = lanes_select(_m52, _o55.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m52, _o55.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) _o55 =
+                const LANES(hoop_advanced_out) _o56 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o55.arrival;
-                certain = _o55.certain;
-                M exhausted = _o55.exhausted;
-                searching = _o55.searching;
-                t = _o55.t;
-                const M _m56 = lanes_both(active, exhausted);
+                arrival = _o56.arrival;
+                certain = _o56.certain;
+                M exhausted = _o56.exhausted;
+                searching = _o56.searching;
+                t = _o56.t;
+                const M _m57 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o57 =
+                    const LANES(hoop_ring_enter_out) _o58 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m56, _o57.t, t);
-                    end = lanes_select(_m56, _o57.end, end);
-                    searching = lanes_choose(_m56, _o57.searching, searching);
+                    t = lanes_select(_m57, _o58.t, t);
+                    end = lanes_select(_m57, _o58.end, end);
+                    searching = lanes_choose(_m57, _o58.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -1197,6 +1221,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             lists->open_ceiling[row] = lists->open_searching_ceiling[k];
             lists->open_certain[row] = lists->open_searching_certain[k];
             lists->open_flat[row] = lists->open_searching_flat[k];
+            lists->open_rho_start[row] = lists->open_searching_rho_start[k];
             lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
@@ -1213,6 +1238,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V rho_start = lanes_load(lists->open_rho_start + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
@@ -1220,9 +1246,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_ring_started_out) _o58 =
-                LANES(hoop_ring_started)(x, y);
-            V rho_start = _o58.rho_start;
             const LANES(hoop_found_out) _o59 =
                 LANES(hoop_found)(arrival);
             M arrives = _o59.arrives;
@@ -1680,14 +1703,14 @@ typedef struct {
     LANES(hoop_column) open_arrival;
     LANES(hoop_column) open_ceiling;
     LANES(hoop_column) open_certain;
-    LANES(hoop_column) open_fits;
     LANES(hoop_column) open_flat;
     LANES(hoop_column) open_latest;
+    LANES(hoop_column) open_rho_start;
     LANES(hoop_column) open_searching;
+    LANES(hoop_column) open_served;
     LANES(hoop_column) open_share;
     LANES(hoop_singles) open_short_t;
     LANES(hoop_column) open_since;
-    LANES(hoop_column) open_sound;
     LANES(hoop_column) open_tilt;
     LANES(hoop_column) open_leaping_row;
     LANES(hoop_column) open_leaping_leaping;
@@ -1696,13 +1719,16 @@ typedef struct {
     LANES(hoop_column) open_leaping_p_ring_radius;
     LANES(hoop_column) open_leaping_p_wire_radius;
     LANES(hoop_singles) open_leaping_short_ceiling;
+    LANES(hoop_singles) open_leaping_short_drift;
     LANES(hoop_singles) open_leaping_short_end;
     LANES(hoop_singles) open_leaping_short_flat;
+    LANES(hoop_singles) open_leaping_short_grit;
     LANES(hoop_singles) open_leaping_short_high1;
     LANES(hoop_singles) open_leaping_short_high2;
     LANES(hoop_singles) open_leaping_short_leaving;
     LANES(hoop_singles) open_leaping_short_low1;
     LANES(hoop_singles) open_leaping_short_low2;
+    LANES(hoop_singles) open_leaping_short_parting;
     LANES(hoop_singles) open_leaping_short_rate_margin;
     LANES(hoop_singles) open_leaping_short_rho_start;
     LANES(hoop_singles) open_leaping_short_steady;
@@ -1740,6 +1766,7 @@ typedef struct {
     LANES(hoop_column) open_searching_ceiling;
     LANES(hoop_column) open_searching_flat;
     LANES(hoop_column) open_searching_latest;
+    LANES(hoop_column) open_searching_rho_start;
     LANES(hoop_column) open_searching_searching;
     LANES(hoop_column) open_searching_tilt;
     LANES(hoop_column) open_searching_searching_row;
@@ -2463,54 +2490,63 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_beyond_out) _o63 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
             doubt = _o63.doubt;
-            const LANES(hoop_flight_out) _o64 =
+            const LANES(hoop_ring_started_out) _o64 =
+                LANES(hoop_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
+            V rho_start = _o64.rho_start;
+            V parting = _o64.parting;
+            V drift = _o64.drift;
+            const LANES(hoop_flight_out) _o65 =
                 LANES(hoop_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o64.x;
-            V near_y = _o64.y;
-            V near_z = _o64.z;
-            V near_vz = _o64.vz;
-            const LANES(hoop_ring_grain_out) _o65 =
-                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_t = _o65.t;
-            S short_end = _o65.end;
-            S short_x = _o65.x;
-            S short_y = _o65.y;
-            S short_z = _o65.z;
-            S short_vx = _o65.vx;
-            S short_vy = _o65.vy;
-            S short_vz = _o65.vz;
-            S short_leaving = _o65.leaving;
-            S short_steady = _o65.steady;
-            S short_swing = _o65.swing;
-            S short_rho_start = _o65.rho_start;
-            S short_ceiling = _o65.ceiling;
-            S short_flat = _o65.flat;
-            S short_tilt = _o65.tilt;
-            S short_rate_margin = _o65.rate_margin;
-            S short_low1 = _o65.low1;
-            S short_high1 = _o65.high1;
-            S short_low2 = _o65.low2;
-            S short_high2 = _o65.high2;
-            M fits = _o65.fits;
-            const LANES(hoop_coarse_out) _o66 =
-                LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), searching, sound, lanes_wide(short_tilt));
-            M leaping = _o66.leaping;
-            searching = _o66.searching;
-            V ceiling = _o66.ceiling;
-            V flat = _o66.flat;
-            V tilt = _o66.tilt;
+            V near_x = _o65.x;
+            V near_y = _o65.y;
+            V near_z = _o65.z;
+            V near_vz = _o65.vz;
+            const LANES(hoop_ring_grain_out) _o66 =
+                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S short_t = _o66.t;
+            S short_end = _o66.end;
+            S short_x = _o66.x;
+            S short_y = _o66.y;
+            S short_z = _o66.z;
+            S short_vx = _o66.vx;
+            S short_vy = _o66.vy;
+            S short_vz = _o66.vz;
+            S short_leaving = _o66.leaving;
+            S short_steady = _o66.steady;
+            S short_swing = _o66.swing;
+            S short_rho_start = _o66.rho_start;
+            S short_ceiling = _o66.ceiling;
+            S short_flat = _o66.flat;
+            S short_tilt = _o66.tilt;
+            S short_grit = _o66.grit;
+            S short_parting = _o66.parting;
+            S short_drift = _o66.drift;
+            S short_rate_margin = _o66.rate_margin;
+            S short_low1 = _o66.low1;
+            S short_high1 = _o66.high1;
+            S short_low2 = _o66.low2;
+            S short_high2 = _o66.high2;
+            M fits = _o66.fits;
+            const LANES(hoop_coarse_out) _o67 =
+                LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, sound);
+            M leaping = _o67.leaping;
+            searching = _o67.searching;
+            M served = _o67.served;
+            V ceiling = _o67.ceiling;
+            V flat = _o67.flat;
+            V tilt = _o67.tilt;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             lanes_store(lists->open_doubt + i, doubt);
-            lanes_store(lists->open_fits + i, lanes_select(fits, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
             lanes_store(lists->open_latest + i, latest);
+            lanes_store(lists->open_rho_start + i, rho_start);
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
+            lanes_store(lists->open_served + i, lanes_select(served, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
             singles_store(lists->open_short_t + i, short_t);
             lanes_store(lists->open_since + i, since);
-            lanes_store(lists->open_sound + i, lanes_select(sound, K(1.0), K(0.0)));
             lanes_store(lists->open_tilt + i, tilt);
             const M packed = lanes_both(rows, leaping);
             if (lanes_any(packed)) {
@@ -2524,13 +2560,16 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (varying)
                     lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, p_wire_radius);
                 singles_pack(lists->open_leaping_short_ceiling + open_leaping_shots, packed, short_ceiling);
+                singles_pack(lists->open_leaping_short_drift + open_leaping_shots, packed, short_drift);
                 singles_pack(lists->open_leaping_short_end + open_leaping_shots, packed, short_end);
                 singles_pack(lists->open_leaping_short_flat + open_leaping_shots, packed, short_flat);
+                singles_pack(lists->open_leaping_short_grit + open_leaping_shots, packed, short_grit);
                 singles_pack(lists->open_leaping_short_high1 + open_leaping_shots, packed, short_high1);
                 singles_pack(lists->open_leaping_short_high2 + open_leaping_shots, packed, short_high2);
                 singles_pack(lists->open_leaping_short_leaving + open_leaping_shots, packed, short_leaving);
                 singles_pack(lists->open_leaping_short_low1 + open_leaping_shots, packed, short_low1);
                 singles_pack(lists->open_leaping_short_low2 + open_leaping_shots, packed, short_low2);
+                singles_pack(lists->open_leaping_short_parting + open_leaping_shots, packed, short_parting);
                 singles_pack(lists->open_leaping_short_rate_margin + open_leaping_shots, packed, short_rate_margin);
                 singles_pack(lists->open_leaping_short_rho_start + open_leaping_shots, packed, short_rho_start);
                 singles_pack(lists->open_leaping_short_steady + open_leaping_shots, packed, short_steady);
@@ -2555,13 +2594,16 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V p_ring_radius = lanes_load(lists->p_ring_radius);
             V p_wire_radius = lanes_load(lists->p_wire_radius);
             S short_ceiling = KS(0.0);
+            S short_drift = KS(0.0);
             S short_end = KS(0.0);
             S short_flat = KS(0.0);
+            S short_grit = KS(0.0);
             S short_high1 = KS(0.0);
             S short_high2 = KS(0.0);
             S short_leaving = KS(0.0);
             S short_low1 = KS(0.0);
             S short_low2 = KS(0.0);
+            S short_parting = KS(0.0);
             S short_rate_margin = KS(0.0);
             S short_rho_start = KS(0.0);
             S short_steady = KS(0.0);
@@ -2580,13 +2622,16 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     row = lanes_expand(lists->open_leaping_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
                     short_ceiling = singles_expand(lists->open_leaping_short_ceiling + taken, idle, short_ceiling);
+                    short_drift = singles_expand(lists->open_leaping_short_drift + taken, idle, short_drift);
                     short_end = singles_expand(lists->open_leaping_short_end + taken, idle, short_end);
                     short_flat = singles_expand(lists->open_leaping_short_flat + taken, idle, short_flat);
+                    short_grit = singles_expand(lists->open_leaping_short_grit + taken, idle, short_grit);
                     short_high1 = singles_expand(lists->open_leaping_short_high1 + taken, idle, short_high1);
                     short_high2 = singles_expand(lists->open_leaping_short_high2 + taken, idle, short_high2);
                     short_leaving = singles_expand(lists->open_leaping_short_leaving + taken, idle, short_leaving);
                     short_low1 = singles_expand(lists->open_leaping_short_low1 + taken, idle, short_low1);
                     short_low2 = singles_expand(lists->open_leaping_short_low2 + taken, idle, short_low2);
+                    short_parting = singles_expand(lists->open_leaping_short_parting + taken, idle, short_parting);
                     short_rate_margin = singles_expand(lists->open_leaping_short_rate_margin + taken, idle, short_rate_margin);
                     short_rho_start = singles_expand(lists->open_leaping_short_rho_start + taken, idle, short_rho_start);
                     short_steady = singles_expand(lists->open_leaping_short_steady + taken, idle, short_steady);
@@ -2613,12 +2658,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o67 =
-                    LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o67.t;
-                short_end = _o67.end;
-                M certain = _o67.certain;
-                leaping = _o67.leaping;
+                const LANES(hoop_ring_leap_out) _o68 =
+                    LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                short_t = _o68.t;
+                short_end = _o68.end;
+                M certain = _o68.certain;
+                leaping = _o68.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -2648,7 +2693,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
-            M fits = lanes_less(K(0.0), lanes_load(lists->open_fits + i));
             V last = lanes_load(lists->open_last + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
@@ -2656,10 +2700,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_position_error + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
             S short_t = singles_load(lists->open_short_t + i);
             V since = lanes_load(lists->open_since + i);
-            M sound = lanes_less(K(0.0), lanes_load(lists->open_sound + i));
             V speed = lanes_load(lists->open_speed + i);
             V until = lanes_load(lists->open_until + i);
             V velocity_error = lanes_load(lists->open_velocity_error + i);
@@ -2669,12 +2713,14 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o68 =
-                LANES(hoop_leapt)(arrival, certain, fits, lanes_wide(short_t), searching, since, sound);
-            arrival = _o68.arrival;
-            V t = _o68.t;
-            searching = _o68.searching;
+            const LANES(hoop_leapt_out) _o69 =
+                LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
+            arrival = _o69.arrival;
+            certain = _o69.certain;
+            V t = _o69.t;
+            searching = _o69.searching;
             lanes_store(lists->open_arrival + i, arrival);
+            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -2731,36 +2777,37 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o69 =
+            const LANES(hoop_ring_prepare_out) _o70 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o69.steady;
-            V swing = _o69.swing;
-            V rho_start = _o69.rho_start;
-            V low0 = _o69.low0;
-            V high0 = _o69.high0;
-            V low1 = _o69.low1;
-            V high1 = _o69.high1;
-            V low2 = _o69.low2;
-            V high2 = _o69.high2;
-            V ceiling = _o69.ceiling;
-            V latest = _o69.latest;
-            const LANES(hoop_allowance_out) _o70 =
+            V steady = _o70.steady;
+            V swing = _o70.swing;
+            V rho_start = _o70.rho_start;
+            V low0 = _o70.low0;
+            V high0 = _o70.high0;
+            V low1 = _o70.low1;
+            V high1 = _o70.high1;
+            V low2 = _o70.low2;
+            V high2 = _o70.high2;
+            V ceiling = _o70.ceiling;
+            V latest = _o70.latest;
+            const LANES(hoop_allowance_out) _o71 =
                 LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o70.position_level;
-            V velocity_level = _o70.velocity_level;
-            const LANES(hoop_ring_margins_out) _o71 =
+            V position_level = _o71.position_level;
+            V velocity_level = _o71.velocity_level;
+            const LANES(hoop_ring_margins_out) _o72 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o71.margin;
-            V tilt = _o71.leaving_margin;
-            V rate_slack = _o71.rate_margin;
-            const LANES(hoop_ring_enter_out) _o72 =
+            V flat = _o72.margin;
+            V tilt = _o72.leaving_margin;
+            V rate_slack = _o72.rate_margin;
+            const LANES(hoop_ring_enter_out) _o73 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o72.t;
-            V end = _o72.end;
-            M searching = _o72.searching;
+            t = _o73.t;
+            V end = _o73.end;
+            M searching = _o73.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
+            lanes_store(lists->open_searching_rho_start + i, rho_start);
             lanes_store(lists->open_searching_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_searching_t + i, t);
             lanes_store(lists->open_searching_tilt + i, tilt);
@@ -2898,56 +2945,56 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o73 =
+                const LANES(hoop_nearby_out) _o74 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o73.leaving;
-                V margin = _o73.margin;
-                const LANES(hoop_ring_advance_out) _o74 =
+                V leaving = _o74.leaving;
+                V margin = _o74.margin;
+                const LANES(hoop_ring_advance_out) _o75 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o74.gap;
-                V rate = _o74.rate;
-                V bend = _o74.bend;
-                V step = _o74.step;
-                V next = _o74.next;
-                V clearance = _o74.clearance;
-                const LANES(hoop_struck_out) _o75 =
+                V gap = _o75.gap;
+                V rate = _o75.rate;
+                V bend = _o75.bend;
+                V step = _o75.step;
+                V next = _o75.next;
+                V clearance = _o75.clearance;
+                const LANES(hoop_struck_out) _o76 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o75.hit;
-                M sure = _o75.sure;
-                M vague = _o75.vague;
-                const M _m76 = lanes_both(active, vague);
-                if (lanes_any(_m76)) {
-                    const LANES(hoop_finer_out) _o77 =
+                M hit = _o76.hit;
+                M sure = _o76.sure;
+                M vague = _o76.vague;
+                const M _m77 = lanes_both(active, vague);
+                if (lanes_any(_m77)) {
+                    const LANES(hoop_finer_out) _o78 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m76, _o77.share, share);
-                    const LANES(hoop_allowance_out) _o78 =
+                    share = lanes_select(_m77, _o78.share, share);
+                    const LANES(hoop_allowance_out) _o79 =
                         LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o78.position_level;
-                    V velocity_level = _o78.velocity_level;
-                    V excess = _o78.excess;
-                    const LANES(hoop_ring_margins_out) _o79 =
+                    V position_level = _o79.position_level;
+                    V velocity_level = _o79.velocity_level;
+                    V excess = _o79.excess;
+                    const LANES(hoop_ring_margins_out) _o80 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m76, _o79.margin, flat);
-                    tilt = lanes_select(_m76, _o79.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m76, _o79.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o80 =
+                    flat = lanes_select(_m77, _o80.margin, flat);
+                    tilt = lanes_select(_m77, _o80.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m77, _o80.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o81 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m76, _o80.doubt, doubt);
+                    doubt = lanes_select(_m77, _o81.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) _o81 =
+                const LANES(hoop_advanced_out) _o82 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o81.arrival;
-                certain = _o81.certain;
-                M exhausted = _o81.exhausted;
-                searching = _o81.searching;
-                t = _o81.t;
-                const M _m82 = lanes_both(active, exhausted);
+                arrival = _o82.arrival;
+                certain = _o82.certain;
+                M exhausted = _o82.exhausted;
+                searching = _o82.searching;
+                t = _o82.t;
+                const M _m83 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o83 =
+                    const LANES(hoop_ring_enter_out) _o84 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m82, _o83.t, t);
-                    end = lanes_select(_m82, _o83.end, end);
-                    searching = lanes_choose(_m82, _o83.searching, searching);
+                    t = lanes_select(_m83, _o84.t, t);
+                    end = lanes_select(_m83, _o84.end, end);
+                    searching = lanes_choose(_m83, _o84.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -2989,9 +3036,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(hoop_questioned_out) _o84 =
+            const LANES(hoop_questioned_out) _o85 =
                 LANES(hoop_questioned)(doubt, t, searching);
-            doubt = _o84.doubt;
+            doubt = _o85.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -3002,6 +3049,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lists->open_doubt[row] = lists->open_searching_doubt[k];
             lists->open_flat[row] = lists->open_searching_flat[k];
             lists->open_latest[row] = lists->open_searching_latest[k];
+            lists->open_rho_start[row] = lists->open_searching_rho_start[k];
             lists->open_tilt[row] = lists->open_searching_tilt[k];
         }
         }
@@ -3018,6 +3066,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V rho_start = lanes_load(lists->open_rho_start + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
@@ -3025,9 +3074,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_ring_started_out) _o85 =
-                LANES(hoop_ring_started)(x, y);
-            V rho_start = _o85.rho_start;
             const LANES(hoop_found_out) _o86 =
                 LANES(hoop_found)(arrival);
             M arrives = _o86.arrives;

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 0c69fbe08f24561f,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation ad3d4fdcacf7e68f,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -263,8 +263,8 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "beyond": ("doubt", "excess", "late", "lost", "pad",),
     "nearby": ("flat", "index", "last", "t", "tilt",),
     "opened": ("horizon", "time",),
-    "coarse": ("ceiling", "fits", "flat", "searching", "sound", "tilt",),
-    "leapt": ("arrival", "certain", "fits", "lasting", "searching", "since", "sound",),
+    "coarse": ("ceiling", "fits", "flat", "rate_margin", "searching", "sound",),
+    "leapt": ("arrival", "certain", "lasting", "searching", "served", "since",),
     "struck": ("bend", "clearance", "gap", "margin", "rate", "rate_margin", "share",),
     "finer": ("share",),
     "exceeded": ("doubt", "excess", "t",),
@@ -365,9 +365,9 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_opened": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_grain": ("t", "end", "leaving", "horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_leap": ("t", "end", "leaving", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_started": ("x", "y",),
+    "ring_grain": ("t", "end", "leaving", "horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "parting", "drift", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_leap": ("t", "end", "leaving", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "grit", "parting", "drift", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_started": ("x", "y", "z", "vx", "vy", "vz", "p_ring_radius",),
     "ring_lost": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_beside": ("p_ball_radius", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
     "ring_closing": ("p_ball_radius", "nx", "ny", "nz", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "thrust_x", "thrust_y", "thrust_z", "p_wire_radius", "x", "y", "z",),
@@ -499,8 +499,8 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "beyond": ("doubt",),
     "nearby": ("leaving", "margin",),
     "opened": ("time", "latest",),
-    "coarse": ("leaping", "searching", "ceiling", "flat", "tilt",),
-    "leapt": ("arrival", "t", "searching",),
+    "coarse": ("leaping", "searching", "served", "ceiling", "flat", "tilt",),
+    "leapt": ("arrival", "certain", "t", "searching",),
     "struck": ("hit", "sure", "vague",),
     "finer": ("share",),
     "exceeded": ("doubt",),
@@ -601,9 +601,9 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_refine": ("time", "gap", "rate",),
     "ring_advance": ("gap", "rate", "bend", "step", "next", "clearance",),
     "ring_opened": ("t", "end", "searching", "low1", "high1", "low2", "high2", "latest", "sound",),
-    "ring_grain": ("t", "end", "x", "y", "z", "vx", "vy", "vz", "leaving", "steady", "swing", "rho_start", "ceiling", "flat", "tilt", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
+    "ring_grain": ("t", "end", "x", "y", "z", "vx", "vy", "vz", "leaving", "steady", "swing", "rho_start", "ceiling", "flat", "tilt", "grit", "parting", "drift", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
     "ring_leap": ("t", "end", "certain", "leaping",),
-    "ring_started": ("rho_start",),
+    "ring_started": ("rho_start", "parting", "drift",),
     "ring_lost": ("lost",),
     "ring_beside": ("gap", "nearing", "dent",),
     "ring_closing": ("gap", "nearing", "swerve", "facing",),
@@ -1312,23 +1312,25 @@ def opened(horizon: Any, time: Any) -> tuple[Any, ...]:
     return time, horizon
 
 
-def coarse(ceiling: Any, fits: Any, flat: Any, searching: Any, sound: Any, tilt: Any) -> tuple[Any, ...]:
+def coarse(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, sound: Any) -> tuple[Any, ...]:
     """Whether a search begins in single precision, and what it is known by.
 
     Table 1. 4 operations: 2 conjunctions, 1 disjunction, 1 complement.
-    Returns leaping, searching, ceiling, flat, tilt.
+    Returns leaping, searching, served, ceiling, flat, tilt.
     """
-    return _logical_and(_logical_and(searching, sound), fits), _logical_or(searching, _logical_not(sound)), ceiling, flat, tilt
+    _s0 = _logical_and(_logical_and(searching, sound), fits)
+    return _s0, _logical_or(searching, _logical_not(sound)), _s0, ceiling, flat, rate_margin
 
 
-def leapt(arrival: Any, certain: Any, fits: Any, lasting: Any, searching: Any, since: Any, sound: Any) -> tuple[Any, ...]:
+def leapt(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
     """What a search in single precision found, and whether it goes on, and from when.
 
     Table 1. 8 operations: 1 addition, 1 comparison, 3 conjunctions, 1 complement, 2 selections.
-    Returns arrival, t, searching.
+    Returns arrival, certain, t, searching.
     """
-    _s0 = lasting + since
-    return _where(certain, _s0, arrival), _where(_logical_and(sound, fits), _s0, 0.0), _logical_and(_logical_and(searching, _logical_not(certain)), (lasting < _inf))
+    _s0 = _logical_and(certain, served)
+    _s1 = lasting + since
+    return _where(_s0, _s1, arrival), _s0, _where(served, _s1, 0.0), _logical_and(_logical_and(searching, _logical_not(_s0)), (lasting < _inf))
 
 
 def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
@@ -3164,11 +3166,11 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, 0.0, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, 0.0, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= 4096.0)), (0.000244140625 <= p_gravity)), (extent <= 4096.0)), (speed <= 4096.0))
 
 
-def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """What a search in single precision is given, from where it begins.
 
-    running error analysis. 72 operations: 14 additions, 8 subtractions, 39 multiplications, 2 divisions, 1 square root, 1 absolute value, 4 comparisons, 1 conjunction, 2 selections.
-    Returns t, end, x, y, z, vx, vy, vz, leaving, steady, swing, rho_start, ceiling, flat, tilt, rate_margin, low1, high1, low2, high2, fits.
+    running error analysis. 82 operations: 16 additions, 8 subtractions, 46 multiplications, 2 divisions, 1 square root, 2 absolute values, 4 comparisons, 1 conjunction, 2 selections.
+    Returns t, end, x, y, z, vx, vy, vz, leaving, steady, swing, rho_start, ceiling, flat, tilt, grit, parting, drift, rate_margin, low1, high1, low2, high2, fits.
     """
     t = _single(t)
     end = _single(end)
@@ -3182,6 +3184,8 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     vz = _single(vz)
     extent = _single(extent)
     speed = _single(speed)
+    parting = _single(parting)
+    drift = _single(drift)
     low1 = _single(low1)
     high1 = _single(high1)
     low2 = _single(low2)
@@ -3190,7 +3194,7 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, *_ = _halves(_room)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _halves(_room)
     _s0 = _add(_multiply(2.0, _multiply(vz, vz, _r0), _r0), _multiply(4.0 * p_gravity, z, _r1), _r1) + _multiply(2.0, _add(_multiply(vx, vx, _r0), _multiply(vy, vy, _r2), _r2), _r2)
     _s1 = _subtract(_multiply(vy, x, _r2), _multiply(vx, y, _r1), _r1)
     _s2 = (2.0 * p_ring_radius) * _multiply(_s1, _s1, _r1)
@@ -3200,20 +3204,22 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     _s6 = 0.0001220703125 * p_ring_radius
     _s7 = _where(_s5 < _s6, _s6, _s5)
     _s8 = 1.0 / _s7
-    _s9 = 1.0009765625 * _add(_add((6.0003662109375 * p_gravity) * _s3, _multiply(_s2, _s8 * (_s8 * _s8), _r1), _r1), _absolute(_s0, _r2), _r2)
-    _s10 = _add(speed, _multiply(p_gravity, horizon, _r2), _r2)
-    _s11 = _subtract(horizon, t, _r1)
-    _s12 = _multiply(p_gravity, _multiply(_s11, _s11, _r1), _r1)
-    _s13 = _add(_multiply(2.9802322387695312e-08, _add(extent, _multiply(horizon, _s10, _r0), _r0), _r0), _multiply(9.5367431640625e-07, _add(_s12, p_ring_radius + _s4, _r3), _r3), _r3)
-    _s14 = _s3 / _s7
-    _s15 = 5.0 * _add(_multiply(_multiply(1.0009765625, _multiply(_s10, _where(1.0 < _s14, _s14, 1.0), _r0), _r0), _s13, _r0), _multiply(2.682209014892578e-07 * _s3, _s10, _r2), _r2)
-    return 0.0, end - t, x, y, z, vx, vy, vz, leaving, _s0, _s2, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r0), _r0)), _s9, (5.0048828125 * _s3) * _s13, _s15, _s15, low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s12 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r1) <= 0.0))
+    _s9 = _add(_add((6.0003662109375 * p_gravity) * _s3, _multiply(_s2, _s8 * (_s8 * _s8), _r1), _r1), _absolute(_s0, _r2), _r2)
+    _s10 = _add(speed, _multiply(p_gravity, horizon, _r1), _r1)
+    _s11 = _add(extent, _multiply(horizon, _s10, _r0), _r0)
+    _s12 = _subtract(horizon, t, _r3)
+    _s13 = _multiply(p_gravity, _multiply(_s12, _s12, _r3), _r3)
+    _s14 = _add(_multiply(2.9802322387695312e-08, _s11, _r4), _multiply(9.5367431640625e-07, _add(_s13, p_ring_radius + _s4, _r5), _r5), _r5)
+    _s15 = _s3 / _s7
+    _s16 = _where(1.0 < _s15, _s15, 1.0)
+    _s17 = _multiply(_s10, _s16, _r4)
+    return 0.0, end - t, x, y, z, vx, vy, vz, leaving, _s0, _s2, _sqrt(_add(_multiply(x, x, _r6), _multiply(y, y, _r7), _r7)), 1.0009765625 * _s9, (5.0048828125 * _s3) * _s14, 1.0009765625 * _add(_multiply(4.76837158203125e-07, _absolute(parting, _r7), _r7), _multiply(1.4901161193847656e-07, _add(_multiply(_s17, _s11, _r0), _multiply(_s3, _s10, _r6), _r6), _r6), _r6), 1.9073486328125e-06 * _multiply(_s9, _s16, _r2), parting, drift, 5.0 * _add(_multiply(_multiply(1.0009765625, _s17, _r4), _s14, _r4), _multiply(2.682209014892578e-07 * _s3, _s10, _r1), _r1), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s13 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r3) <= 0.0))
 
 
-def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
 
-    Newton from the left under a curvature bound. 178 operations: 29 additions, 14 subtractions, 56 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 26 comparisons, 5 conjunctions, 5 disjunctions, 4 complements, 29 selections.
+    Newton from the left under a curvature bound. 190 operations: 30 additions, 16 subtractions, 63 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 27 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 29 selections.
     Returns t, end, certain, leaping.
     """
     t = _single(t)
@@ -3232,6 +3238,9 @@ def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x:
     rho_start = _single(rho_start)
     flat = _single(flat)
     tilt = _single(tilt)
+    grit = _single(grit)
+    parting = _single(parting)
+    drift = _single(drift)
     low1 = _single(low1)
     high1 = _single(high1)
     low2 = _single(low2)
@@ -3254,56 +3263,63 @@ def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x:
     _s10 = _add(z, _multiply(t, _s9, _r7), _r7)
     _s11 = _multiply(2.0, _add(_multiply(_s6, _s7, _r8), _multiply(_s8, _s10, _r9), _r9), _r9)
     _s12 = _negative(_add(rate_margin, _s11, _r8), _r8)
-    _s13 = _multiply(t, tilt, _r10)
+    _s13 = _multiply(t, _add(tilt, _multiply(grit, t, _r10), _r10), _r10)
     _s14 = _logical_and((0.0 < leaving), (_s13 < flat))
     _s15 = _select(_s14, _s13, flat, _r11)
-    _s16 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r12), _multiply(vy, vy, _r13), _r13), _r13), _multiply(2.0, _add(_multiply(vx, x, _r12), _multiply(vy, y, _r14), _r14), _r14), _r14), _add(_subtract(rho_start, p_ring_radius, _r13), _s7, _r13), _r13), _multiply(_s2, _s4, _r4), _r4)
-    _s17 = p_ball_radius + p_wire_radius
-    _s18 = _subtract(_select(_s14, _multiply(t, _add(_s16, _multiply(_add(z, _s10, _r13), _s9, _r13), _r13), _r13), _subtract(_add(_multiply(_s7, _s7, _r0), _multiply(_s10, _s10, _r4), _r4), _s17 * _s17, _r4), _r0), _s15, _r0)
-    _s19 = _select(_s18 < 0.0, 0.0, _s18, _r4)
-    _s20 = _select(0.0 < _s12, _subtract(_multiply(_s12, _s12, _r13), _multiply(_multiply(8.0, ceiling, _r6), _multiply(2.0, _add(_multiply(2.0, _s15, _r14), _s19, _r14), _r14), _r6), _r6), _s12, _r13)
-    _s21 = 0.0 < _s20
-    _s22 = 1.00006103515625 * _s17
-    _s23 = 0.000244140625 * (p_ring_radius + _s22)
-    _s24 = _subtract(_s11, rate_margin, _r13)
-    _s25 = 6.0 * p_gravity
-    _s26 = _subtract(_add(_multiply(_s25, _s10, _r6), _multiply(swing, _multiply(_s5, _multiply(_s5, _s5, _r8), _r8), _r8), _r8), steady, _r8)
-    _s27 = _s24 < 0.0
-    _s28 = _multiply(2.0, _s19, _r6)
-    _s29 = _select(0.0 < _select(0.0 <= _s24, _s19, 0.0, _r2), _inf, _divide(_select(_s27, _s28, _multiply(4.0, _s24, _r2), _r14), _select(_s27, _negative(_s24, _r12), _select(0.0 < _s26, _s26, 0.0, _r15), _r16), _r14), _r2)
-    _s30 = _subtract(end, t, _r16)
-    _s31 = _select(_s29 < _s30, _s29, _s30, _r15)
-    _s32 = _add(_s23, _add(_multiply(_s31, _select(_s8 < 0.0, 0.0, _s8, _r8), _r8), _s10, _r8), _r8)
-    _s33 = _multiply(_s25, _select(_s22 < _s32, _s22, _s32, _r7), _r7)
-    _s34 = _subtract(_add(_multiply(_s31, _select(0.0 < _s6, 0.0, _s6, _r8), _r8), _s2, _r8), _s23, _r8)
-    _s35 = p_ring_radius - _s22
-    _s36 = 0.0001220703125 * p_ring_radius
-    _s37 = _where(_s35 < _s36, _s36, _s35)
-    _s38 = _divide(1.0, _select(_s34 < _s37, _s37, _s34, _r3), _r3)
-    _s39 = _multiply(swing, _multiply(_s38, _multiply(_s38, _s38, _r8), _r8), _r8)
-    _s40 = _subtract(_add(_add(_s33, _s39, _r3), _multiply(0.000244140625, _add(_add(_s39, _absolute(steady, _r1), _r1), _absolute(_s33, _r7), _r7), _r7), _r7), steady, _r7)
-    _s41 = _add(_multiply(_multiply(2.0, _s40, _r3), _s19, _r3), _multiply(_s24, _s24, _r4), _r4)
-    _s42 = _sqrt(_s41, _r3)
-    _s43 = _select(0.0 <= _s41, _divide(_select(_s27, _s28, _add(_s24, _s42, _r4), _r1), _select(_s27, _subtract(_s42, _s24, _r3), _select(0.0 < _s40, _s40, 0.0, _r13), _r8), _r1), _inf, _r4)
-    _s44 = _select(_s43 < _s31, _s43, _s31, _r8)
-    _s45 = _add(t, _s44, _r13)
-    _s46 = _logical_and(_logical_not(_s21), _logical_or(_logical_and((_s11 < 0.0), (_s18 <= _s15)), _logical_not((t < _s45))))
-    _s47 = _logical_not(_logical_or(_s21, _s46))
-    _s48 = _logical_and(_s47, (_s30 <= _s44))
-    _s49 = _select(end < low1, low1, end, _r8)
-    _s50 = _s49 < high1
-    _s51 = _select(end < low2, low2, end, _r4)
-    _s52 = _s51 < high2
-    return _result(_s48, _select(_s50, _s49, _select(_s52, _s51, _inf, _r1), _r15), _select(_s46, t, _s45, _r16), _r0), _result(_s48, _select(_s50, high1, _select(_s52, high2, end, _r16), _r15), end, _r0), _s21, _logical_and(_s47, _logical_or(_logical_not(_s48), _logical_or(_logical_or(False, _s52), _s50)))
+    _s16 = _add(_multiply(vx, vx, _r12), _multiply(vy, vy, _r13), _r13)
+    _s17 = _multiply(_s2, _s4, _r4)
+    _s18 = _multiply(_s17, _add(_multiply(t, _s16, _r12), _multiply(2.0, _add(_multiply(vx, x, _r14), _multiply(vy, y, _r15), _r15), _r15), _r15), _r15)
+    _s19 = _add(_add(_multiply(_multiply(_multiply(2.0, _subtract(rho_start, p_ring_radius, _r12), _r12), _subtract(_s16, _multiply(drift, _s18, _r14), _r14), _r12), _s17, _r12), _multiply(_s18, _s18, _r15), _r15), _multiply(_s9, _s9, _r6), _r6)
+    _s20 = p_ball_radius + p_wire_radius
+    _s21 = _select(_s14, _multiply(t, _add(parting, _multiply(t, _subtract(_s19, _multiply(p_gravity, z, _r15), _r15), _r15), _r15), _r15), _subtract(_add(_multiply(_s7, _s7, _r0), _multiply(_s10, _s10, _r6), _r6), _s20 * _s20, _r6), _r0)
+    _s22 = _subtract(_s21, _s15, _r0)
+    _s23 = _select(_s22 < 0.0, 0.0, _s22, _r6)
+    _s24 = _select(0.0 < _s12, _subtract(_multiply(_s12, _s12, _r15), _multiply(_multiply(8.0, ceiling, _r12), _multiply(2.0, _add(_multiply(2.0, _s15, _r4), _s23, _r4), _r4), _r12), _r12), _s12, _r15)
+    _s25 = 0.0 < _s24
+    _s26 = 1.00006103515625 * _s20
+    _s27 = 0.000244140625 * (p_ring_radius + _s26)
+    _s28 = _subtract(_s11, rate_margin, _r15)
+    _s29 = 6.0 * p_gravity
+    _s30 = _subtract(_add(_multiply(_s29, _s10, _r12), _multiply(swing, _multiply(_s5, _multiply(_s5, _s5, _r8), _r8), _r8), _r8), steady, _r8)
+    _s31 = _s28 < 0.0
+    _s32 = _multiply(2.0, _s23, _r12)
+    _s33 = _select(0.0 < _select(0.0 <= _s28, _s23, 0.0, _r2), _inf, _divide(_select(_s31, _s32, _multiply(4.0, _s28, _r2), _r4), _select(_s31, _negative(_s28, _r14), _select(0.0 < _s30, _s30, 0.0, _r13), _r16), _r4), _r2)
+    _s34 = _subtract(end, t, _r16)
+    _s35 = _select(_s33 < _s34, _s33, _s34, _r13)
+    _s36 = _add(_s27, _add(_multiply(_s35, _select(_s8 < 0.0, 0.0, _s8, _r8), _r8), _s10, _r8), _r8)
+    _s37 = _multiply(_s29, _select(_s26 < _s36, _s26, _s36, _r7), _r7)
+    _s38 = _subtract(_add(_multiply(_s35, _select(0.0 < _s6, 0.0, _s6, _r8), _r8), _s2, _r8), _s27, _r8)
+    _s39 = p_ring_radius - _s26
+    _s40 = 0.0001220703125 * p_ring_radius
+    _s41 = _where(_s39 < _s40, _s40, _s39)
+    _s42 = _divide(1.0, _select(_s38 < _s41, _s41, _s38, _r3), _r3)
+    _s43 = _multiply(swing, _multiply(_s42, _multiply(_s42, _s42, _r8), _r8), _r8)
+    _s44 = _subtract(_add(_add(_s37, _s43, _r3), _multiply(0.000244140625, _add(_add(_s43, _absolute(steady, _r1), _r1), _absolute(_s37, _r7), _r7), _r7), _r7), steady, _r7)
+    _s45 = _add(_multiply(_multiply(2.0, _s44, _r3), _s23, _r3), _multiply(_s28, _s28, _r6), _r6)
+    _s46 = _sqrt(_s45, _r3)
+    _s47 = _select(0.0 <= _s45, _divide(_select(_s31, _s32, _add(_s28, _s46, _r6), _r1), _select(_s31, _subtract(_s46, _s28, _r3), _select(0.0 < _s44, _s44, 0.0, _r15), _r8), _r1), _inf, _r6)
+    _s48 = _select(_s47 < _s35, _s47, _s35, _r8)
+    _s49 = _add(t, _s48, _r15)
+    _s50 = _logical_and(_logical_not(_s25), _logical_or(_logical_and((_s11 < 0.0), (_s22 <= _s15)), _logical_and((t < end), _logical_not((t < _s49)))))
+    _s51 = _logical_not(_logical_or(_s25, _s50))
+    _s52 = _logical_and(_s51, (_s34 <= _s48))
+    _s53 = _select(end < low1, low1, end, _r8)
+    _s54 = _s53 < high1
+    _s55 = _select(end < low2, low2, end, _r6)
+    _s56 = _s55 < high2
+    return _result(_s52, _select(_s54, _s53, _select(_s56, _s55, _inf, _r1), _r13), _select(_s50, t, _s49, _r16), _r0), _result(_s52, _select(_s54, high1, _select(_s56, high2, end, _r16), _r13), end, _r0), _s25, _logical_and(_s51, _logical_or(_logical_not(_s52), _logical_or(_logical_or(False, _s56), _s54)))
 
 
-def ring_started(x: Any, y: Any) -> tuple[Any, ...]:
-    """The distance from the axis at the start of the flight.
+def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Distance from the axis, rate of the gap and of that distance, at the start of the flight.
 
-    Table 2. 4 operations: 1 addition, 2 multiplications, 1 square root.
-    Returns rho_start.
+    Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root.
+    Returns rho_start, parting, drift.
     """
-    return _sqrt(((x * x) + (y * y))),
+    _r0, _r1, *_ = _room
+    _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
+    _s1 = _add(_multiply(vx, x, _r1), _multiply(vy, y, _r0), _r0) / _s0
+    return _s0, 2.0 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
 def ring_lost(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5544,9 +5560,10 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _leaving_1, = left(0.0, _last_1)
         _onset_1, _wide_end_1, _searching_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _ended_1, _sound_1 = ring_opened(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _since_1, *_ = opened(_double(_ended_1), _double(_onset_1))
+        _rho_start_1, _parting_1, _drift_1 = ring_started(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _room_1)
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
-        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _leaping_1, _searching_1, _ceiling_1, _flat_1, _tilt_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _searching_1, _sound_1, _double(_short_tilt_1))
+        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _sound_1)
         _rows3, _count4 = _rows(_leaping_1, _count2)
         if _count4:
             _leaping_2 = _take(_leaping_1, _rows3)
@@ -5555,13 +5572,16 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows3)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows3)
             _short_ceiling_2 = _take(_short_ceiling_1, _rows3)
+            _short_drift_2 = _take(_short_drift_1, _rows3)
             _short_end_2 = _take(_short_end_1, _rows3)
             _short_flat_2 = _take(_short_flat_1, _rows3)
+            _short_grit_2 = _take(_short_grit_1, _rows3)
             _short_high1_2 = _take(_short_high1_1, _rows3)
             _short_high2_2 = _take(_short_high2_1, _rows3)
             _short_leaving_2 = _take(_short_leaving_1, _rows3)
             _short_low1_2 = _take(_short_low1_1, _rows3)
             _short_low2_2 = _take(_short_low2_1, _rows3)
+            _short_parting_2 = _take(_short_parting_1, _rows3)
             _short_rate_margin_2 = _take(_short_rate_margin_1, _rows3)
             _short_rho_start_2 = _take(_short_rho_start_1, _rows3)
             _short_steady_2 = _take(_short_steady_1, _rows3)
@@ -5578,7 +5598,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_t_1 = _copy(_short_t_1, _count2)
             for _ in range(24):
                 _room_2 = room(_count4)
-                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_leaving_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_leaving_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
                 _going5 = _where_true(_leaping_2)
                 if len(_going5) == _count4:
                     continue
@@ -5595,13 +5615,16 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _p_ring_radius_2 = _take(_p_ring_radius_2, _going5)
                 _p_wire_radius_2 = _take(_p_wire_radius_2, _going5)
                 _short_ceiling_2 = _take(_short_ceiling_2, _going5)
+                _short_drift_2 = _take(_short_drift_2, _going5)
                 _short_end_2 = _take(_short_end_2, _going5)
                 _short_flat_2 = _take(_short_flat_2, _going5)
+                _short_grit_2 = _take(_short_grit_2, _going5)
                 _short_high1_2 = _take(_short_high1_2, _going5)
                 _short_high2_2 = _take(_short_high2_2, _going5)
                 _short_leaving_2 = _take(_short_leaving_2, _going5)
                 _short_low1_2 = _take(_short_low1_2, _going5)
                 _short_low2_2 = _take(_short_low2_2, _going5)
+                _short_parting_2 = _take(_short_parting_2, _going5)
                 _short_rate_margin_2 = _take(_short_rate_margin_2, _going5)
                 _short_rho_start_2 = _take(_short_rho_start_2, _going5)
                 _short_steady_2 = _take(_short_steady_2, _going5)
@@ -5617,7 +5640,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_certain_1, _rows3, _certain_2, None)
                 _store(_short_t_1, _rows3, _short_t_2, None)
-        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _fits_1, _double(_short_t_1), _searching_1, _since_1, _sound_1)
+        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
         _rows6, _count7 = _rows(_searching_1, _count2)
         if _count7:
             _arrival_2 = _take(_arrival_1, _rows6)
@@ -5758,8 +5781,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _ceiling_1 = _put(_ceiling_1, _rows6, _ceiling_2, _count2)
             _certain_1 = _put(_certain_1, _rows6, _certain_2, _count2)
             _flat_1 = _put(_flat_1, _rows6, _flat_2, _count2)
+            _rho_start_1 = _put(_rho_start_1, _rows6, _rho_start_2, _count2)
             _tilt_1 = _put(_tilt_1, _rows6, _tilt_2, _count2)
-        _rho_start_1, = ring_started(_x_1, _y_1)
         _arrives_1, _refining_1, *_ = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
         _rows15, _count16 = _rows(_refining_1, _count2)
@@ -7701,9 +7724,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _, _, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
         _lost_1, = ring_lost(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
+        _rho_start_1, _parting_1, _drift_1 = ring_started(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _room_1)
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
-        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _leaping_1, _searching_1, _ceiling_1, _flat_1, _tilt_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _searching_1, _sound_1, _double(_short_tilt_1))
+        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _sound_1)
         _rows3, _count4 = _rows(_leaping_1, _count2)
         if _count4:
             _leaping_2 = _take(_leaping_1, _rows3)
@@ -7712,13 +7736,16 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows3)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows3)
             _short_ceiling_2 = _take(_short_ceiling_1, _rows3)
+            _short_drift_2 = _take(_short_drift_1, _rows3)
             _short_end_2 = _take(_short_end_1, _rows3)
             _short_flat_2 = _take(_short_flat_1, _rows3)
+            _short_grit_2 = _take(_short_grit_1, _rows3)
             _short_high1_2 = _take(_short_high1_1, _rows3)
             _short_high2_2 = _take(_short_high2_1, _rows3)
             _short_leaving_2 = _take(_short_leaving_1, _rows3)
             _short_low1_2 = _take(_short_low1_1, _rows3)
             _short_low2_2 = _take(_short_low2_1, _rows3)
+            _short_parting_2 = _take(_short_parting_1, _rows3)
             _short_rate_margin_2 = _take(_short_rate_margin_1, _rows3)
             _short_rho_start_2 = _take(_short_rho_start_1, _rows3)
             _short_steady_2 = _take(_short_steady_1, _rows3)
@@ -7735,7 +7762,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_t_1 = _copy(_short_t_1, _count2)
             for _ in range(24):
                 _room_2 = room(_count4)
-                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_leaving_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_leaving_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
                 _going5 = _where_true(_leaping_2)
                 if len(_going5) == _count4:
                     continue
@@ -7752,13 +7779,16 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _p_ring_radius_2 = _take(_p_ring_radius_2, _going5)
                 _p_wire_radius_2 = _take(_p_wire_radius_2, _going5)
                 _short_ceiling_2 = _take(_short_ceiling_2, _going5)
+                _short_drift_2 = _take(_short_drift_2, _going5)
                 _short_end_2 = _take(_short_end_2, _going5)
                 _short_flat_2 = _take(_short_flat_2, _going5)
+                _short_grit_2 = _take(_short_grit_2, _going5)
                 _short_high1_2 = _take(_short_high1_2, _going5)
                 _short_high2_2 = _take(_short_high2_2, _going5)
                 _short_leaving_2 = _take(_short_leaving_2, _going5)
                 _short_low1_2 = _take(_short_low1_2, _going5)
                 _short_low2_2 = _take(_short_low2_2, _going5)
+                _short_parting_2 = _take(_short_parting_2, _going5)
                 _short_rate_margin_2 = _take(_short_rate_margin_2, _going5)
                 _short_rho_start_2 = _take(_short_rho_start_2, _going5)
                 _short_steady_2 = _take(_short_steady_2, _going5)
@@ -7774,7 +7804,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_certain_1, _rows3, _certain_2, None)
                 _store(_short_t_1, _rows3, _short_t_2, None)
-        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _fits_1, _double(_short_t_1), _searching_1, _since_1, _sound_1)
+        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
         _rows6, _count7 = _rows(_searching_1, _count2)
         if _count7:
             _arrival_2 = _take(_arrival_1, _rows6)
@@ -7938,8 +7968,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _doubt_1 = _put(_doubt_1, _rows6, _doubt_2, _count2)
             _flat_1 = _put(_flat_1, _rows6, _flat_2, _count2)
             _latest_1 = _put(_latest_1, _rows6, _latest_2, _count2)
+            _rho_start_1 = _put(_rho_start_1, _rows6, _rho_start_2, _count2)
             _tilt_1 = _put(_tilt_1, _rows6, _tilt_2, _count2)
-        _rho_start_1, = ring_started(_x_1, _y_1)
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
         _rows15, _count16 = _rows(_refining_1, _count2)
