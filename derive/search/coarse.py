@@ -14,9 +14,9 @@ the place there are 6 v A + 7/2 v g D², of the gap's formula what 5/2 v A would
 times the speed, and of F/t, 24 v A times the speed and max(1, R/I). The margins of the search in
 double precision, given these as errors, are therefore those of the search in single precision.
 
-Of the bound on F'' the roundings stay below `ease`: rho' is off by v V (39 A/I + 5), which moves
-rho on a window by 2^-12.7 A at the most where A <= 2^5 I; z by 2^-14 R where g D² <= 2^7 R; the
-rest is relative, 8 v. By so much time is rounded at the edges of windows, too, where no contact can
+Of the bound on F'' the roundings stay below `blur` and `ease`: rho is off by 6 v A, and rho' by
+v V (39 A/I + 5), less than 2^-13 V where A <= 2^5 I; z by (10 R + 7/2 g D²) v, less than 2^-15 R
+where g D² <= 2^7 R; the rest is relative, 8 v. By so much time is rounded at the edges of windows, too, where no contact can
 begin: 2^-16 R and less, of the 2^-14 R that they are wider by.
 
 So a step is without a root for the true flight, too, and where the slope r fulfils
@@ -74,7 +74,7 @@ class CoarseRing(RingApproach):
 
     unit: ClassVar[sp.Expr] = sp.Rational(1, 2**24)
     hardly: ClassVar[sp.Expr] = sp.Rational(1, 2**60)
-    ease: ClassVar[sp.Expr] = sp.Rational(1, 2**12)
+    ease: ClassVar[sp.Expr] = sp.Rational(1, 2**18)
 
     @property
     def passed(self) -> tuple[sp.Symbol, ...]:
@@ -123,6 +123,14 @@ class CoarseRing(RingApproach):
             AtMost(speed, _LONGEST),
         )
         return first | later | {"latest": ends, "sound": sound}
+
+    def blur(self, width: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return the same of single precision, as in the head of this file."""
+        _, outermost = self.radii()
+        vx, vy, _ = VELOCITY
+        moved = hold(hold(sp.Abs(vx) + sp.Abs(vy)) * width)
+        around = sp.Rational(1, 2**20) * outermost + sp.Rational(1, 2**13) * moved
+        return around, sp.Rational(1, 2**15) * self.ring.reach
 
     @property
     def leaving_gap(self) -> sp.Expr:

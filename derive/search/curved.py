@@ -181,7 +181,10 @@ def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     yield Do(KERNELS["coarse"], {name: short[name] for name in given_away})
     leap = own["leap"]
     kept = {name: short[name] for name in map(variable, leap.arguments) if name in short}
-    yield Repeat("leaping", TURNS, (Do(leap, kept, {"t": "short_t", "end": "short_end"}),))
+    step = Do(leap, kept, {"t": "short_t", "end": "short_end"})
+    # Most searches end with the first step: it needs no list.
+    yield Guard("leaping", (step,))
+    yield Repeat("leaping", TURNS, (step,))
     yield Do(KERNELS["leapt"], {"lasting": "short_t"})
 
 
@@ -236,6 +239,9 @@ def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         Do(own["refine"], {"t": "arrival"}, {"time": "refined"}),
         Do(KERNELS["polished"]),
     )
+    # Most need two: these need no list.
+    yield Guard("refining", newton)
+    yield Guard("refining", newton)
     yield Repeat("refining", NEWTON_LIMIT, newton)
     yield Do(own["margins"], {"horizon": "latest"}, {"margin": "flat", "leaving_margin": "tilt"})
     yield Do(KERNELS["own_margin"])

@@ -38,7 +38,7 @@ class RingApproach(PolarApproach):
     """The square of a horizontal speed at which no times of windows are known."""
 
     ease: ClassVar[sp.Expr] = sp.Rational(1, 2**40)
-    """More than what roundings make of the bound on F'', of its size, and of z and rho in it."""
+    """More than what roundings make of the bound on F'', of the size of its terms."""
 
     @property
     def named(self) -> dict[str, sp.Expr]:
@@ -173,15 +173,22 @@ class RingApproach(PolarApproach):
         rho is convex in time, and so never below its tangent.
         """
         there, moving, rho = self._here()
-        innermost, outermost = self.radii()
+        innermost, _ = self.radii()
+        around, above = self.blur(width)
         rising = hold(there[2] + largest(moving[2], 0) * width)
-        highest = smallest(hold(rising + self.ease * outermost), self.reach)
+        highest = smallest(hold(rising + above), self.reach)
         tangent = hold(rho + smallest(self._outward_speed(), 0) * width)
-        least = largest(hold(tangent - self.ease * outermost), innermost)
+        least = largest(hold(tangent - around), innermost)
         fall = 6 * self.gravity * highest
         turn = swing * hold(1 / hold(least)) ** 3
         slack = self.ease * hold(size(fall) + turn + size(steady))
         return fall + turn - steady + slack
+
+    def blur(self, width: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return more than what roundings make of rho and of z, along their tangents."""
+        del width
+        _, outermost = self.radii()
+        return (self.ease * outermost,) * 2
 
     @property
     def clear(self) -> sp.Expr:

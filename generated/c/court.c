@@ -1,6 +1,6 @@
 /* court: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene court, derivation ad3d4fdcacf7e68f,
+   Generated from templates/c/scene.c.j2, scene court, derivation 1d4de2563d5a3b0a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation ad3d4fdcacf7e68f,
+   Generated from templates/c/engine.h.j2, scene court, derivation 1d4de2563d5a3b0a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -786,114 +786,114 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o100 =
+        const LANES(court_resumed_out) _o120 =
             LANES(court_resumed)(clock, mode, K(0.0), K(0.0));
-        V which = _o100.which;
-        V began = _o100.began;
-        M begins = _o100.begins;
-        M rolling = _o100.rolling;
-        M leaves = _o100.leaves;
-        V nx = _o100.nx;
-        V ny = _o100.ny;
-        V nz = _o100.nz;
-        V gap = _o100.gap;
-        V bent_x = _o100.bent_x;
-        V bent_y = _o100.bent_y;
-        V bent_z = _o100.bent_z;
-        V lift = _o100.lift;
-        V surge = _o100.surge;
-        V snap = _o100.snap;
-        V per_reach = _o100.per_reach;
-        const M _m101 = lanes_both(rows, begins);
-        if (lanes_any(_m101)) {
-            const LANES(court_holding_out) _o102 =
+        V which = _o120.which;
+        V began = _o120.began;
+        M begins = _o120.begins;
+        M rolling = _o120.rolling;
+        M leaves = _o120.leaves;
+        V nx = _o120.nx;
+        V ny = _o120.ny;
+        V nz = _o120.nz;
+        V gap = _o120.gap;
+        V bent_x = _o120.bent_x;
+        V bent_y = _o120.bent_y;
+        V bent_z = _o120.bent_z;
+        V lift = _o120.lift;
+        V surge = _o120.surge;
+        V snap = _o120.snap;
+        V per_reach = _o120.per_reach;
+        const M _m121 = lanes_both(rows, begins);
+        if (lanes_any(_m121)) {
+            const LANES(court_holding_out) _o122 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o102.here;
-            const M _m103 = lanes_both(_m101, here);
+            M here = _o122.here;
+            const M _m123 = lanes_both(_m121, here);
             {
-                const LANES(court_ring_normal_out) _o104 =
+                const LANES(court_ring_normal_out) _o124 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m103, _o104.nx, nx);
-                ny = lanes_select(_m103, _o104.ny, ny);
-                nz = lanes_select(_m103, _o104.nz, nz);
+                nx = lanes_select(_m123, _o124.nx, nx);
+                ny = lanes_select(_m123, _o124.ny, ny);
+                nz = lanes_select(_m123, _o124.nz, nz);
             }
-            const LANES(court_holding_out) _o105 =
+            const LANES(court_holding_out) _o125 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o105.here;
-            const M _m106 = lanes_both(_m101, here);
+            here = _o125.here;
+            const M _m126 = lanes_both(_m121, here);
             {
-                const LANES(court_backboard_normal_out) _o107 =
+                const LANES(court_backboard_normal_out) _o127 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m106, _o107.nx, nx);
-                ny = lanes_select(_m106, _o107.ny, ny);
-                nz = lanes_select(_m106, _o107.nz, nz);
+                nx = lanes_select(_m126, _o127.nx, nx);
+                ny = lanes_select(_m126, _o127.ny, ny);
+                nz = lanes_select(_m126, _o127.nz, nz);
             }
-            const LANES(court_holding_out) _o108 =
+            const LANES(court_holding_out) _o128 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o108.here;
-            const M _m109 = lanes_both(_m101, here);
+            here = _o128.here;
+            const M _m129 = lanes_both(_m121, here);
             {
-                const LANES(court_bridge_normal_out) _o110 =
+                const LANES(court_bridge_normal_out) _o130 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m109, _o110.nx, nx);
-                ny = lanes_select(_m109, _o110.ny, ny);
-                nz = lanes_select(_m109, _o110.nz, nz);
+                nx = lanes_select(_m129, _o130.nx, nx);
+                ny = lanes_select(_m129, _o130.ny, ny);
+                nz = lanes_select(_m129, _o130.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o111 =
+            const LANES(court_roll_turn_rate_out) _o131 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o111.turn_rate;
-            const LANES(court_gripped_out) _o112 =
+            V turn_rate = _o131.turn_rate;
+            const LANES(court_gripped_out) _o132 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o112.rolled_x;
-            V rolled_y = _o112.rolled_y;
-            V rolled_z = _o112.rolled_z;
-            const LANES(court_holding_out) _o113 =
+            V rolled_x = _o132.rolled_x;
+            V rolled_y = _o132.rolled_y;
+            V rolled_z = _o132.rolled_z;
+            const LANES(court_holding_out) _o133 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o113.here;
-            const M _m114 = lanes_both(_m101, here);
+            here = _o133.here;
+            const M _m134 = lanes_both(_m121, here);
             {
-                const LANES(court_ring_off_out) _o115 =
+                const LANES(court_ring_off_out) _o135 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m114, _o115.gap, gap);
+                gap = lanes_select(_m134, _o135.gap, gap);
             }
-            const LANES(court_holding_out) _o116 =
+            const LANES(court_holding_out) _o136 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o116.here;
-            const M _m117 = lanes_both(_m101, here);
+            here = _o136.here;
+            const M _m137 = lanes_both(_m121, here);
             {
-                const LANES(court_backboard_off_out) _o118 =
+                const LANES(court_backboard_off_out) _o138 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m117, _o118.gap, gap);
+                gap = lanes_select(_m137, _o138.gap, gap);
             }
-            const LANES(court_holding_out) _o119 =
+            const LANES(court_holding_out) _o139 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o119.here;
-            const M _m120 = lanes_both(_m101, here);
+            here = _o139.here;
+            const M _m140 = lanes_both(_m121, here);
             {
-                const LANES(court_bridge_off_out) _o121 =
+                const LANES(court_bridge_off_out) _o141 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m120, _o121.gap, gap);
+                gap = lanes_select(_m140, _o141.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o122 =
+            const LANES(court_roll_placed_out) _o142 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m101, _o122.x, x);
-            y = lanes_select(_m101, _o122.y, y);
-            z = lanes_select(_m101, _o122.z, z);
-            vx = lanes_select(_m101, _o122.vx, vx);
-            vy = lanes_select(_m101, _o122.vy, vy);
-            vz = lanes_select(_m101, _o122.vz, vz);
-            wx = lanes_select(_m101, _o122.wx, wx);
-            wy = lanes_select(_m101, _o122.wy, wy);
-            wz = lanes_select(_m101, _o122.wz, wz);
-            const LANES(court_beginning_contact_out) _o123 =
+            x = lanes_select(_m121, _o142.x, x);
+            y = lanes_select(_m121, _o142.y, y);
+            z = lanes_select(_m121, _o142.z, z);
+            vx = lanes_select(_m121, _o142.vx, vx);
+            vy = lanes_select(_m121, _o142.vy, vy);
+            vz = lanes_select(_m121, _o142.vz, vz);
+            wx = lanes_select(_m121, _o142.wx, wx);
+            wy = lanes_select(_m121, _o142.wy, wy);
+            wz = lanes_select(_m121, _o142.wz, wz);
+            const LANES(court_beginning_contact_out) _o143 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m101, _o123.which, which);
-            circled = lanes_select(_m101, _o123.circled, circled);
+            which = lanes_select(_m121, _o143.which, which);
+            circled = lanes_select(_m121, _o143.circled, circled);
         }
-        const LANES(court_circles_out) _o124 =
+        const LANES(court_circles_out) _o144 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o124.circling;
-        rolling = _o124.rolling;
+        M circling = _o144.circling;
+        rolling = _o144.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -1046,388 +1046,388 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_holding_out) _o125 =
+            const LANES(court_holding_out) _o145 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o125.here;
-            const M _m126 = lanes_both(active, here);
-            if (lanes_any(_m126)) {
-                const LANES(court_backboard_normal_out) _o127 =
+            M here = _o145.here;
+            const M _m146 = lanes_both(active, here);
+            if (lanes_any(_m146)) {
+                const LANES(court_backboard_normal_out) _o147 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m126, _o127.nx, nx);
-                ny = lanes_select(_m126, _o127.ny, ny);
-                nz = lanes_select(_m126, _o127.nz, nz);
-                const LANES(court_backboard_tube_out) _o128 =
+                nx = lanes_select(_m146, _o147.nx, nx);
+                ny = lanes_select(_m146, _o147.ny, ny);
+                nz = lanes_select(_m146, _o147.nz, nz);
+                const LANES(court_backboard_tube_out) _o148 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m126, _o128.bent_x, bent_x);
-                bent_y = lanes_select(_m126, _o128.bent_y, bent_y);
-                bent_z = lanes_select(_m126, _o128.bent_z, bent_z);
-                per_reach = lanes_select(_m126, _o128.per_reach, per_reach);
+                bent_x = lanes_select(_m146, _o148.bent_x, bent_x);
+                bent_y = lanes_select(_m146, _o148.bent_y, bent_y);
+                bent_z = lanes_select(_m146, _o148.bent_z, bent_z);
+                per_reach = lanes_select(_m146, _o148.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o129 =
+            const LANES(court_holding_out) _o149 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o129.here;
-            const M _m130 = lanes_both(active, here);
-            if (lanes_any(_m130)) {
-                const LANES(court_bridge_normal_out) _o131 =
+            here = _o149.here;
+            const M _m150 = lanes_both(active, here);
+            if (lanes_any(_m150)) {
+                const LANES(court_bridge_normal_out) _o151 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m130, _o131.nx, nx);
-                ny = lanes_select(_m130, _o131.ny, ny);
-                nz = lanes_select(_m130, _o131.nz, nz);
-                const LANES(court_bridge_tube_out) _o132 =
+                nx = lanes_select(_m150, _o151.nx, nx);
+                ny = lanes_select(_m150, _o151.ny, ny);
+                nz = lanes_select(_m150, _o151.nz, nz);
+                const LANES(court_bridge_tube_out) _o152 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m130, _o132.bent_x, bent_x);
-                bent_y = lanes_select(_m130, _o132.bent_y, bent_y);
-                bent_z = lanes_select(_m130, _o132.bent_z, bent_z);
-                per_reach = lanes_select(_m130, _o132.per_reach, per_reach);
+                bent_x = lanes_select(_m150, _o152.bent_x, bent_x);
+                bent_y = lanes_select(_m150, _o152.bent_y, bent_y);
+                bent_z = lanes_select(_m150, _o152.bent_z, bent_z);
+                per_reach = lanes_select(_m150, _o152.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o133 =
+            const LANES(court_roll_start_out) _o153 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o133.vx_0;
-            V vy_0 = _o133.vy_0;
-            V vz_0 = _o133.vz_0;
-            V nx_0 = _o133.nx_0;
-            V ny_0 = _o133.ny_0;
-            V nz_0 = _o133.nz_0;
-            V turn_rate_0 = _o133.turn_rate_0;
-            const LANES(court_roll_0_out) _o134 =
+            V vx_0 = _o153.vx_0;
+            V vy_0 = _o153.vy_0;
+            V vz_0 = _o153.vz_0;
+            V nx_0 = _o153.nx_0;
+            V ny_0 = _o153.ny_0;
+            V nz_0 = _o153.nz_0;
+            V turn_rate_0 = _o153.turn_rate_0;
+            const LANES(court_roll_0_out) _o154 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o134.lift_0;
-            V tx_0 = _o134.tx_0;
-            V ty_0 = _o134.ty_0;
-            V tz_0 = _o134.tz_0;
-            V vx_1 = _o134.vx_1;
-            V vy_1 = _o134.vy_1;
-            V vz_1 = _o134.vz_1;
-            V nx_1 = _o134.nx_1;
-            V ny_1 = _o134.ny_1;
-            V nz_1 = _o134.nz_1;
-            V turn_rate_1 = _o134.turn_rate_1;
-            const LANES(court_roll_1_out) _o135 =
+            V lift_0 = _o154.lift_0;
+            V tx_0 = _o154.tx_0;
+            V ty_0 = _o154.ty_0;
+            V tz_0 = _o154.tz_0;
+            V vx_1 = _o154.vx_1;
+            V vy_1 = _o154.vy_1;
+            V vz_1 = _o154.vz_1;
+            V nx_1 = _o154.nx_1;
+            V ny_1 = _o154.ny_1;
+            V nz_1 = _o154.nz_1;
+            V turn_rate_1 = _o154.turn_rate_1;
+            const LANES(court_roll_1_out) _o155 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o135.lift_1;
-            V tx_1 = _o135.tx_1;
-            V ty_1 = _o135.ty_1;
-            V tz_1 = _o135.tz_1;
-            V vx_2 = _o135.vx_2;
-            V vy_2 = _o135.vy_2;
-            V vz_2 = _o135.vz_2;
-            V nx_2 = _o135.nx_2;
-            V ny_2 = _o135.ny_2;
-            V nz_2 = _o135.nz_2;
-            V turn_rate_2 = _o135.turn_rate_2;
-            const LANES(court_roll_2_out) _o136 =
+            V lift_1 = _o155.lift_1;
+            V tx_1 = _o155.tx_1;
+            V ty_1 = _o155.ty_1;
+            V tz_1 = _o155.tz_1;
+            V vx_2 = _o155.vx_2;
+            V vy_2 = _o155.vy_2;
+            V vz_2 = _o155.vz_2;
+            V nx_2 = _o155.nx_2;
+            V ny_2 = _o155.ny_2;
+            V nz_2 = _o155.nz_2;
+            V turn_rate_2 = _o155.turn_rate_2;
+            const LANES(court_roll_2_out) _o156 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o136.lift_2;
-            V tx_2 = _o136.tx_2;
-            V ty_2 = _o136.ty_2;
-            V tz_2 = _o136.tz_2;
-            V vx_3 = _o136.vx_3;
-            V vy_3 = _o136.vy_3;
-            V vz_3 = _o136.vz_3;
-            V nx_3 = _o136.nx_3;
-            V ny_3 = _o136.ny_3;
-            V nz_3 = _o136.nz_3;
-            V turn_rate_3 = _o136.turn_rate_3;
-            const LANES(court_roll_3_out) _o137 =
+            V lift_2 = _o156.lift_2;
+            V tx_2 = _o156.tx_2;
+            V ty_2 = _o156.ty_2;
+            V tz_2 = _o156.tz_2;
+            V vx_3 = _o156.vx_3;
+            V vy_3 = _o156.vy_3;
+            V vz_3 = _o156.vz_3;
+            V nx_3 = _o156.nx_3;
+            V ny_3 = _o156.ny_3;
+            V nz_3 = _o156.nz_3;
+            V turn_rate_3 = _o156.turn_rate_3;
+            const LANES(court_roll_3_out) _o157 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o137.lift_3;
-            V tx_3 = _o137.tx_3;
-            V ty_3 = _o137.ty_3;
-            V tz_3 = _o137.tz_3;
-            V vx_4 = _o137.vx_4;
-            V vy_4 = _o137.vy_4;
-            V vz_4 = _o137.vz_4;
-            V nx_4 = _o137.nx_4;
-            V ny_4 = _o137.ny_4;
-            V nz_4 = _o137.nz_4;
-            V turn_rate_4 = _o137.turn_rate_4;
-            const LANES(court_roll_4_out) _o138 =
+            V lift_3 = _o157.lift_3;
+            V tx_3 = _o157.tx_3;
+            V ty_3 = _o157.ty_3;
+            V tz_3 = _o157.tz_3;
+            V vx_4 = _o157.vx_4;
+            V vy_4 = _o157.vy_4;
+            V vz_4 = _o157.vz_4;
+            V nx_4 = _o157.nx_4;
+            V ny_4 = _o157.ny_4;
+            V nz_4 = _o157.nz_4;
+            V turn_rate_4 = _o157.turn_rate_4;
+            const LANES(court_roll_4_out) _o158 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o138.lift_4;
-            V tx_4 = _o138.tx_4;
-            V ty_4 = _o138.ty_4;
-            V tz_4 = _o138.tz_4;
-            V vx_5 = _o138.vx_5;
-            V vy_5 = _o138.vy_5;
-            V vz_5 = _o138.vz_5;
-            V nx_5 = _o138.nx_5;
-            V ny_5 = _o138.ny_5;
-            V nz_5 = _o138.nz_5;
-            V turn_rate_5 = _o138.turn_rate_5;
-            const LANES(court_roll_5_out) _o139 =
+            V lift_4 = _o158.lift_4;
+            V tx_4 = _o158.tx_4;
+            V ty_4 = _o158.ty_4;
+            V tz_4 = _o158.tz_4;
+            V vx_5 = _o158.vx_5;
+            V vy_5 = _o158.vy_5;
+            V vz_5 = _o158.vz_5;
+            V nx_5 = _o158.nx_5;
+            V ny_5 = _o158.ny_5;
+            V nz_5 = _o158.nz_5;
+            V turn_rate_5 = _o158.turn_rate_5;
+            const LANES(court_roll_5_out) _o159 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o139.lift_5;
-            V tx_5 = _o139.tx_5;
-            V ty_5 = _o139.ty_5;
-            V tz_5 = _o139.tz_5;
-            V vx_6 = _o139.vx_6;
-            V vy_6 = _o139.vy_6;
-            V vz_6 = _o139.vz_6;
-            V nx_6 = _o139.nx_6;
-            V ny_6 = _o139.ny_6;
-            V nz_6 = _o139.nz_6;
-            V turn_rate_6 = _o139.turn_rate_6;
-            const LANES(court_roll_6_out) _o140 =
+            V lift_5 = _o159.lift_5;
+            V tx_5 = _o159.tx_5;
+            V ty_5 = _o159.ty_5;
+            V tz_5 = _o159.tz_5;
+            V vx_6 = _o159.vx_6;
+            V vy_6 = _o159.vy_6;
+            V vz_6 = _o159.vz_6;
+            V nx_6 = _o159.nx_6;
+            V ny_6 = _o159.ny_6;
+            V nz_6 = _o159.nz_6;
+            V turn_rate_6 = _o159.turn_rate_6;
+            const LANES(court_roll_6_out) _o160 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o140.lift_6;
-            V tx_6 = _o140.tx_6;
-            V ty_6 = _o140.ty_6;
-            V tz_6 = _o140.tz_6;
-            V vx_7 = _o140.vx_7;
-            V vy_7 = _o140.vy_7;
-            V vz_7 = _o140.vz_7;
-            V nx_7 = _o140.nx_7;
-            V ny_7 = _o140.ny_7;
-            V nz_7 = _o140.nz_7;
-            V turn_rate_7 = _o140.turn_rate_7;
-            const LANES(court_roll_7_out) _o141 =
+            V lift_6 = _o160.lift_6;
+            V tx_6 = _o160.tx_6;
+            V ty_6 = _o160.ty_6;
+            V tz_6 = _o160.tz_6;
+            V vx_7 = _o160.vx_7;
+            V vy_7 = _o160.vy_7;
+            V vz_7 = _o160.vz_7;
+            V nx_7 = _o160.nx_7;
+            V ny_7 = _o160.ny_7;
+            V nz_7 = _o160.nz_7;
+            V turn_rate_7 = _o160.turn_rate_7;
+            const LANES(court_roll_7_out) _o161 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o141.lift_7;
-            V vx_8 = _o141.vx_8;
-            V vy_8 = _o141.vy_8;
-            V vz_8 = _o141.vz_8;
-            V nx_8 = _o141.nx_8;
-            V ny_8 = _o141.ny_8;
-            V nz_8 = _o141.nz_8;
-            V turn_rate_8 = _o141.turn_rate_8;
-            const LANES(court_roll_pace_out) _o142 =
+            V lift_7 = _o161.lift_7;
+            V vx_8 = _o161.vx_8;
+            V vy_8 = _o161.vy_8;
+            V vz_8 = _o161.vz_8;
+            V nx_8 = _o161.nx_8;
+            V ny_8 = _o161.ny_8;
+            V nz_8 = _o161.nz_8;
+            V turn_rate_8 = _o161.turn_rate_8;
+            const LANES(court_roll_pace_out) _o162 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o142.stride;
-            V strongest = _o142.strongest;
-            V fastest = _o142.fastest;
-            V force = _o142.force;
-            V force_rate = _o142.force_rate;
-            V force_bend = _o142.force_bend;
-            V brace = _o142.brace;
-            const LANES(court_leaving_force_out) _o143 =
+            V stride = _o162.stride;
+            V strongest = _o162.strongest;
+            V fastest = _o162.fastest;
+            V force = _o162.force;
+            V force_rate = _o162.force_rate;
+            V force_bend = _o162.force_bend;
+            V brace = _o162.brace;
+            const LANES(court_leaving_force_out) _o163 =
                 LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o143.stride;
-            which = _o143.which;
-            M rests = _o143.rests;
-            const LANES(court_beside_out) _o144 =
+            stride = _o163.stride;
+            which = _o163.which;
+            M rests = _o163.rests;
+            const LANES(court_beside_out) _o164 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o144.beside;
-            const M _m145 = lanes_both(active, beside);
-            if (lanes_any(_m145)) {
-                const LANES(court_ring_beside_out) _o146 =
+            M beside = _o164.beside;
+            const M _m165 = lanes_both(active, beside);
+            if (lanes_any(_m165)) {
+                const LANES(court_ring_beside_out) _o166 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o146.gap;
-                V nearing = _o146.nearing;
-                V dent = _o146.dent;
-                const LANES(court_beside_body_out) _o147 =
+                V gap = _o166.gap;
+                V nearing = _o166.nearing;
+                V dent = _o166.dent;
+                const LANES(court_beside_body_out) _o167 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(0.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m145, _o147.stride, stride);
-                which = lanes_select(_m145, _o147.which, which);
+                stride = lanes_select(_m165, _o167.stride, stride);
+                which = lanes_select(_m165, _o167.which, which);
             }
-            const LANES(court_beside_out) _o148 =
+            const LANES(court_beside_out) _o168 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o148.beside;
-            const M _m149 = lanes_both(active, beside);
-            if (lanes_any(_m149)) {
-                const LANES(court_backboard_beside_out) _o150 =
+            beside = _o168.beside;
+            const M _m169 = lanes_both(active, beside);
+            if (lanes_any(_m169)) {
+                const LANES(court_backboard_beside_out) _o170 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o150.gap;
-                V nearing = _o150.nearing;
-                V dent = _o150.dent;
-                const LANES(court_beside_body_out) _o151 =
+                V gap = _o170.gap;
+                V nearing = _o170.nearing;
+                V dent = _o170.dent;
+                const LANES(court_beside_body_out) _o171 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m149, _o151.stride, stride);
-                which = lanes_select(_m149, _o151.which, which);
+                stride = lanes_select(_m169, _o171.stride, stride);
+                which = lanes_select(_m169, _o171.which, which);
             }
-            const LANES(court_beside_out) _o152 =
+            const LANES(court_beside_out) _o172 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o152.beside;
-            const M _m153 = lanes_both(active, beside);
-            if (lanes_any(_m153)) {
-                const LANES(court_bridge_beside_out) _o154 =
-                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o154.gap;
-                V nearing = _o154.nearing;
-                V dent = _o154.dent;
-                const LANES(court_beside_body_out) _o155 =
-                    LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m153, _o155.stride, stride);
-                which = lanes_select(_m153, _o155.which, which);
-            }
-            const LANES(court_end_beside_out) _o156 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o156.gap;
-            V nearing = _o156.nearing;
-            V dent = _o156.dent;
-            const LANES(court_beside_gate_out) _o157 =
-                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o157.stride;
-            which = _o157.which;
-            const LANES(court_holding_out) _o158 =
-                LANES(court_holding)(held, K(1.0));
-            here = _o158.here;
-            const M _m159 = lanes_both(active, here);
-            if (lanes_any(_m159)) {
-                const LANES(court_backboard_seam0_out) _o160 =
-                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m159, _o160.gap, gap);
-                V nearing = _o160.nearing;
-                V near = _o160.near;
-                const LANES(court_beside_seam_out) _o161 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m159, _o161.stride, stride);
-                const LANES(court_backboard_seam1_out) _o162 =
-                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m159, _o162.gap, gap);
-                nearing = _o162.nearing;
-                near = _o162.near;
-                const LANES(court_beside_seam_out) _o163 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m159, _o163.stride, stride);
-                const LANES(court_backboard_seam2_out) _o164 =
-                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m159, _o164.gap, gap);
-                nearing = _o164.nearing;
-                near = _o164.near;
-                const LANES(court_beside_seam_out) _o165 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m159, _o165.stride, stride);
-                const LANES(court_backboard_seam3_out) _o166 =
-                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m159, _o166.gap, gap);
-                nearing = _o166.nearing;
-                near = _o166.near;
-                const LANES(court_beside_seam_out) _o167 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m159, _o167.stride, stride);
-                const LANES(court_backboard_seam4_out) _o168 =
-                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m159, _o168.gap, gap);
-                nearing = _o168.nearing;
-                near = _o168.near;
-                const LANES(court_beside_seam_out) _o169 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m159, _o169.stride, stride);
-                const LANES(court_backboard_seam5_out) _o170 =
-                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m159, _o170.gap, gap);
-                nearing = _o170.nearing;
-                near = _o170.near;
-                const LANES(court_beside_seam_out) _o171 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m159, _o171.stride, stride);
-            }
-            const LANES(court_holding_out) _o172 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o172.here;
-            const M _m173 = lanes_both(active, here);
+            beside = _o172.beside;
+            const M _m173 = lanes_both(active, beside);
             if (lanes_any(_m173)) {
-                const LANES(court_bridge_seam0_out) _o174 =
-                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m173, _o174.gap, gap);
+                const LANES(court_bridge_beside_out) _o174 =
+                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o174.gap;
                 V nearing = _o174.nearing;
-                V near = _o174.near;
-                const LANES(court_beside_seam_out) _o175 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                V dent = _o174.dent;
+                const LANES(court_beside_body_out) _o175 =
+                    LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
                 stride = lanes_select(_m173, _o175.stride, stride);
-                const LANES(court_bridge_seam1_out) _o176 =
-                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m173, _o176.gap, gap);
-                nearing = _o176.nearing;
-                near = _o176.near;
-                const LANES(court_beside_seam_out) _o177 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m173, _o177.stride, stride);
-                const LANES(court_bridge_seam2_out) _o178 =
-                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m173, _o178.gap, gap);
-                nearing = _o178.nearing;
-                near = _o178.near;
-                const LANES(court_beside_seam_out) _o179 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m173, _o179.stride, stride);
-                const LANES(court_bridge_seam3_out) _o180 =
-                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m173, _o180.gap, gap);
-                nearing = _o180.nearing;
-                near = _o180.near;
+                which = lanes_select(_m173, _o175.which, which);
+            }
+            const LANES(court_end_beside_out) _o176 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            V gap = _o176.gap;
+            V nearing = _o176.nearing;
+            V dent = _o176.dent;
+            const LANES(court_beside_gate_out) _o177 =
+                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o177.stride;
+            which = _o177.which;
+            const LANES(court_holding_out) _o178 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o178.here;
+            const M _m179 = lanes_both(active, here);
+            if (lanes_any(_m179)) {
+                const LANES(court_backboard_seam0_out) _o180 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m179, _o180.gap, gap);
+                V nearing = _o180.nearing;
+                V near = _o180.near;
                 const LANES(court_beside_seam_out) _o181 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m173, _o181.stride, stride);
-                const LANES(court_bridge_seam4_out) _o182 =
-                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m173, _o182.gap, gap);
+                stride = lanes_select(_m179, _o181.stride, stride);
+                const LANES(court_backboard_seam1_out) _o182 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m179, _o182.gap, gap);
                 nearing = _o182.nearing;
                 near = _o182.near;
                 const LANES(court_beside_seam_out) _o183 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m173, _o183.stride, stride);
-                const LANES(court_bridge_seam5_out) _o184 =
-                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m173, _o184.gap, gap);
+                stride = lanes_select(_m179, _o183.stride, stride);
+                const LANES(court_backboard_seam2_out) _o184 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m179, _o184.gap, gap);
                 nearing = _o184.nearing;
                 near = _o184.near;
                 const LANES(court_beside_seam_out) _o185 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m173, _o185.stride, stride);
+                stride = lanes_select(_m179, _o185.stride, stride);
+                const LANES(court_backboard_seam3_out) _o186 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m179, _o186.gap, gap);
+                nearing = _o186.nearing;
+                near = _o186.near;
+                const LANES(court_beside_seam_out) _o187 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m179, _o187.stride, stride);
+                const LANES(court_backboard_seam4_out) _o188 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m179, _o188.gap, gap);
+                nearing = _o188.nearing;
+                near = _o188.near;
+                const LANES(court_beside_seam_out) _o189 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m179, _o189.stride, stride);
+                const LANES(court_backboard_seam5_out) _o190 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m179, _o190.gap, gap);
+                nearing = _o190.nearing;
+                near = _o190.near;
+                const LANES(court_beside_seam_out) _o191 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m179, _o191.stride, stride);
             }
-            const LANES(court_beside_time_out) _o186 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o186.stride;
-            which = _o186.which;
-            const LANES(court_passing_from_out) _o187 =
-                LANES(court_passing_from)(z);
-            M over = _o187.over;
-            const LANES(court_roll_moved_out) _o188 =
-                LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o188.x;
-            vx = _o188.vx;
-            y = _o188.y;
-            vy = _o188.vy;
-            z = _o188.z;
-            vz = _o188.vz;
-            V turn_rate = _o188.turn_rate;
-            const LANES(court_holding_out) _o189 =
-                LANES(court_holding)(held, K(1.0));
-            here = _o189.here;
-            const M _m190 = lanes_both(active, here);
-            if (lanes_any(_m190)) {
-                const LANES(court_backboard_normal_out) _o191 =
-                    LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m190, _o191.nx, nx);
-                ny = lanes_select(_m190, _o191.ny, ny);
-                nz = lanes_select(_m190, _o191.nz, nz);
-                const LANES(court_backboard_off_out) _o192 =
-                    LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m190, _o192.gap, gap);
-            }
-            const LANES(court_holding_out) _o193 =
+            const LANES(court_holding_out) _o192 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o193.here;
-            const M _m194 = lanes_both(active, here);
-            if (lanes_any(_m194)) {
-                const LANES(court_bridge_normal_out) _o195 =
-                    LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m194, _o195.nx, nx);
-                ny = lanes_select(_m194, _o195.ny, ny);
-                nz = lanes_select(_m194, _o195.nz, nz);
-                const LANES(court_bridge_off_out) _o196 =
-                    LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m194, _o196.gap, gap);
+            here = _o192.here;
+            const M _m193 = lanes_both(active, here);
+            if (lanes_any(_m193)) {
+                const LANES(court_bridge_seam0_out) _o194 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m193, _o194.gap, gap);
+                V nearing = _o194.nearing;
+                V near = _o194.near;
+                const LANES(court_beside_seam_out) _o195 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m193, _o195.stride, stride);
+                const LANES(court_bridge_seam1_out) _o196 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m193, _o196.gap, gap);
+                nearing = _o196.nearing;
+                near = _o196.near;
+                const LANES(court_beside_seam_out) _o197 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m193, _o197.stride, stride);
+                const LANES(court_bridge_seam2_out) _o198 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m193, _o198.gap, gap);
+                nearing = _o198.nearing;
+                near = _o198.near;
+                const LANES(court_beside_seam_out) _o199 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m193, _o199.stride, stride);
+                const LANES(court_bridge_seam3_out) _o200 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m193, _o200.gap, gap);
+                nearing = _o200.nearing;
+                near = _o200.near;
+                const LANES(court_beside_seam_out) _o201 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m193, _o201.stride, stride);
+                const LANES(court_bridge_seam4_out) _o202 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m193, _o202.gap, gap);
+                nearing = _o202.nearing;
+                near = _o202.near;
+                const LANES(court_beside_seam_out) _o203 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m193, _o203.stride, stride);
+                const LANES(court_bridge_seam5_out) _o204 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m193, _o204.gap, gap);
+                nearing = _o204.nearing;
+                near = _o204.near;
+                const LANES(court_beside_seam_out) _o205 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m193, _o205.stride, stride);
             }
-            const LANES(court_roll_placed_out) _o197 =
+            const LANES(court_beside_time_out) _o206 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o206.stride;
+            which = _o206.which;
+            const LANES(court_passing_from_out) _o207 =
+                LANES(court_passing_from)(z);
+            M over = _o207.over;
+            const LANES(court_roll_moved_out) _o208 =
+                LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
+            x = _o208.x;
+            vx = _o208.vx;
+            y = _o208.y;
+            vy = _o208.vy;
+            z = _o208.z;
+            vz = _o208.vz;
+            V turn_rate = _o208.turn_rate;
+            const LANES(court_holding_out) _o209 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o209.here;
+            const M _m210 = lanes_both(active, here);
+            if (lanes_any(_m210)) {
+                const LANES(court_backboard_normal_out) _o211 =
+                    LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = lanes_select(_m210, _o211.nx, nx);
+                ny = lanes_select(_m210, _o211.ny, ny);
+                nz = lanes_select(_m210, _o211.nz, nz);
+                const LANES(court_backboard_off_out) _o212 =
+                    LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                gap = lanes_select(_m210, _o212.gap, gap);
+            }
+            const LANES(court_holding_out) _o213 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o213.here;
+            const M _m214 = lanes_both(active, here);
+            if (lanes_any(_m214)) {
+                const LANES(court_bridge_normal_out) _o215 =
+                    LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = lanes_select(_m214, _o215.nx, nx);
+                ny = lanes_select(_m214, _o215.ny, ny);
+                nz = lanes_select(_m214, _o215.nz, nz);
+                const LANES(court_bridge_off_out) _o216 =
+                    LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                gap = lanes_select(_m214, _o216.gap, gap);
+            }
+            const LANES(court_roll_placed_out) _o217 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o197.x;
-            y = _o197.y;
-            z = _o197.z;
-            vx = _o197.vx;
-            vy = _o197.vy;
-            vz = _o197.vz;
-            wx = _o197.wx;
-            wy = _o197.wy;
-            wz = _o197.wz;
-            const LANES(court_passing_in_contact_out) _o198 =
+            x = _o217.x;
+            y = _o217.y;
+            z = _o217.z;
+            vx = _o217.vx;
+            vy = _o217.vy;
+            vz = _o217.vz;
+            wx = _o217.wx;
+            wy = _o217.wy;
+            wz = _o217.wz;
+            const LANES(court_passing_in_contact_out) _o218 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o198.through;
-            const LANES(court_rolled_on_out) _o199 =
+            through = _o218.through;
+            const LANES(court_rolled_on_out) _o219 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o199.clock;
-            rolling = _o199.rolling;
+            clock = _o219.clock;
+            rolling = _o219.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -1630,320 +1630,320 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_ring_tube_out) _o200 =
+            const LANES(court_ring_tube_out) _o220 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o200.per_reach;
-            const LANES(court_ring_round_start_out) _o201 =
+            V per_reach = _o220.per_reach;
+            const LANES(court_ring_round_start_out) _o221 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o201.cosine_0;
-            V sine_0 = _o201.sine_0;
-            V climb_0 = _o201.climb_0;
-            V along_0 = _o201.along_0;
-            V turn_rate_0 = _o201.turn_rate_0;
-            V cos_0 = _o201.cos_0;
-            V sin_0 = _o201.sin_0;
-            V near_0 = _o201.near_0;
-            const LANES(court_ring_round_0_out) _o202 =
+            V cosine_0 = _o221.cosine_0;
+            V sine_0 = _o221.sine_0;
+            V climb_0 = _o221.climb_0;
+            V along_0 = _o221.along_0;
+            V turn_rate_0 = _o221.turn_rate_0;
+            V cos_0 = _o221.cos_0;
+            V sin_0 = _o221.sin_0;
+            V near_0 = _o221.near_0;
+            const LANES(court_ring_round_0_out) _o222 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o202.omega_0;
-            V around_0 = _o202.around_0;
-            V tilted_0 = _o202.tilted_0;
-            V pressed_0 = _o202.pressed_0;
-            V force_0 = _o202.force_0;
-            V cosine_1 = _o202.cosine_1;
-            V sine_1 = _o202.sine_1;
-            V climb_1 = _o202.climb_1;
-            V along_1 = _o202.along_1;
-            V turn_rate_1 = _o202.turn_rate_1;
-            V cos_1 = _o202.cos_1;
-            V sin_1 = _o202.sin_1;
-            const LANES(court_ring_round_1_out) _o203 =
+            V omega_0 = _o222.omega_0;
+            V around_0 = _o222.around_0;
+            V tilted_0 = _o222.tilted_0;
+            V pressed_0 = _o222.pressed_0;
+            V force_0 = _o222.force_0;
+            V cosine_1 = _o222.cosine_1;
+            V sine_1 = _o222.sine_1;
+            V climb_1 = _o222.climb_1;
+            V along_1 = _o222.along_1;
+            V turn_rate_1 = _o222.turn_rate_1;
+            V cos_1 = _o222.cos_1;
+            V sin_1 = _o222.sin_1;
+            const LANES(court_ring_round_1_out) _o223 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o203.near_1;
-            V omega_1 = _o203.omega_1;
-            V around_1 = _o203.around_1;
-            V tilted_1 = _o203.tilted_1;
-            V pressed_1 = _o203.pressed_1;
-            V force_1 = _o203.force_1;
-            V cosine_2 = _o203.cosine_2;
-            V sine_2 = _o203.sine_2;
-            V climb_2 = _o203.climb_2;
-            V along_2 = _o203.along_2;
-            V turn_rate_2 = _o203.turn_rate_2;
-            V cos_2 = _o203.cos_2;
-            V sin_2 = _o203.sin_2;
-            const LANES(court_ring_round_2_out) _o204 =
+            V near_1 = _o223.near_1;
+            V omega_1 = _o223.omega_1;
+            V around_1 = _o223.around_1;
+            V tilted_1 = _o223.tilted_1;
+            V pressed_1 = _o223.pressed_1;
+            V force_1 = _o223.force_1;
+            V cosine_2 = _o223.cosine_2;
+            V sine_2 = _o223.sine_2;
+            V climb_2 = _o223.climb_2;
+            V along_2 = _o223.along_2;
+            V turn_rate_2 = _o223.turn_rate_2;
+            V cos_2 = _o223.cos_2;
+            V sin_2 = _o223.sin_2;
+            const LANES(court_ring_round_2_out) _o224 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o204.near_2;
-            V omega_2 = _o204.omega_2;
-            V around_2 = _o204.around_2;
-            V tilted_2 = _o204.tilted_2;
-            V pressed_2 = _o204.pressed_2;
-            V force_2 = _o204.force_2;
-            V cosine_3 = _o204.cosine_3;
-            V sine_3 = _o204.sine_3;
-            V climb_3 = _o204.climb_3;
-            V along_3 = _o204.along_3;
-            V turn_rate_3 = _o204.turn_rate_3;
-            V cos_3 = _o204.cos_3;
-            V sin_3 = _o204.sin_3;
-            const LANES(court_ring_round_3_out) _o205 =
+            V near_2 = _o224.near_2;
+            V omega_2 = _o224.omega_2;
+            V around_2 = _o224.around_2;
+            V tilted_2 = _o224.tilted_2;
+            V pressed_2 = _o224.pressed_2;
+            V force_2 = _o224.force_2;
+            V cosine_3 = _o224.cosine_3;
+            V sine_3 = _o224.sine_3;
+            V climb_3 = _o224.climb_3;
+            V along_3 = _o224.along_3;
+            V turn_rate_3 = _o224.turn_rate_3;
+            V cos_3 = _o224.cos_3;
+            V sin_3 = _o224.sin_3;
+            const LANES(court_ring_round_3_out) _o225 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o205.near_3;
-            V omega_3 = _o205.omega_3;
-            V around_3 = _o205.around_3;
-            V tilted_3 = _o205.tilted_3;
-            V pressed_3 = _o205.pressed_3;
-            V force_3 = _o205.force_3;
-            V cosine_4 = _o205.cosine_4;
-            V sine_4 = _o205.sine_4;
-            V climb_4 = _o205.climb_4;
-            V along_4 = _o205.along_4;
-            V turn_rate_4 = _o205.turn_rate_4;
-            V cos_4 = _o205.cos_4;
-            V sin_4 = _o205.sin_4;
-            const LANES(court_ring_round_4_out) _o206 =
+            V near_3 = _o225.near_3;
+            V omega_3 = _o225.omega_3;
+            V around_3 = _o225.around_3;
+            V tilted_3 = _o225.tilted_3;
+            V pressed_3 = _o225.pressed_3;
+            V force_3 = _o225.force_3;
+            V cosine_4 = _o225.cosine_4;
+            V sine_4 = _o225.sine_4;
+            V climb_4 = _o225.climb_4;
+            V along_4 = _o225.along_4;
+            V turn_rate_4 = _o225.turn_rate_4;
+            V cos_4 = _o225.cos_4;
+            V sin_4 = _o225.sin_4;
+            const LANES(court_ring_round_4_out) _o226 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o206.near_4;
-            V omega_4 = _o206.omega_4;
-            V around_4 = _o206.around_4;
-            V tilted_4 = _o206.tilted_4;
-            V pressed_4 = _o206.pressed_4;
-            V force_4 = _o206.force_4;
-            V cosine_5 = _o206.cosine_5;
-            V sine_5 = _o206.sine_5;
-            V climb_5 = _o206.climb_5;
-            V along_5 = _o206.along_5;
-            V turn_rate_5 = _o206.turn_rate_5;
-            V cos_5 = _o206.cos_5;
-            V sin_5 = _o206.sin_5;
-            const LANES(court_ring_round_5_out) _o207 =
+            V near_4 = _o226.near_4;
+            V omega_4 = _o226.omega_4;
+            V around_4 = _o226.around_4;
+            V tilted_4 = _o226.tilted_4;
+            V pressed_4 = _o226.pressed_4;
+            V force_4 = _o226.force_4;
+            V cosine_5 = _o226.cosine_5;
+            V sine_5 = _o226.sine_5;
+            V climb_5 = _o226.climb_5;
+            V along_5 = _o226.along_5;
+            V turn_rate_5 = _o226.turn_rate_5;
+            V cos_5 = _o226.cos_5;
+            V sin_5 = _o226.sin_5;
+            const LANES(court_ring_round_5_out) _o227 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o207.near_5;
-            V omega_5 = _o207.omega_5;
-            V around_5 = _o207.around_5;
-            V tilted_5 = _o207.tilted_5;
-            V pressed_5 = _o207.pressed_5;
-            V force_5 = _o207.force_5;
-            V cosine_6 = _o207.cosine_6;
-            V sine_6 = _o207.sine_6;
-            V climb_6 = _o207.climb_6;
-            V along_6 = _o207.along_6;
-            V turn_rate_6 = _o207.turn_rate_6;
-            V cos_6 = _o207.cos_6;
-            V sin_6 = _o207.sin_6;
-            const LANES(court_ring_round_6_out) _o208 =
+            V near_5 = _o227.near_5;
+            V omega_5 = _o227.omega_5;
+            V around_5 = _o227.around_5;
+            V tilted_5 = _o227.tilted_5;
+            V pressed_5 = _o227.pressed_5;
+            V force_5 = _o227.force_5;
+            V cosine_6 = _o227.cosine_6;
+            V sine_6 = _o227.sine_6;
+            V climb_6 = _o227.climb_6;
+            V along_6 = _o227.along_6;
+            V turn_rate_6 = _o227.turn_rate_6;
+            V cos_6 = _o227.cos_6;
+            V sin_6 = _o227.sin_6;
+            const LANES(court_ring_round_6_out) _o228 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o208.near_6;
-            V omega_6 = _o208.omega_6;
-            V around_6 = _o208.around_6;
-            V tilted_6 = _o208.tilted_6;
-            V pressed_6 = _o208.pressed_6;
-            V force_6 = _o208.force_6;
-            V cosine_7 = _o208.cosine_7;
-            V sine_7 = _o208.sine_7;
-            V climb_7 = _o208.climb_7;
-            V along_7 = _o208.along_7;
-            V turn_rate_7 = _o208.turn_rate_7;
-            V cos_7 = _o208.cos_7;
-            V sin_7 = _o208.sin_7;
-            const LANES(court_ring_round_7_out) _o209 =
+            V near_6 = _o228.near_6;
+            V omega_6 = _o228.omega_6;
+            V around_6 = _o228.around_6;
+            V tilted_6 = _o228.tilted_6;
+            V pressed_6 = _o228.pressed_6;
+            V force_6 = _o228.force_6;
+            V cosine_7 = _o228.cosine_7;
+            V sine_7 = _o228.sine_7;
+            V climb_7 = _o228.climb_7;
+            V along_7 = _o228.along_7;
+            V turn_rate_7 = _o228.turn_rate_7;
+            V cos_7 = _o228.cos_7;
+            V sin_7 = _o228.sin_7;
+            const LANES(court_ring_round_7_out) _o229 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o209.near_7;
-            V omega_7 = _o209.omega_7;
-            V around_7 = _o209.around_7;
-            V tilted_7 = _o209.tilted_7;
-            V pressed_7 = _o209.pressed_7;
-            V force_7 = _o209.force_7;
-            V cosine_8 = _o209.cosine_8;
-            V sine_8 = _o209.sine_8;
-            V climb_8 = _o209.climb_8;
-            V along_8 = _o209.along_8;
-            V turn_rate_8 = _o209.turn_rate_8;
-            V cos_8 = _o209.cos_8;
-            V sin_8 = _o209.sin_8;
-            const LANES(court_ring_round_8_out) _o210 =
+            V near_7 = _o229.near_7;
+            V omega_7 = _o229.omega_7;
+            V around_7 = _o229.around_7;
+            V tilted_7 = _o229.tilted_7;
+            V pressed_7 = _o229.pressed_7;
+            V force_7 = _o229.force_7;
+            V cosine_8 = _o229.cosine_8;
+            V sine_8 = _o229.sine_8;
+            V climb_8 = _o229.climb_8;
+            V along_8 = _o229.along_8;
+            V turn_rate_8 = _o229.turn_rate_8;
+            V cos_8 = _o229.cos_8;
+            V sin_8 = _o229.sin_8;
+            const LANES(court_ring_round_8_out) _o230 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o210.near_8;
-            V omega_8 = _o210.omega_8;
-            V around_8 = _o210.around_8;
-            V tilted_8 = _o210.tilted_8;
-            V pressed_8 = _o210.pressed_8;
-            V force_8 = _o210.force_8;
-            V cosine_9 = _o210.cosine_9;
-            V sine_9 = _o210.sine_9;
-            V climb_9 = _o210.climb_9;
-            V along_9 = _o210.along_9;
-            V turn_rate_9 = _o210.turn_rate_9;
-            V cos_9 = _o210.cos_9;
-            V sin_9 = _o210.sin_9;
-            const LANES(court_ring_round_9_out) _o211 =
+            V near_8 = _o230.near_8;
+            V omega_8 = _o230.omega_8;
+            V around_8 = _o230.around_8;
+            V tilted_8 = _o230.tilted_8;
+            V pressed_8 = _o230.pressed_8;
+            V force_8 = _o230.force_8;
+            V cosine_9 = _o230.cosine_9;
+            V sine_9 = _o230.sine_9;
+            V climb_9 = _o230.climb_9;
+            V along_9 = _o230.along_9;
+            V turn_rate_9 = _o230.turn_rate_9;
+            V cos_9 = _o230.cos_9;
+            V sin_9 = _o230.sin_9;
+            const LANES(court_ring_round_9_out) _o231 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o211.near_9;
-            V omega_9 = _o211.omega_9;
-            V around_9 = _o211.around_9;
-            V tilted_9 = _o211.tilted_9;
-            V pressed_9 = _o211.pressed_9;
-            V force_9 = _o211.force_9;
-            V cosine_10 = _o211.cosine_10;
-            V sine_10 = _o211.sine_10;
-            V climb_10 = _o211.climb_10;
-            V along_10 = _o211.along_10;
-            V turn_rate_10 = _o211.turn_rate_10;
-            V cos_10 = _o211.cos_10;
-            V sin_10 = _o211.sin_10;
-            const LANES(court_ring_round_10_out) _o212 =
+            V near_9 = _o231.near_9;
+            V omega_9 = _o231.omega_9;
+            V around_9 = _o231.around_9;
+            V tilted_9 = _o231.tilted_9;
+            V pressed_9 = _o231.pressed_9;
+            V force_9 = _o231.force_9;
+            V cosine_10 = _o231.cosine_10;
+            V sine_10 = _o231.sine_10;
+            V climb_10 = _o231.climb_10;
+            V along_10 = _o231.along_10;
+            V turn_rate_10 = _o231.turn_rate_10;
+            V cos_10 = _o231.cos_10;
+            V sin_10 = _o231.sin_10;
+            const LANES(court_ring_round_10_out) _o232 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o212.near_10;
-            V omega_10 = _o212.omega_10;
-            V around_10 = _o212.around_10;
-            V tilted_10 = _o212.tilted_10;
-            V pressed_10 = _o212.pressed_10;
-            V force_10 = _o212.force_10;
-            V cosine_11 = _o212.cosine_11;
-            V sine_11 = _o212.sine_11;
-            V climb_11 = _o212.climb_11;
-            V along_11 = _o212.along_11;
-            V turn_rate_11 = _o212.turn_rate_11;
-            V cos_11 = _o212.cos_11;
-            V sin_11 = _o212.sin_11;
-            const LANES(court_ring_round_11_out) _o213 =
+            V near_10 = _o232.near_10;
+            V omega_10 = _o232.omega_10;
+            V around_10 = _o232.around_10;
+            V tilted_10 = _o232.tilted_10;
+            V pressed_10 = _o232.pressed_10;
+            V force_10 = _o232.force_10;
+            V cosine_11 = _o232.cosine_11;
+            V sine_11 = _o232.sine_11;
+            V climb_11 = _o232.climb_11;
+            V along_11 = _o232.along_11;
+            V turn_rate_11 = _o232.turn_rate_11;
+            V cos_11 = _o232.cos_11;
+            V sin_11 = _o232.sin_11;
+            const LANES(court_ring_round_11_out) _o233 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o213.force_11;
-            V cosine_12 = _o213.cosine_12;
-            V sine_12 = _o213.sine_12;
-            V climb_12 = _o213.climb_12;
-            V along_12 = _o213.along_12;
-            V turn_rate_12 = _o213.turn_rate_12;
-            V cos_12 = _o213.cos_12;
-            V sin_12 = _o213.sin_12;
-            const LANES(court_ring_round_pace_out) _o214 =
+            V force_11 = _o233.force_11;
+            V cosine_12 = _o233.cosine_12;
+            V sine_12 = _o233.sine_12;
+            V climb_12 = _o233.climb_12;
+            V along_12 = _o233.along_12;
+            V turn_rate_12 = _o233.turn_rate_12;
+            V cos_12 = _o233.cos_12;
+            V sin_12 = _o233.sin_12;
+            const LANES(court_ring_round_pace_out) _o234 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V stride = _o214.stride;
-            V strongest = _o214.strongest;
-            V fastest = _o214.fastest;
-            V sway = _o214.sway;
-            V force = _o214.force;
-            V force_rate = _o214.force_rate;
-            V force_bend = _o214.force_bend;
-            V brace = _o214.brace;
-            V vx_1 = _o214.vx_1;
-            V vy_1 = _o214.vy_1;
-            V vz_1 = _o214.vz_1;
-            const LANES(court_leaving_force_out) _o215 =
+            V stride = _o234.stride;
+            V strongest = _o234.strongest;
+            V fastest = _o234.fastest;
+            V sway = _o234.sway;
+            V force = _o234.force;
+            V force_rate = _o234.force_rate;
+            V force_bend = _o234.force_bend;
+            V brace = _o234.brace;
+            V vx_1 = _o234.vx_1;
+            V vy_1 = _o234.vy_1;
+            V vz_1 = _o234.vz_1;
+            const LANES(court_leaving_force_out) _o235 =
                 LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o215.stride;
-            which = _o215.which;
-            M rests = _o215.rests;
-            const LANES(court_backboard_beside_out) _o216 =
+            stride = _o235.stride;
+            which = _o235.which;
+            M rests = _o235.rests;
+            const LANES(court_backboard_beside_out) _o236 =
                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o216.gap;
-            V nearing = _o216.nearing;
-            V dent = _o216.dent;
-            const LANES(court_beside_body_out) _o217 =
+            V gap = _o236.gap;
+            V nearing = _o236.nearing;
+            V dent = _o236.dent;
+            const LANES(court_beside_body_out) _o237 =
                 LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o217.stride;
-            which = _o217.which;
-            const LANES(court_bridge_beside_out) _o218 =
+            stride = _o237.stride;
+            which = _o237.which;
+            const LANES(court_bridge_beside_out) _o238 =
                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o218.gap;
-            nearing = _o218.nearing;
-            dent = _o218.dent;
-            const LANES(court_beside_body_out) _o219 =
-                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o219.stride;
-            which = _o219.which;
-            const LANES(court_end_beside_out) _o220 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o220.gap;
-            nearing = _o220.nearing;
-            dent = _o220.dent;
-            const LANES(court_beside_gate_out) _o221 =
-                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o221.stride;
-            which = _o221.which;
-            const LANES(court_beside_time_out) _o222 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o222.stride;
-            which = _o222.which;
-            const LANES(court_passing_from_out) _o223 =
-                LANES(court_passing_from)(z);
-            M over = _o223.over;
-            const LANES(court_alone_out) _o224 =
-                LANES(court_alone)();
-            V berth = _o224.nearest;
-            const LANES(court_leaps_out) _o225 =
-                LANES(court_leaps)(stride);
-            V forth = _o225.forth;
-            V back = _o225.back;
-            const LANES(court_backboard_around_out) _o226 =
-                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o226.gap;
-            nearing = _o226.nearing;
-            const LANES(court_cleared_out) _o227 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o227.berth;
-            const LANES(court_bridge_around_out) _o228 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o228.gap;
-            nearing = _o228.nearing;
-            const LANES(court_cleared_out) _o229 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o229.berth;
-            const LANES(court_end_around_out) _o230 =
-                LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o230.gap;
-            nearing = _o230.nearing;
-            const LANES(court_cleared_out) _o231 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o231.berth;
-            const LANES(court_ring_round_moved_out) _o232 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o232.x;
-            y = _o232.y;
-            z = _o232.z;
-            vx = _o232.vx;
-            vy = _o232.vy;
-            vz = _o232.vz;
-            wx = _o232.wx;
-            wy = _o232.wy;
-            wz = _o232.wz;
-            V climb = _o232.climb;
-            const LANES(court_passing_in_contact_out) _o233 =
-                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o233.through;
-            const LANES(court_backboard_around_out) _o234 =
-                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o234.gap;
-            nearing = _o234.nearing;
-            const LANES(court_cleared_out) _o235 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o235.berth;
-            const LANES(court_bridge_around_out) _o236 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o236.gap;
-            nearing = _o236.nearing;
-            const LANES(court_cleared_out) _o237 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o237.berth;
-            const LANES(court_end_around_out) _o238 =
-                LANES(court_end_around)(p_end_depth, vz, z);
             gap = _o238.gap;
             nearing = _o238.nearing;
-            const LANES(court_cleared_out) _o239 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o239.berth;
-            const LANES(court_ring_swung_out) _o240 =
-                LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, K(0.0), stride, sway, K(0.0), which, p_wire_radius);
-            circled = _o240.circled;
-            M endless = _o240.endless;
-            const LANES(court_for_ever_out) _o241 =
-                LANES(court_for_ever)(endless, which);
+            dent = _o238.dent;
+            const LANES(court_beside_body_out) _o239 =
+                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o239.stride;
+            which = _o239.which;
+            const LANES(court_end_beside_out) _o240 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o240.gap;
+            nearing = _o240.nearing;
+            dent = _o240.dent;
+            const LANES(court_beside_gate_out) _o241 =
+                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o241.stride;
             which = _o241.which;
-            const LANES(court_rolled_on_out) _o242 =
+            const LANES(court_beside_time_out) _o242 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o242.stride;
+            which = _o242.which;
+            const LANES(court_passing_from_out) _o243 =
+                LANES(court_passing_from)(z);
+            M over = _o243.over;
+            const LANES(court_alone_out) _o244 =
+                LANES(court_alone)();
+            V berth = _o244.nearest;
+            const LANES(court_leaps_out) _o245 =
+                LANES(court_leaps)(stride);
+            V forth = _o245.forth;
+            V back = _o245.back;
+            const LANES(court_backboard_around_out) _o246 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o246.gap;
+            nearing = _o246.nearing;
+            const LANES(court_cleared_out) _o247 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o247.berth;
+            const LANES(court_bridge_around_out) _o248 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o248.gap;
+            nearing = _o248.nearing;
+            const LANES(court_cleared_out) _o249 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o249.berth;
+            const LANES(court_end_around_out) _o250 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o250.gap;
+            nearing = _o250.nearing;
+            const LANES(court_cleared_out) _o251 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o251.berth;
+            const LANES(court_ring_round_moved_out) _o252 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            x = _o252.x;
+            y = _o252.y;
+            z = _o252.z;
+            vx = _o252.vx;
+            vy = _o252.vy;
+            vz = _o252.vz;
+            wx = _o252.wx;
+            wy = _o252.wy;
+            wz = _o252.wz;
+            V climb = _o252.climb;
+            const LANES(court_passing_in_contact_out) _o253 =
+                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
+            through = _o253.through;
+            const LANES(court_backboard_around_out) _o254 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o254.gap;
+            nearing = _o254.nearing;
+            const LANES(court_cleared_out) _o255 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o255.berth;
+            const LANES(court_bridge_around_out) _o256 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o256.gap;
+            nearing = _o256.nearing;
+            const LANES(court_cleared_out) _o257 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o257.berth;
+            const LANES(court_end_around_out) _o258 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o258.gap;
+            nearing = _o258.nearing;
+            const LANES(court_cleared_out) _o259 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o259.berth;
+            const LANES(court_ring_swung_out) _o260 =
+                LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, K(0.0), stride, sway, K(0.0), which, p_wire_radius);
+            circled = _o260.circled;
+            M endless = _o260.endless;
+            const LANES(court_for_ever_out) _o261 =
+                LANES(court_for_ever)(endless, which);
+            which = _o261.which;
+            const LANES(court_rolled_on_out) _o262 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o242.clock;
-            circling = _o242.rolling;
+            clock = _o262.clock;
+            circling = _o262.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -2037,110 +2037,110 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o243 =
+        const LANES(court_rejoined_out) _o263 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o243.rolling;
-        const M _m244 = lanes_both(rows, leaves);
-        if (lanes_any(_m244)) {
-            const LANES(court_holding_out) _o245 =
+        rolling = _o263.rolling;
+        const M _m264 = lanes_both(rows, leaves);
+        if (lanes_any(_m264)) {
+            const LANES(court_holding_out) _o265 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o245.here;
-            const M _m246 = lanes_both(_m244, here);
-            if (lanes_any(_m246)) {
-                const LANES(court_ring_tube_out) _o247 =
+            M here = _o265.here;
+            const M _m266 = lanes_both(_m264, here);
+            if (lanes_any(_m266)) {
+                const LANES(court_ring_tube_out) _o267 =
                     LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-                per_reach = lanes_select(_m246, _o247.per_reach, per_reach);
-                const LANES(court_ring_parting_out) _o248 =
+                per_reach = lanes_select(_m266, _o267.per_reach, per_reach);
+                const LANES(court_ring_parting_out) _o268 =
                     LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m246, _o248.lift, lift);
-                surge = lanes_select(_m246, _o248.surge, surge);
-                snap = lanes_select(_m246, _o248.snap, snap);
+                lift = lanes_select(_m266, _o268.lift, lift);
+                surge = lanes_select(_m266, _o268.surge, surge);
+                snap = lanes_select(_m266, _o268.snap, snap);
             }
-            const LANES(court_holding_out) _o249 =
+            const LANES(court_holding_out) _o269 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o249.here;
-            const M _m250 = lanes_both(_m244, here);
-            if (lanes_any(_m250)) {
-                const LANES(court_backboard_tube_out) _o251 =
+            here = _o269.here;
+            const M _m270 = lanes_both(_m264, here);
+            if (lanes_any(_m270)) {
+                const LANES(court_backboard_tube_out) _o271 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                per_reach = lanes_select(_m250, _o251.per_reach, per_reach);
-                const LANES(court_backboard_parting_out) _o252 =
+                per_reach = lanes_select(_m270, _o271.per_reach, per_reach);
+                const LANES(court_backboard_parting_out) _o272 =
                     LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m250, _o252.lift, lift);
-                surge = lanes_select(_m250, _o252.surge, surge);
-                snap = lanes_select(_m250, _o252.snap, snap);
+                lift = lanes_select(_m270, _o272.lift, lift);
+                surge = lanes_select(_m270, _o272.surge, surge);
+                snap = lanes_select(_m270, _o272.snap, snap);
             }
-            const LANES(court_holding_out) _o253 =
+            const LANES(court_holding_out) _o273 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o253.here;
-            const M _m254 = lanes_both(_m244, here);
-            if (lanes_any(_m254)) {
-                const LANES(court_bridge_tube_out) _o255 =
+            here = _o273.here;
+            const M _m274 = lanes_both(_m264, here);
+            if (lanes_any(_m274)) {
+                const LANES(court_bridge_tube_out) _o275 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                per_reach = lanes_select(_m254, _o255.per_reach, per_reach);
-                const LANES(court_bridge_parting_out) _o256 =
+                per_reach = lanes_select(_m274, _o275.per_reach, per_reach);
+                const LANES(court_bridge_parting_out) _o276 =
                     LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                lift = lanes_select(_m254, _o256.lift, lift);
-                surge = lanes_select(_m254, _o256.surge, surge);
-                snap = lanes_select(_m254, _o256.snap, snap);
+                lift = lanes_select(_m274, _o276.lift, lift);
+                surge = lanes_select(_m274, _o276.surge, surge);
+                snap = lanes_select(_m274, _o276.snap, snap);
             }
-            const LANES(court_alone_out) _o257 =
+            const LANES(court_alone_out) _o277 =
                 LANES(court_alone)();
-            V nearest = _o257.nearest;
-            const LANES(court_beside_out) _o258 =
+            V nearest = _o277.nearest;
+            const LANES(court_beside_out) _o278 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o258.beside;
-            const M _m259 = lanes_both(_m244, beside);
-            if (lanes_any(_m259)) {
-                const LANES(court_ring_beside_out) _o260 =
+            M beside = _o278.beside;
+            const M _m279 = lanes_both(_m264, beside);
+            if (lanes_any(_m279)) {
+                const LANES(court_ring_beside_out) _o280 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o260.gap;
-                const LANES(court_neared_out) _o261 =
+                V gap = _o280.gap;
+                const LANES(court_neared_out) _o281 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m259, _o261.nearest, nearest);
+                nearest = lanes_select(_m279, _o281.nearest, nearest);
             }
-            const LANES(court_beside_out) _o262 =
+            const LANES(court_beside_out) _o282 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o262.beside;
-            const M _m263 = lanes_both(_m244, beside);
-            if (lanes_any(_m263)) {
-                const LANES(court_backboard_beside_out) _o264 =
+            beside = _o282.beside;
+            const M _m283 = lanes_both(_m264, beside);
+            if (lanes_any(_m283)) {
+                const LANES(court_backboard_beside_out) _o284 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o264.gap;
-                const LANES(court_neared_out) _o265 =
+                V gap = _o284.gap;
+                const LANES(court_neared_out) _o285 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m263, _o265.nearest, nearest);
+                nearest = lanes_select(_m283, _o285.nearest, nearest);
             }
-            const LANES(court_beside_out) _o266 =
+            const LANES(court_beside_out) _o286 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o266.beside;
-            const M _m267 = lanes_both(_m244, beside);
-            if (lanes_any(_m267)) {
-                const LANES(court_bridge_beside_out) _o268 =
+            beside = _o286.beside;
+            const M _m287 = lanes_both(_m264, beside);
+            if (lanes_any(_m287)) {
+                const LANES(court_bridge_beside_out) _o288 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o268.gap;
-                const LANES(court_neared_out) _o269 =
+                V gap = _o288.gap;
+                const LANES(court_neared_out) _o289 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m267, _o269.nearest, nearest);
+                nearest = lanes_select(_m287, _o289.nearest, nearest);
             }
-            const LANES(court_beside_out) _o270 =
+            const LANES(court_beside_out) _o290 =
                 LANES(court_beside)(held, K(3.0));
-            beside = _o270.beside;
-            const M _m271 = lanes_both(_m244, beside);
+            beside = _o290.beside;
+            const M _m291 = lanes_both(_m264, beside);
             {
-                const LANES(court_end_beside_out) _o272 =
+                const LANES(court_end_beside_out) _o292 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o272.gap;
-                const LANES(court_neared_out) _o273 =
+                V gap = _o292.gap;
+                const LANES(court_neared_out) _o293 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m271, _o273.nearest, nearest);
+                nearest = lanes_select(_m291, _o293.nearest, nearest);
             }
-            const LANES(court_parted_out) _o274 =
+            const LANES(court_parted_out) _o294 =
                 LANES(court_parted)(K(INFINITY), p_gravity, lift, nearest, per_reach, K(0.0), snap, surge, K(0.0), vx, vy, vz);
-            when = lanes_select(_m244, _o274.when, when);
-            const LANES(court_hopping_out) _o275 =
+            when = lanes_select(_m264, _o294.when, when);
+            const LANES(court_hopping_out) _o295 =
                 LANES(court_hopping)();
-            which = lanes_select(_m244, _o275.which, which);
+            which = lanes_select(_m264, _o295.which, which);
         }
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         lanes_store(lists->kept_when + i, when);
@@ -2454,6 +2454,15 @@ static void LANES(court_plain)(const court_job *job)
             V ceiling = _o26.ceiling;
             V flat = _o26.flat;
             V tilt = _o26.tilt;
+            const M _m27 = lanes_both(rows, leaping);
+            if (lanes_any(_m27)) {
+                const LANES(court_ring_leap_out) _o28 =
+                    LANES(court_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                short_t = singles_select(singles_of(_m27), _o28.t, short_t);
+                short_end = singles_select(singles_of(_m27), _o28.end, short_end);
+                certain = lanes_choose(_m27, _o28.certain, certain);
+                leaping = lanes_choose(_m27, _o28.leaping, leaping);
+            }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -2575,12 +2584,12 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(court_ring_leap_out) _o27 =
+                const LANES(court_ring_leap_out) _o29 =
                     LANES(court_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o27.t;
-                short_end = _o27.end;
-                M certain = _o27.certain;
-                leaping = _o27.leaping;
+                short_t = _o29.t;
+                short_end = _o29.end;
+                M certain = _o29.certain;
+                leaping = _o29.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -2627,12 +2636,12 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_leapt_out) _o28 =
+            const LANES(court_leapt_out) _o30 =
                 LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o28.arrival;
-            certain = _o28.certain;
-            V t = _o28.t;
-            searching = _o28.searching;
+            arrival = _o30.arrival;
+            certain = _o30.certain;
+            V t = _o30.t;
+            searching = _o30.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
@@ -2685,33 +2694,33 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(court_ring_prepare_out) _o29 =
+            const LANES(court_ring_prepare_out) _o31 =
                 LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o29.steady;
-            V swing = _o29.swing;
-            V rho_start = _o29.rho_start;
-            V low0 = _o29.low0;
-            V high0 = _o29.high0;
-            V low1 = _o29.low1;
-            V high1 = _o29.high1;
-            V low2 = _o29.low2;
-            V high2 = _o29.high2;
-            V ceiling = _o29.ceiling;
-            V latest = _o29.latest;
-            const LANES(court_allowance_out) _o30 =
+            V steady = _o31.steady;
+            V swing = _o31.swing;
+            V rho_start = _o31.rho_start;
+            V low0 = _o31.low0;
+            V high0 = _o31.high0;
+            V low1 = _o31.low1;
+            V high1 = _o31.high1;
+            V low2 = _o31.low2;
+            V high2 = _o31.high2;
+            V ceiling = _o31.ceiling;
+            V latest = _o31.latest;
+            const LANES(court_allowance_out) _o32 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o30.position_level;
-            V velocity_level = _o30.velocity_level;
-            const LANES(court_ring_margins_out) _o31 =
+            V position_level = _o32.position_level;
+            V velocity_level = _o32.velocity_level;
+            const LANES(court_ring_margins_out) _o33 =
                 LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o31.margin;
-            V tilt = _o31.leaving_margin;
-            V rate_slack = _o31.rate_margin;
-            const LANES(court_ring_enter_out) _o32 =
+            V flat = _o33.margin;
+            V tilt = _o33.leaving_margin;
+            V rate_slack = _o33.rate_margin;
+            const LANES(court_ring_enter_out) _o34 =
                 LANES(court_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o32.t;
-            V end = _o32.end;
-            M searching = _o32.searching;
+            t = _o34.t;
+            V end = _o34.end;
+            M searching = _o34.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_rho_start + i, rho_start);
@@ -2841,52 +2850,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o33 =
+                const LANES(court_nearby_out) _o35 =
                     LANES(court_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o33.leaving;
-                V margin = _o33.margin;
-                const LANES(court_ring_advance_out) _o34 =
+                V leaving = _o35.leaving;
+                V margin = _o35.margin;
+                const LANES(court_ring_advance_out) _o36 =
                     LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o34.gap;
-                V rate = _o34.rate;
-                V bend = _o34.bend;
-                V step = _o34.step;
-                V next = _o34.next;
-                V clearance = _o34.clearance;
-                const LANES(court_struck_out) _o35 =
+                V gap = _o36.gap;
+                V rate = _o36.rate;
+                V bend = _o36.bend;
+                V step = _o36.step;
+                V next = _o36.next;
+                V clearance = _o36.clearance;
+                const LANES(court_struck_out) _o37 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o35.hit;
-                M sure = _o35.sure;
-                M vague = _o35.vague;
-                const M _m36 = lanes_both(active, vague);
-                if (lanes_any(_m36)) {
-                    const LANES(court_finer_out) _o37 =
+                M hit = _o37.hit;
+                M sure = _o37.sure;
+                M vague = _o37.vague;
+                const M _m38 = lanes_both(active, vague);
+                if (lanes_any(_m38)) {
+                    const LANES(court_finer_out) _o39 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m36, _o37.share, share);
-                    const LANES(court_allowance_out) _o38 =
+                    share = lanes_select(_m38, _o39.share, share);
+                    const LANES(court_allowance_out) _o40 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o38.position_level;
-                    V velocity_level = _o38.velocity_level;
-                    const LANES(court_ring_margins_out) _o39 =
+                    V position_level = _o40.position_level;
+                    V velocity_level = _o40.velocity_level;
+                    const LANES(court_ring_margins_out) _o41 =
                         LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m36, _o39.margin, flat);
-                    tilt = lanes_select(_m36, _o39.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m36, _o39.rate_margin, rate_slack);
+                    flat = lanes_select(_m38, _o41.margin, flat);
+                    tilt = lanes_select(_m38, _o41.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m38, _o41.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o40 =
+                const LANES(court_advanced_out) _o42 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o40.arrival;
-                certain = _o40.certain;
-                M exhausted = _o40.exhausted;
-                searching = _o40.searching;
-                t = _o40.t;
-                const M _m41 = lanes_both(active, exhausted);
+                arrival = _o42.arrival;
+                certain = _o42.certain;
+                M exhausted = _o42.exhausted;
+                searching = _o42.searching;
+                t = _o42.t;
+                const M _m43 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_ring_enter_out) _o42 =
+                    const LANES(court_ring_enter_out) _o44 =
                         LANES(court_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m41, _o42.t, t);
-                    end = lanes_select(_m41, _o42.end, end);
-                    searching = lanes_choose(_m41, _o42.searching, searching);
+                    t = lanes_select(_m43, _o44.t, t);
+                    end = lanes_select(_m43, _o44.end, end);
+                    searching = lanes_choose(_m43, _o44.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -2946,13 +2955,38 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o43 =
+            const LANES(court_found_out) _o45 =
                 LANES(court_found)(arrival);
-            M arrives = _o43.arrives;
-            M refining = _o43.refining;
-            const LANES(court_nearby_out) _o44 =
+            M arrives = _o45.arrives;
+            M refining = _o45.refining;
+            const LANES(court_nearby_out) _o46 =
                 LANES(court_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o44.leaving;
+            V leaving = _o46.leaving;
+            const M _m47 = lanes_both(rows, refining);
+            if (lanes_any(_m47)) {
+                const LANES(court_ring_refine_out) _o48 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o48.time;
+                V gap = _o48.gap;
+                V rate = _o48.rate;
+                const LANES(court_polished_out) _o49 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m47, _o49.arrival, arrival);
+                refining = lanes_choose(_m47, _o49.refining, refining);
+            }
+            const M _m50 = lanes_both(rows, refining);
+            if (lanes_any(_m50)) {
+                const LANES(court_ring_refine_out) _o51 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o51.time;
+                V gap = _o51.gap;
+                V rate = _o51.rate;
+                const LANES(court_polished_out) _o52 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m50, _o52.arrival, arrival);
+                refining = lanes_choose(_m50, _o52.refining, refining);
+            }
+            lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
@@ -3028,15 +3062,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_ring_refine_out) _o45 =
+                const LANES(court_ring_refine_out) _o53 =
                     LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o45.time;
-                V gap = _o45.gap;
-                V rate = _o45.rate;
-                const LANES(court_polished_out) _o46 =
+                V refined = _o53.time;
+                V gap = _o53.gap;
+                V rate = _o53.rate;
+                const LANES(court_polished_out) _o54 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o46.arrival;
-                refining = _o46.refining;
+                arrival = _o54.arrival;
+                refining = _o54.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -3060,13 +3094,13 @@ static void LANES(court_plain)(const court_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_landed_out) _o47 =
+            const LANES(court_landed_out) _o55 =
                 LANES(court_landed)(arrival);
-            V time = _o47.time;
-            const LANES(court_sooner_out) _o48 =
+            V time = _o55.time;
+            const LANES(court_sooner_out) _o56 =
                 LANES(court_sooner)(arrives, K(0.0), time, when, which);
-            when = _o48.when;
-            which = _o48.which;
+            when = _o56.when;
+            which = _o56.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -3099,15 +3133,15 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o49 =
+            const LANES(court_horizon_out) _o57 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o49.horizon;
-            const LANES(court_backboard_clear_out) _o50 =
+            V until = _o57.horizon;
+            const LANES(court_backboard_clear_out) _o58 =
                 LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V clear = _o50.clear;
-            const LANES(court_opens_in_flight_out) _o51 =
+            V clear = _o58.clear;
+            const LANES(court_opens_in_flight_out) _o59 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o51.open;
+            M open = _o59.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -3161,33 +3195,33 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_backboard_prepare_out) _o52 =
+            const LANES(court_backboard_prepare_out) _o60 =
                 LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V low0 = _o52.low0;
-            V high0 = _o52.high0;
-            V low1 = _o52.low1;
-            V high1 = _o52.high1;
-            V ceiling = _o52.ceiling;
-            V latest = _o52.latest;
-            const LANES(court_beginning_out) _o53 =
+            V low0 = _o60.low0;
+            V high0 = _o60.high0;
+            V low1 = _o60.low1;
+            V high1 = _o60.high1;
+            V ceiling = _o60.ceiling;
+            V latest = _o60.latest;
+            const LANES(court_beginning_out) _o61 =
                 LANES(court_beginning)();
-            V share = _o53.share;
-            V arrival = _o53.arrival;
-            M certain = _o53.certain;
-            const LANES(court_allowance_out) _o54 =
+            V share = _o61.share;
+            V arrival = _o61.arrival;
+            M certain = _o61.certain;
+            const LANES(court_allowance_out) _o62 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o54.position_level;
-            V velocity_level = _o54.velocity_level;
-            const LANES(court_backboard_margins_out) _o55 =
+            V position_level = _o62.position_level;
+            V velocity_level = _o62.velocity_level;
+            const LANES(court_backboard_margins_out) _o63 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o55.margin;
-            V tilt = _o55.leaving_margin;
-            V rate_slack = _o55.rate_margin;
-            const LANES(court_backboard_enter_out) _o56 =
+            V flat = _o63.margin;
+            V tilt = _o63.leaving_margin;
+            V rate_slack = _o63.rate_margin;
+            const LANES(court_backboard_enter_out) _o64 =
                 LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o56.t;
-            V end = _o56.end;
-            M searching = _o56.searching;
+            V t = _o64.t;
+            V end = _o64.end;
+            M searching = _o64.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -3315,52 +3349,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o57 =
+                const LANES(court_nearby_out) _o65 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o57.leaving;
-                V margin = _o57.margin;
-                const LANES(court_backboard_advance_out) _o58 =
+                V leaving = _o65.leaving;
+                V margin = _o65.margin;
+                const LANES(court_backboard_advance_out) _o66 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V gap = _o58.gap;
-                V rate = _o58.rate;
-                V bend = _o58.bend;
-                V step = _o58.step;
-                V next = _o58.next;
-                V clearance = _o58.clearance;
-                const LANES(court_struck_out) _o59 =
+                V gap = _o66.gap;
+                V rate = _o66.rate;
+                V bend = _o66.bend;
+                V step = _o66.step;
+                V next = _o66.next;
+                V clearance = _o66.clearance;
+                const LANES(court_struck_out) _o67 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o59.hit;
-                M sure = _o59.sure;
-                M vague = _o59.vague;
-                const M _m60 = lanes_both(active, vague);
-                if (lanes_any(_m60)) {
-                    const LANES(court_finer_out) _o61 =
+                M hit = _o67.hit;
+                M sure = _o67.sure;
+                M vague = _o67.vague;
+                const M _m68 = lanes_both(active, vague);
+                if (lanes_any(_m68)) {
+                    const LANES(court_finer_out) _o69 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m60, _o61.share, share);
-                    const LANES(court_allowance_out) _o62 =
+                    share = lanes_select(_m68, _o69.share, share);
+                    const LANES(court_allowance_out) _o70 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o62.position_level;
-                    V velocity_level = _o62.velocity_level;
-                    const LANES(court_backboard_margins_out) _o63 =
+                    V position_level = _o70.position_level;
+                    V velocity_level = _o70.velocity_level;
+                    const LANES(court_backboard_margins_out) _o71 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = lanes_select(_m60, _o63.margin, flat);
-                    tilt = lanes_select(_m60, _o63.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m60, _o63.rate_margin, rate_slack);
+                    flat = lanes_select(_m68, _o71.margin, flat);
+                    tilt = lanes_select(_m68, _o71.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m68, _o71.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o64 =
+                const LANES(court_advanced_out) _o72 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o64.arrival;
-                certain = _o64.certain;
-                M exhausted = _o64.exhausted;
-                searching = _o64.searching;
-                t = _o64.t;
-                const M _m65 = lanes_both(active, exhausted);
+                arrival = _o72.arrival;
+                certain = _o72.certain;
+                M exhausted = _o72.exhausted;
+                searching = _o72.searching;
+                t = _o72.t;
+                const M _m73 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o66 =
+                    const LANES(court_backboard_enter_out) _o74 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m65, _o66.t, t);
-                    end = lanes_select(_m65, _o66.end, end);
-                    searching = lanes_choose(_m65, _o66.searching, searching);
+                    t = lanes_select(_m73, _o74.t, t);
+                    end = lanes_select(_m73, _o74.end, end);
+                    searching = lanes_choose(_m73, _o74.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3412,13 +3446,38 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o67 =
+            const LANES(court_found_out) _o75 =
                 LANES(court_found)(arrival);
-            M arrives = _o67.arrives;
-            M refining = _o67.refining;
-            const LANES(court_nearby_out) _o68 =
+            M arrives = _o75.arrives;
+            M refining = _o75.refining;
+            const LANES(court_nearby_out) _o76 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o68.leaving;
+            V leaving = _o76.leaving;
+            const M _m77 = lanes_both(rows, refining);
+            if (lanes_any(_m77)) {
+                const LANES(court_backboard_refine_out) _o78 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                V refined = _o78.time;
+                V gap = _o78.gap;
+                V rate = _o78.rate;
+                const LANES(court_polished_out) _o79 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m77, _o79.arrival, arrival);
+                refining = lanes_choose(_m77, _o79.refining, refining);
+            }
+            const M _m80 = lanes_both(rows, refining);
+            if (lanes_any(_m80)) {
+                const LANES(court_backboard_refine_out) _o81 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                V refined = _o81.time;
+                V gap = _o81.gap;
+                V rate = _o81.rate;
+                const LANES(court_polished_out) _o82 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m80, _o82.arrival, arrival);
+                refining = lanes_choose(_m80, _o82.refining, refining);
+            }
+            lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
@@ -3503,15 +3562,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_backboard_refine_out) _o69 =
+                const LANES(court_backboard_refine_out) _o83 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o69.time;
-                V gap = _o69.gap;
-                V rate = _o69.rate;
-                const LANES(court_polished_out) _o70 =
+                V refined = _o83.time;
+                V gap = _o83.gap;
+                V rate = _o83.rate;
+                const LANES(court_polished_out) _o84 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o70.arrival;
-                refining = _o70.refining;
+                arrival = _o84.arrival;
+                refining = _o84.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -3535,13 +3594,13 @@ static void LANES(court_plain)(const court_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_landed_out) _o71 =
+            const LANES(court_landed_out) _o85 =
                 LANES(court_landed)(arrival);
-            V time = _o71.time;
-            const LANES(court_sooner_out) _o72 =
+            V time = _o85.time;
+            const LANES(court_sooner_out) _o86 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o72.when;
-            which = _o72.which;
+            when = _o86.when;
+            which = _o86.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -3574,15 +3633,15 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o73 =
+            const LANES(court_horizon_out) _o87 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o73.horizon;
-            const LANES(court_bridge_clear_out) _o74 =
+            V until = _o87.horizon;
+            const LANES(court_bridge_clear_out) _o88 =
                 LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V clear = _o74.clear;
-            const LANES(court_opens_in_flight_out) _o75 =
+            V clear = _o88.clear;
+            const LANES(court_opens_in_flight_out) _o89 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o75.open;
+            M open = _o89.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -3636,33 +3695,33 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_bridge_prepare_out) _o76 =
+            const LANES(court_bridge_prepare_out) _o90 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o76.low0;
-            V high0 = _o76.high0;
-            V low1 = _o76.low1;
-            V high1 = _o76.high1;
-            V ceiling = _o76.ceiling;
-            V latest = _o76.latest;
-            const LANES(court_beginning_out) _o77 =
+            V low0 = _o90.low0;
+            V high0 = _o90.high0;
+            V low1 = _o90.low1;
+            V high1 = _o90.high1;
+            V ceiling = _o90.ceiling;
+            V latest = _o90.latest;
+            const LANES(court_beginning_out) _o91 =
                 LANES(court_beginning)();
-            V share = _o77.share;
-            V arrival = _o77.arrival;
-            M certain = _o77.certain;
-            const LANES(court_allowance_out) _o78 =
+            V share = _o91.share;
+            V arrival = _o91.arrival;
+            M certain = _o91.certain;
+            const LANES(court_allowance_out) _o92 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o78.position_level;
-            V velocity_level = _o78.velocity_level;
-            const LANES(court_bridge_margins_out) _o79 =
+            V position_level = _o92.position_level;
+            V velocity_level = _o92.velocity_level;
+            const LANES(court_bridge_margins_out) _o93 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o79.margin;
-            V tilt = _o79.leaving_margin;
-            V rate_slack = _o79.rate_margin;
-            const LANES(court_bridge_enter_out) _o80 =
+            V flat = _o93.margin;
+            V tilt = _o93.leaving_margin;
+            V rate_slack = _o93.rate_margin;
+            const LANES(court_bridge_enter_out) _o94 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o80.t;
-            V end = _o80.end;
-            M searching = _o80.searching;
+            V t = _o94.t;
+            V end = _o94.end;
+            M searching = _o94.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -3790,52 +3849,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o81 =
+                const LANES(court_nearby_out) _o95 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o81.leaving;
-                V margin = _o81.margin;
-                const LANES(court_bridge_advance_out) _o82 =
+                V leaving = _o95.leaving;
+                V margin = _o95.margin;
+                const LANES(court_bridge_advance_out) _o96 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o82.gap;
-                V rate = _o82.rate;
-                V bend = _o82.bend;
-                V step = _o82.step;
-                V next = _o82.next;
-                V clearance = _o82.clearance;
-                const LANES(court_struck_out) _o83 =
+                V gap = _o96.gap;
+                V rate = _o96.rate;
+                V bend = _o96.bend;
+                V step = _o96.step;
+                V next = _o96.next;
+                V clearance = _o96.clearance;
+                const LANES(court_struck_out) _o97 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o83.hit;
-                M sure = _o83.sure;
-                M vague = _o83.vague;
-                const M _m84 = lanes_both(active, vague);
-                if (lanes_any(_m84)) {
-                    const LANES(court_finer_out) _o85 =
+                M hit = _o97.hit;
+                M sure = _o97.sure;
+                M vague = _o97.vague;
+                const M _m98 = lanes_both(active, vague);
+                if (lanes_any(_m98)) {
+                    const LANES(court_finer_out) _o99 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m84, _o85.share, share);
-                    const LANES(court_allowance_out) _o86 =
+                    share = lanes_select(_m98, _o99.share, share);
+                    const LANES(court_allowance_out) _o100 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o86.position_level;
-                    V velocity_level = _o86.velocity_level;
-                    const LANES(court_bridge_margins_out) _o87 =
+                    V position_level = _o100.position_level;
+                    V velocity_level = _o100.velocity_level;
+                    const LANES(court_bridge_margins_out) _o101 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m84, _o87.margin, flat);
-                    tilt = lanes_select(_m84, _o87.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m84, _o87.rate_margin, rate_slack);
+                    flat = lanes_select(_m98, _o101.margin, flat);
+                    tilt = lanes_select(_m98, _o101.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m98, _o101.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o88 =
+                const LANES(court_advanced_out) _o102 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o88.arrival;
-                certain = _o88.certain;
-                M exhausted = _o88.exhausted;
-                searching = _o88.searching;
-                t = _o88.t;
-                const M _m89 = lanes_both(active, exhausted);
+                arrival = _o102.arrival;
+                certain = _o102.certain;
+                M exhausted = _o102.exhausted;
+                searching = _o102.searching;
+                t = _o102.t;
+                const M _m103 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o90 =
+                    const LANES(court_bridge_enter_out) _o104 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m89, _o90.t, t);
-                    end = lanes_select(_m89, _o90.end, end);
-                    searching = lanes_choose(_m89, _o90.searching, searching);
+                    t = lanes_select(_m103, _o104.t, t);
+                    end = lanes_select(_m103, _o104.end, end);
+                    searching = lanes_choose(_m103, _o104.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3887,13 +3946,38 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o91 =
+            const LANES(court_found_out) _o105 =
                 LANES(court_found)(arrival);
-            M arrives = _o91.arrives;
-            M refining = _o91.refining;
-            const LANES(court_nearby_out) _o92 =
+            M arrives = _o105.arrives;
+            M refining = _o105.refining;
+            const LANES(court_nearby_out) _o106 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o92.leaving;
+            V leaving = _o106.leaving;
+            const M _m107 = lanes_both(rows, refining);
+            if (lanes_any(_m107)) {
+                const LANES(court_bridge_refine_out) _o108 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                V refined = _o108.time;
+                V gap = _o108.gap;
+                V rate = _o108.rate;
+                const LANES(court_polished_out) _o109 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m107, _o109.arrival, arrival);
+                refining = lanes_choose(_m107, _o109.refining, refining);
+            }
+            const M _m110 = lanes_both(rows, refining);
+            if (lanes_any(_m110)) {
+                const LANES(court_bridge_refine_out) _o111 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                V refined = _o111.time;
+                V gap = _o111.gap;
+                V rate = _o111.rate;
+                const LANES(court_polished_out) _o112 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m110, _o112.arrival, arrival);
+                refining = lanes_choose(_m110, _o112.refining, refining);
+            }
+            lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
@@ -3978,15 +4062,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o93 =
+                const LANES(court_bridge_refine_out) _o113 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o93.time;
-                V gap = _o93.gap;
-                V rate = _o93.rate;
-                const LANES(court_polished_out) _o94 =
+                V refined = _o113.time;
+                V gap = _o113.gap;
+                V rate = _o113.rate;
+                const LANES(court_polished_out) _o114 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o94.arrival;
-                refining = _o94.refining;
+                arrival = _o114.arrival;
+                refining = _o114.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -4010,13 +4094,13 @@ static void LANES(court_plain)(const court_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_landed_out) _o95 =
+            const LANES(court_landed_out) _o115 =
                 LANES(court_landed)(arrival);
-            V time = _o95.time;
-            const LANES(court_sooner_out) _o96 =
+            V time = _o115.time;
+            const LANES(court_sooner_out) _o116 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o96.when;
-            which = _o96.which;
+            when = _o116.when;
+            which = _o116.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -4062,16 +4146,16 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m97 = lanes_both(rows, limited);
-            if (lanes_any(_m97)) {
-                const LANES(court_expiry_out) _o98 =
+            const M _m117 = lanes_both(rows, limited);
+            if (lanes_any(_m117)) {
+                const LANES(court_expiry_out) _o118 =
                     LANES(court_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o98.time;
-                M arrives = _o98.arrives;
-                const LANES(court_sooner_out) _o99 =
+                V time = _o118.time;
+                M arrives = _o118.arrives;
+                const LANES(court_sooner_out) _o119 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m97, _o99.when, when);
-                which = lanes_select(_m97, _o99.which, which);
+                when = lanes_select(_m117, _o119.when, when);
+                which = lanes_select(_m117, _o119.which, which);
             }
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
@@ -4194,69 +4278,69 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o276 =
+            const LANES(court_departed_out) _o296 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o276.moves;
-            M ends = _o276.ends;
-            M touches = _o276.touches;
-            V reached = _o276.reached;
-            const LANES(court_body_of_out) _o277 =
+            M moves = _o296.moves;
+            M ends = _o296.ends;
+            M touches = _o296.touches;
+            V reached = _o296.reached;
+            const LANES(court_body_of_out) _o297 =
                 LANES(court_body_of)(which);
-            V body = _o277.body;
-            const M _m278 = lanes_both(rows, moves);
-            if (lanes_any(_m278)) {
-                const LANES(court_passing_out) _o279 =
+            V body = _o297.body;
+            const M _m298 = lanes_both(rows, moves);
+            if (lanes_any(_m298)) {
+                const LANES(court_passing_out) _o299 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m278, _o279.through, through);
-                const LANES(court_flight_out) _o280 =
+                through = lanes_select(_m298, _o299.through, through);
+                const LANES(court_flight_out) _o300 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m278, _o280.x, x);
-                y = lanes_select(_m278, _o280.y, y);
-                z = lanes_select(_m278, _o280.z, z);
-                vx = lanes_select(_m278, _o280.vx, vx);
-                vy = lanes_select(_m278, _o280.vy, vy);
-                vz = lanes_select(_m278, _o280.vz, vz);
-                const LANES(court_ticked_out) _o281 =
+                x = lanes_select(_m298, _o300.x, x);
+                y = lanes_select(_m298, _o300.y, y);
+                z = lanes_select(_m298, _o300.z, z);
+                vx = lanes_select(_m298, _o300.vx, vx);
+                vy = lanes_select(_m298, _o300.vy, vy);
+                vz = lanes_select(_m298, _o300.vz, vz);
+                const LANES(court_ticked_out) _o301 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m278, _o281.clock, clock);
+                clock = lanes_select(_m298, _o301.clock, clock);
             }
-            const M _m282 = lanes_both(rows, limited);
-            if (lanes_any(_m282)) {
-                const LANES(court_expired_out) _o283 =
+            const M _m302 = lanes_both(rows, limited);
+            if (lanes_any(_m302)) {
+                const LANES(court_expired_out) _o303 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m282, _o283.clock, clock);
-                body = lanes_select(_m282, _o283.body, body);
-                reached = lanes_select(_m282, _o283.reached, reached);
-                ends = lanes_choose(_m282, _o283.ends, ends);
+                clock = lanes_select(_m302, _o303.clock, clock);
+                body = lanes_select(_m302, _o303.body, body);
+                reached = lanes_select(_m302, _o303.reached, reached);
+                ends = lanes_choose(_m302, _o303.ends, ends);
             }
-            const M _m284 = lanes_both(rows, kept);
-            if (lanes_any(_m284)) {
-                const LANES(court_kept_on_out) _o285 =
+            const M _m304 = lanes_both(rows, kept);
+            if (lanes_any(_m304)) {
+                const LANES(court_kept_on_out) _o305 =
                     LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m284, _o285.body, body);
-                reached = lanes_select(_m284, _o285.reached, reached);
-                ends = lanes_choose(_m284, _o285.ends, ends);
-                last = lanes_select(_m284, _o285.last, last);
-                mode = lanes_select(_m284, _o285.mode, mode);
-                held = lanes_select(_m284, _o285.held, held);
-                rolls = lanes_select(_m284, _o285.rolls, rolls);
+                body = lanes_select(_m304, _o305.body, body);
+                reached = lanes_select(_m304, _o305.reached, reached);
+                ends = lanes_choose(_m304, _o305.ends, ends);
+                last = lanes_select(_m304, _o305.last, last);
+                mode = lanes_select(_m304, _o305.mode, mode);
+                held = lanes_select(_m304, _o305.held, held);
+                rolls = lanes_select(_m304, _o305.rolls, rolls);
             }
-            const LANES(court_here_out) _o286 =
+            const LANES(court_here_out) _o306 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o286.here;
-            const M _m287 = lanes_both(rows, here);
+            M here = _o306.here;
+            const M _m307 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o288 =
+                const LANES(court_end_bounds_out) _o308 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o288.g0;
-                const LANES(court_end_reached_out) _o289 =
+                V g0 = _o308.g0;
+                const LANES(court_end_reached_out) _o309 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m287, _o289.reached, reached);
+                reached = lanes_select(_m307, _o309.reached, reached);
             }
-            const LANES(court_accounted_out) _o290 =
+            const LANES(court_accounted_out) _o310 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o290.contacts;
-            V outcome = _o290.outcome;
+            contacts = _o310.contacts;
+            V outcome = _o310.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -4269,304 +4353,304 @@ static void LANES(court_plain)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o291 =
+            const LANES(court_meeting_out) _o311 =
                 LANES(court_meeting)(K(0.0), ends, touches);
-            M meeting = _o291.meeting;
-            const M _m292 = lanes_both(rows, meeting);
-            if (lanes_any(_m292)) {
-                const LANES(court_end_normal_out) _o293 =
+            M meeting = _o311.meeting;
+            const M _m312 = lanes_both(rows, meeting);
+            if (lanes_any(_m312)) {
+                const LANES(court_end_normal_out) _o313 =
                     LANES(court_end_normal)();
-                V nx = _o293.nx;
-                V ny = _o293.ny;
-                V nz = _o293.nz;
-                const LANES(court_here_out) _o294 =
+                V nx = _o313.nx;
+                V ny = _o313.ny;
+                V nz = _o313.nz;
+                const LANES(court_here_out) _o314 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o294.here;
-                const M _m295 = lanes_both(_m292, here);
+                M here = _o314.here;
+                const M _m315 = lanes_both(_m312, here);
                 {
-                    const LANES(court_ring_normal_out) _o296 =
+                    const LANES(court_ring_normal_out) _o316 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m295, _o296.nx, nx);
-                    ny = lanes_select(_m295, _o296.ny, ny);
-                    nz = lanes_select(_m295, _o296.nz, nz);
-                    const LANES(court_counted_out) _o297 =
+                    nx = lanes_select(_m315, _o316.nx, nx);
+                    ny = lanes_select(_m315, _o316.ny, ny);
+                    nz = lanes_select(_m315, _o316.nz, nz);
+                    const LANES(court_counted_out) _o317 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m295, _o297.count, count_0);
+                    count_0 = lanes_select(_m315, _o317.count, count_0);
                 }
-                const LANES(court_here_out) _o298 =
+                const LANES(court_here_out) _o318 =
                     LANES(court_here)(K(1.0), which);
-                here = _o298.here;
-                const M _m299 = lanes_both(_m292, here);
+                here = _o318.here;
+                const M _m319 = lanes_both(_m312, here);
                 {
-                    const LANES(court_backboard_normal_out) _o300 =
+                    const LANES(court_backboard_normal_out) _o320 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m299, _o300.nx, nx);
-                    ny = lanes_select(_m299, _o300.ny, ny);
-                    nz = lanes_select(_m299, _o300.nz, nz);
-                    const LANES(court_counted_out) _o301 =
+                    nx = lanes_select(_m319, _o320.nx, nx);
+                    ny = lanes_select(_m319, _o320.ny, ny);
+                    nz = lanes_select(_m319, _o320.nz, nz);
+                    const LANES(court_counted_out) _o321 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m299, _o301.count, count_1);
+                    count_1 = lanes_select(_m319, _o321.count, count_1);
                 }
-                const LANES(court_here_out) _o302 =
+                const LANES(court_here_out) _o322 =
                     LANES(court_here)(K(2.0), which);
-                here = _o302.here;
-                const M _m303 = lanes_both(_m292, here);
+                here = _o322.here;
+                const M _m323 = lanes_both(_m312, here);
                 {
-                    const LANES(court_bridge_normal_out) _o304 =
+                    const LANES(court_bridge_normal_out) _o324 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m303, _o304.nx, nx);
-                    ny = lanes_select(_m303, _o304.ny, ny);
-                    nz = lanes_select(_m303, _o304.nz, nz);
-                    const LANES(court_counted_out) _o305 =
+                    nx = lanes_select(_m323, _o324.nx, nx);
+                    ny = lanes_select(_m323, _o324.ny, ny);
+                    nz = lanes_select(_m323, _o324.nz, nz);
+                    const LANES(court_counted_out) _o325 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m303, _o305.count, count_2);
+                    count_2 = lanes_select(_m323, _o325.count, count_2);
                 }
                 {
-                    const double *const _t307[][2] = {
+                    const double *const _t327[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t308[][1] = {
+                    static const double _t328[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k306 = 0; _k306 < 3; _k306++) {
-                        const V own_1 = lanes_load(_t307[_k306][0] + (i & varying));
-                        const V own_2 = lanes_load(_t307[_k306][1] + (i & varying));
-                        const V own_index = K(_t308[_k306][0]);
-                        const LANES(court_here_out) _o309 =
+                    for (size_t _k326 = 0; _k326 < 3; _k326++) {
+                        const V own_1 = lanes_load(_t327[_k326][0] + (i & varying));
+                        const V own_2 = lanes_load(_t327[_k326][1] + (i & varying));
+                        const V own_index = K(_t328[_k326][0]);
+                        const LANES(court_here_out) _o329 =
                             LANES(court_here)(own_index, which);
-                        M here = _o309.here;
-                        const M _m310 = lanes_both(_m292, here);
-                        if (lanes_any(_m310)) {
-                            const LANES(court_ring_impact_out) _o311 =
+                        M here = _o329.here;
+                        const M _m330 = lanes_both(_m312, here);
+                        if (lanes_any(_m330)) {
+                            const LANES(court_ring_impact_out) _o331 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m310, _o311.vx, vx);
-                            vy = lanes_select(_m310, _o311.vy, vy);
-                            vz = lanes_select(_m310, _o311.vz, vz);
-                            wx = lanes_select(_m310, _o311.wx, wx);
-                            wy = lanes_select(_m310, _o311.wy, wy);
-                            wz = lanes_select(_m310, _o311.wz, wz);
+                            vx = lanes_select(_m330, _o331.vx, vx);
+                            vy = lanes_select(_m330, _o331.vy, vy);
+                            vz = lanes_select(_m330, _o331.vz, vz);
+                            wx = lanes_select(_m330, _o331.wx, wx);
+                            wy = lanes_select(_m330, _o331.wy, wy);
+                            wz = lanes_select(_m330, _o331.wz, wz);
                         }
                     }
                 }
-                const M _m312 = lanes_both(_m292, touches);
+                const M _m332 = lanes_both(_m312, touches);
                 {
-                    const LANES(court_touched_out) _o313 =
+                    const LANES(court_touched_out) _o333 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m312, _o313.first, first);
-                    last = lanes_select(_m312, _o313.last, last);
+                    first = lanes_select(_m332, _o333.first, first);
+                    last = lanes_select(_m332, _o333.last, last);
                 }
-                const M _m314 = lanes_both(_m292, touches);
-                if (lanes_any(_m314)) {
-                    const LANES(court_slowed_out) _o315 =
+                const M _m334 = lanes_both(_m312, touches);
+                if (lanes_any(_m334)) {
+                    const LANES(court_slowed_out) _o335 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o315.slow;
-                    const M _m316 = lanes_both(_m314, slow);
-                    if (lanes_any(_m316)) {
-                        const LANES(court_gripped_out) _o317 =
+                    M slow = _o335.slow;
+                    const M _m336 = lanes_both(_m334, slow);
+                    if (lanes_any(_m336)) {
+                        const LANES(court_gripped_out) _o337 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o317.rolled_x;
-                        V rolled_y = _o317.rolled_y;
-                        V rolled_z = _o317.rolled_z;
-                        V slip = _o317.slip;
-                        V bounce = _o317.bounce;
-                        const LANES(court_here_out) _o318 =
+                        V rolled_x = _o337.rolled_x;
+                        V rolled_y = _o337.rolled_y;
+                        V rolled_z = _o337.rolled_z;
+                        V slip = _o337.slip;
+                        V bounce = _o337.bounce;
+                        const LANES(court_here_out) _o338 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o318.here;
-                        const M _m319 = lanes_both(_m316, here);
-                        if (lanes_any(_m319)) {
-                            const LANES(court_ring_turning_out) _o320 =
+                        M here = _o338.here;
+                        const M _m339 = lanes_both(_m336, here);
+                        if (lanes_any(_m339)) {
+                            const LANES(court_ring_turning_out) _o340 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o320.turning_x;
-                            V turning_y = _o320.turning_y;
-                            V turning_z = _o320.turning_z;
-                            const LANES(court_pressed_on_out) _o321 =
+                            V turning_x = _o340.turning_x;
+                            V turning_y = _o340.turning_y;
+                            V turning_z = _o340.turning_z;
+                            const LANES(court_pressed_on_out) _o341 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o321.press;
-                            V weight = _o321.weight;
-                            V drag = _o321.drag;
-                            V thrust_x = _o321.thrust_x;
-                            V thrust_y = _o321.thrust_y;
-                            V thrust_z = _o321.thrust_z;
-                            const LANES(court_alone_out) _o322 =
+                            V press = _o341.press;
+                            V weight = _o341.weight;
+                            V drag = _o341.drag;
+                            V thrust_x = _o341.thrust_x;
+                            V thrust_y = _o341.thrust_y;
+                            V thrust_z = _o341.thrust_z;
+                            const LANES(court_alone_out) _o342 =
                                 LANES(court_alone)();
-                            V nearest = _o322.nearest;
-                            V wedge = _o322.wedge;
-                            const LANES(court_backboard_closing_out) _o323 =
+                            V nearest = _o342.nearest;
+                            V wedge = _o342.wedge;
+                            const LANES(court_backboard_closing_out) _o343 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o323.gap;
-                            V nearing = _o323.nearing;
-                            V swerve = _o323.swerve;
-                            V facing = _o323.facing;
-                            const LANES(court_neared_body_out) _o324 =
+                            V gap = _o343.gap;
+                            V nearing = _o343.nearing;
+                            V swerve = _o343.swerve;
+                            V facing = _o343.facing;
+                            const LANES(court_neared_body_out) _o344 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o324.nearest;
-                            wedge = _o324.wedge;
-                            const LANES(court_bridge_closing_out) _o325 =
+                            nearest = _o344.nearest;
+                            wedge = _o344.wedge;
+                            const LANES(court_bridge_closing_out) _o345 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o325.gap;
-                            nearing = _o325.nearing;
-                            swerve = _o325.swerve;
-                            facing = _o325.facing;
-                            const LANES(court_neared_body_out) _o326 =
+                            gap = _o345.gap;
+                            nearing = _o345.nearing;
+                            swerve = _o345.swerve;
+                            facing = _o345.facing;
+                            const LANES(court_neared_body_out) _o346 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o326.nearest;
-                            wedge = _o326.wedge;
-                            const LANES(court_end_beside_out) _o327 =
+                            nearest = _o346.nearest;
+                            wedge = _o346.wedge;
+                            const LANES(court_end_beside_out) _o347 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o327.gap;
-                            const LANES(court_neared_out) _o328 =
+                            gap = _o347.gap;
+                            const LANES(court_neared_out) _o348 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o328.nearest;
-                            const LANES(court_ring_parting_out) _o329 =
+                            nearest = _o348.nearest;
+                            const LANES(court_ring_parting_out) _o349 =
                                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o329.lift;
-                            const LANES(court_ring_impact_settling_out) _o330 =
+                            V lift = _o349.lift;
+                            const LANES(court_ring_impact_settling_out) _o350 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o330.settles;
-                            M lodges = _o330.lodges;
-                            M slides = _o330.slides;
-                            M parts = _o330.parts;
-                            M unsure = _o330.unsure;
-                            const LANES(court_settled_out) _o331 =
+                            M settles = _o350.settles;
+                            M lodges = _o350.lodges;
+                            M slides = _o350.slides;
+                            M parts = _o350.parts;
+                            M unsure = _o350.unsure;
+                            const LANES(court_settled_out) _o351 =
                                 LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m319, _o331.mode, mode);
-                            held = lanes_select(_m319, _o331.held, held);
-                            outcome = lanes_select(_m319, _o331.outcome, outcome);
-                            slip_left = lanes_select(_m319, _o331.slip_left, slip_left);
+                            mode = lanes_select(_m339, _o351.mode, mode);
+                            held = lanes_select(_m339, _o351.held, held);
+                            outcome = lanes_select(_m339, _o351.outcome, outcome);
+                            slip_left = lanes_select(_m339, _o351.slip_left, slip_left);
                         }
-                        const LANES(court_here_out) _o332 =
+                        const LANES(court_here_out) _o352 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o332.here;
-                        const M _m333 = lanes_both(_m316, here);
-                        if (lanes_any(_m333)) {
-                            const LANES(court_backboard_turning_out) _o334 =
+                        here = _o352.here;
+                        const M _m353 = lanes_both(_m336, here);
+                        if (lanes_any(_m353)) {
+                            const LANES(court_backboard_turning_out) _o354 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o334.turning_x;
-                            V turning_y = _o334.turning_y;
-                            V turning_z = _o334.turning_z;
-                            const LANES(court_pressed_on_out) _o335 =
+                            V turning_x = _o354.turning_x;
+                            V turning_y = _o354.turning_y;
+                            V turning_z = _o354.turning_z;
+                            const LANES(court_pressed_on_out) _o355 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o335.press;
-                            V weight = _o335.weight;
-                            V drag = _o335.drag;
-                            V thrust_x = _o335.thrust_x;
-                            V thrust_y = _o335.thrust_y;
-                            V thrust_z = _o335.thrust_z;
-                            const LANES(court_alone_out) _o336 =
+                            V press = _o355.press;
+                            V weight = _o355.weight;
+                            V drag = _o355.drag;
+                            V thrust_x = _o355.thrust_x;
+                            V thrust_y = _o355.thrust_y;
+                            V thrust_z = _o355.thrust_z;
+                            const LANES(court_alone_out) _o356 =
                                 LANES(court_alone)();
-                            V nearest = _o336.nearest;
-                            V wedge = _o336.wedge;
-                            const LANES(court_ring_closing_out) _o337 =
+                            V nearest = _o356.nearest;
+                            V wedge = _o356.wedge;
+                            const LANES(court_ring_closing_out) _o357 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o337.gap;
-                            V nearing = _o337.nearing;
-                            V swerve = _o337.swerve;
-                            V facing = _o337.facing;
-                            const LANES(court_neared_body_out) _o338 =
+                            V gap = _o357.gap;
+                            V nearing = _o357.nearing;
+                            V swerve = _o357.swerve;
+                            V facing = _o357.facing;
+                            const LANES(court_neared_body_out) _o358 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o338.nearest;
-                            wedge = _o338.wedge;
-                            const LANES(court_bridge_closing_out) _o339 =
+                            nearest = _o358.nearest;
+                            wedge = _o358.wedge;
+                            const LANES(court_bridge_closing_out) _o359 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o339.gap;
-                            nearing = _o339.nearing;
-                            swerve = _o339.swerve;
-                            facing = _o339.facing;
-                            const LANES(court_neared_body_out) _o340 =
+                            gap = _o359.gap;
+                            nearing = _o359.nearing;
+                            swerve = _o359.swerve;
+                            facing = _o359.facing;
+                            const LANES(court_neared_body_out) _o360 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o340.nearest;
-                            wedge = _o340.wedge;
-                            const LANES(court_end_beside_out) _o341 =
+                            nearest = _o360.nearest;
+                            wedge = _o360.wedge;
+                            const LANES(court_end_beside_out) _o361 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o341.gap;
-                            const LANES(court_neared_out) _o342 =
+                            gap = _o361.gap;
+                            const LANES(court_neared_out) _o362 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o342.nearest;
-                            const LANES(court_backboard_parting_out) _o343 =
+                            nearest = _o362.nearest;
+                            const LANES(court_backboard_parting_out) _o363 =
                                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o343.lift;
-                            const LANES(court_ring_impact_settling_out) _o344 =
+                            V lift = _o363.lift;
+                            const LANES(court_ring_impact_settling_out) _o364 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o344.settles;
-                            M lodges = _o344.lodges;
-                            M slides = _o344.slides;
-                            M parts = _o344.parts;
-                            M unsure = _o344.unsure;
-                            const LANES(court_settled_out) _o345 =
+                            M settles = _o364.settles;
+                            M lodges = _o364.lodges;
+                            M slides = _o364.slides;
+                            M parts = _o364.parts;
+                            M unsure = _o364.unsure;
+                            const LANES(court_settled_out) _o365 =
                                 LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m333, _o345.mode, mode);
-                            held = lanes_select(_m333, _o345.held, held);
-                            outcome = lanes_select(_m333, _o345.outcome, outcome);
-                            slip_left = lanes_select(_m333, _o345.slip_left, slip_left);
+                            mode = lanes_select(_m353, _o365.mode, mode);
+                            held = lanes_select(_m353, _o365.held, held);
+                            outcome = lanes_select(_m353, _o365.outcome, outcome);
+                            slip_left = lanes_select(_m353, _o365.slip_left, slip_left);
                         }
-                        const LANES(court_here_out) _o346 =
+                        const LANES(court_here_out) _o366 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o346.here;
-                        const M _m347 = lanes_both(_m316, here);
-                        if (lanes_any(_m347)) {
-                            const LANES(court_bridge_turning_out) _o348 =
+                        here = _o366.here;
+                        const M _m367 = lanes_both(_m336, here);
+                        if (lanes_any(_m367)) {
+                            const LANES(court_bridge_turning_out) _o368 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o348.turning_x;
-                            V turning_y = _o348.turning_y;
-                            V turning_z = _o348.turning_z;
-                            const LANES(court_pressed_on_out) _o349 =
+                            V turning_x = _o368.turning_x;
+                            V turning_y = _o368.turning_y;
+                            V turning_z = _o368.turning_z;
+                            const LANES(court_pressed_on_out) _o369 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o349.press;
-                            V weight = _o349.weight;
-                            V drag = _o349.drag;
-                            V thrust_x = _o349.thrust_x;
-                            V thrust_y = _o349.thrust_y;
-                            V thrust_z = _o349.thrust_z;
-                            const LANES(court_alone_out) _o350 =
+                            V press = _o369.press;
+                            V weight = _o369.weight;
+                            V drag = _o369.drag;
+                            V thrust_x = _o369.thrust_x;
+                            V thrust_y = _o369.thrust_y;
+                            V thrust_z = _o369.thrust_z;
+                            const LANES(court_alone_out) _o370 =
                                 LANES(court_alone)();
-                            V nearest = _o350.nearest;
-                            V wedge = _o350.wedge;
-                            const LANES(court_ring_closing_out) _o351 =
+                            V nearest = _o370.nearest;
+                            V wedge = _o370.wedge;
+                            const LANES(court_ring_closing_out) _o371 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o351.gap;
-                            V nearing = _o351.nearing;
-                            V swerve = _o351.swerve;
-                            V facing = _o351.facing;
-                            const LANES(court_neared_body_out) _o352 =
+                            V gap = _o371.gap;
+                            V nearing = _o371.nearing;
+                            V swerve = _o371.swerve;
+                            V facing = _o371.facing;
+                            const LANES(court_neared_body_out) _o372 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o352.nearest;
-                            wedge = _o352.wedge;
-                            const LANES(court_backboard_closing_out) _o353 =
+                            nearest = _o372.nearest;
+                            wedge = _o372.wedge;
+                            const LANES(court_backboard_closing_out) _o373 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o353.gap;
-                            nearing = _o353.nearing;
-                            swerve = _o353.swerve;
-                            facing = _o353.facing;
-                            const LANES(court_neared_body_out) _o354 =
+                            gap = _o373.gap;
+                            nearing = _o373.nearing;
+                            swerve = _o373.swerve;
+                            facing = _o373.facing;
+                            const LANES(court_neared_body_out) _o374 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o354.nearest;
-                            wedge = _o354.wedge;
-                            const LANES(court_end_beside_out) _o355 =
+                            nearest = _o374.nearest;
+                            wedge = _o374.wedge;
+                            const LANES(court_end_beside_out) _o375 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o355.gap;
-                            const LANES(court_neared_out) _o356 =
+                            gap = _o375.gap;
+                            const LANES(court_neared_out) _o376 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o356.nearest;
-                            const LANES(court_bridge_parting_out) _o357 =
+                            nearest = _o376.nearest;
+                            const LANES(court_bridge_parting_out) _o377 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o357.lift;
-                            const LANES(court_ring_impact_settling_out) _o358 =
+                            V lift = _o377.lift;
+                            const LANES(court_ring_impact_settling_out) _o378 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o358.settles;
-                            M lodges = _o358.lodges;
-                            M slides = _o358.slides;
-                            M parts = _o358.parts;
-                            M unsure = _o358.unsure;
-                            const LANES(court_settled_out) _o359 =
+                            M settles = _o378.settles;
+                            M lodges = _o378.lodges;
+                            M slides = _o378.slides;
+                            M parts = _o378.parts;
+                            M unsure = _o378.unsure;
+                            const LANES(court_settled_out) _o379 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m347, _o359.mode, mode);
-                            held = lanes_select(_m347, _o359.held, held);
-                            outcome = lanes_select(_m347, _o359.outcome, outcome);
-                            slip_left = lanes_select(_m347, _o359.slip_left, slip_left);
+                            mode = lanes_select(_m367, _o379.mode, mode);
+                            held = lanes_select(_m367, _o379.held, held);
+                            outcome = lanes_select(_m367, _o379.outcome, outcome);
+                            slip_left = lanes_select(_m367, _o379.slip_left, slip_left);
                         }
                     }
                 }
@@ -5593,130 +5677,130 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o133 =
+        const LANES(court_resumed_out) _o153 =
             LANES(court_resumed)(clock, mode, position_error, velocity_error);
-        V which = _o133.which;
-        V late = _o133.late;
-        V began = _o133.began;
-        V doubt = _o133.doubt;
-        M begins = _o133.begins;
-        M rolling = _o133.rolling;
-        M leaves = _o133.leaves;
-        V nx = _o133.nx;
-        V ny = _o133.ny;
-        V nz = _o133.nz;
-        V gap = _o133.gap;
-        V bent_x = _o133.bent_x;
-        V bent_y = _o133.bent_y;
-        V bent_z = _o133.bent_z;
-        V lift = _o133.lift;
-        V surge = _o133.surge;
-        V snap = _o133.snap;
-        V per_reach = _o133.per_reach;
-        const M _m134 = lanes_both(rows, begins);
-        if (lanes_any(_m134)) {
-            const LANES(court_holding_out) _o135 =
+        V which = _o153.which;
+        V late = _o153.late;
+        V began = _o153.began;
+        V doubt = _o153.doubt;
+        M begins = _o153.begins;
+        M rolling = _o153.rolling;
+        M leaves = _o153.leaves;
+        V nx = _o153.nx;
+        V ny = _o153.ny;
+        V nz = _o153.nz;
+        V gap = _o153.gap;
+        V bent_x = _o153.bent_x;
+        V bent_y = _o153.bent_y;
+        V bent_z = _o153.bent_z;
+        V lift = _o153.lift;
+        V surge = _o153.surge;
+        V snap = _o153.snap;
+        V per_reach = _o153.per_reach;
+        const M _m154 = lanes_both(rows, begins);
+        if (lanes_any(_m154)) {
+            const LANES(court_holding_out) _o155 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o135.here;
-            const M _m136 = lanes_both(_m134, here);
+            M here = _o155.here;
+            const M _m156 = lanes_both(_m154, here);
             {
-                const LANES(court_ring_normal_out) _o137 =
+                const LANES(court_ring_normal_out) _o157 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m136, _o137.nx, nx);
-                ny = lanes_select(_m136, _o137.ny, ny);
-                nz = lanes_select(_m136, _o137.nz, nz);
+                nx = lanes_select(_m156, _o157.nx, nx);
+                ny = lanes_select(_m156, _o157.ny, ny);
+                nz = lanes_select(_m156, _o157.nz, nz);
             }
-            const LANES(court_holding_out) _o138 =
+            const LANES(court_holding_out) _o158 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o138.here;
-            const M _m139 = lanes_both(_m134, here);
+            here = _o158.here;
+            const M _m159 = lanes_both(_m154, here);
             {
-                const LANES(court_backboard_normal_out) _o140 =
+                const LANES(court_backboard_normal_out) _o160 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m139, _o140.nx, nx);
-                ny = lanes_select(_m139, _o140.ny, ny);
-                nz = lanes_select(_m139, _o140.nz, nz);
+                nx = lanes_select(_m159, _o160.nx, nx);
+                ny = lanes_select(_m159, _o160.ny, ny);
+                nz = lanes_select(_m159, _o160.nz, nz);
             }
-            const LANES(court_holding_out) _o141 =
+            const LANES(court_holding_out) _o161 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o141.here;
-            const M _m142 = lanes_both(_m134, here);
+            here = _o161.here;
+            const M _m162 = lanes_both(_m154, here);
             {
-                const LANES(court_bridge_normal_out) _o143 =
+                const LANES(court_bridge_normal_out) _o163 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m142, _o143.nx, nx);
-                ny = lanes_select(_m142, _o143.ny, ny);
-                nz = lanes_select(_m142, _o143.nz, nz);
+                nx = lanes_select(_m162, _o163.nx, nx);
+                ny = lanes_select(_m162, _o163.ny, ny);
+                nz = lanes_select(_m162, _o163.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o144 =
+            const LANES(court_roll_turn_rate_out) _o164 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o144.turn_rate;
-            const LANES(court_gripped_out) _o145 =
+            V turn_rate = _o164.turn_rate;
+            const LANES(court_gripped_out) _o165 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o145.rolled_x;
-            V rolled_y = _o145.rolled_y;
-            V rolled_z = _o145.rolled_z;
-            const LANES(court_holding_out) _o146 =
+            V rolled_x = _o165.rolled_x;
+            V rolled_y = _o165.rolled_y;
+            V rolled_z = _o165.rolled_z;
+            const LANES(court_holding_out) _o166 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o146.here;
-            const M _m147 = lanes_both(_m134, here);
+            here = _o166.here;
+            const M _m167 = lanes_both(_m154, here);
             {
-                const LANES(court_ring_off_out) _o148 =
+                const LANES(court_ring_off_out) _o168 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m147, _o148.gap, gap);
+                gap = lanes_select(_m167, _o168.gap, gap);
             }
-            const LANES(court_holding_out) _o149 =
+            const LANES(court_holding_out) _o169 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o149.here;
-            const M _m150 = lanes_both(_m134, here);
+            here = _o169.here;
+            const M _m170 = lanes_both(_m154, here);
             {
-                const LANES(court_backboard_off_out) _o151 =
+                const LANES(court_backboard_off_out) _o171 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m150, _o151.gap, gap);
+                gap = lanes_select(_m170, _o171.gap, gap);
             }
-            const LANES(court_holding_out) _o152 =
+            const LANES(court_holding_out) _o172 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o152.here;
-            const M _m153 = lanes_both(_m134, here);
+            here = _o172.here;
+            const M _m173 = lanes_both(_m154, here);
             {
-                const LANES(court_bridge_off_out) _o154 =
+                const LANES(court_bridge_off_out) _o174 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m153, _o154.gap, gap);
+                gap = lanes_select(_m173, _o174.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o155 =
+            const LANES(court_roll_placed_out) _o175 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m134, _o155.x, x);
-            y = lanes_select(_m134, _o155.y, y);
-            z = lanes_select(_m134, _o155.z, z);
-            vx = lanes_select(_m134, _o155.vx, vx);
-            vy = lanes_select(_m134, _o155.vy, vy);
-            vz = lanes_select(_m134, _o155.vz, vz);
-            wx = lanes_select(_m134, _o155.wx, wx);
-            wy = lanes_select(_m134, _o155.wy, wy);
-            wz = lanes_select(_m134, _o155.wz, wz);
-            const LANES(court_begun_errors_out) _o156 =
+            x = lanes_select(_m154, _o175.x, x);
+            y = lanes_select(_m154, _o175.y, y);
+            z = lanes_select(_m154, _o175.z, z);
+            vx = lanes_select(_m154, _o175.vx, vx);
+            vy = lanes_select(_m154, _o175.vy, vy);
+            vz = lanes_select(_m154, _o175.vz, vz);
+            wx = lanes_select(_m154, _o175.wx, wx);
+            wy = lanes_select(_m154, _o175.wy, wy);
+            wz = lanes_select(_m154, _o175.wz, wz);
+            const LANES(court_begun_errors_out) _o176 =
                 LANES(court_begun_errors)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz);
-            dx = lanes_select(_m134, _o156.dx, dx);
-            dy = lanes_select(_m134, _o156.dy, dy);
-            dz = lanes_select(_m134, _o156.dz, dz);
-            dvx = lanes_select(_m134, _o156.dvx, dvx);
-            dvy = lanes_select(_m134, _o156.dvy, dvy);
-            dvz = lanes_select(_m134, _o156.dvz, dvz);
-            dwx = lanes_select(_m134, _o156.dwx, dwx);
-            dwy = lanes_select(_m134, _o156.dwy, dwy);
-            dwz = lanes_select(_m134, _o156.dwz, dwz);
-            const LANES(court_untaut_out) _o157 =
+            dx = lanes_select(_m154, _o176.dx, dx);
+            dy = lanes_select(_m154, _o176.dy, dy);
+            dz = lanes_select(_m154, _o176.dz, dz);
+            dvx = lanes_select(_m154, _o176.dvx, dvx);
+            dvy = lanes_select(_m154, _o176.dvy, dvy);
+            dvz = lanes_select(_m154, _o176.dvz, dvz);
+            dwx = lanes_select(_m154, _o176.dwx, dwx);
+            dwy = lanes_select(_m154, _o176.dwy, dwy);
+            dwz = lanes_select(_m154, _o176.dwz, dwz);
+            const LANES(court_untaut_out) _o177 =
                 LANES(court_untaut)();
-            taut = lanes_select(_m134, _o157.taut, taut);
-            const LANES(court_beginning_contact_out) _o158 =
+            taut = lanes_select(_m154, _o177.taut, taut);
+            const LANES(court_beginning_contact_out) _o178 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m134, _o158.which, which);
-            circled = lanes_select(_m134, _o158.circled, circled);
+            which = lanes_select(_m154, _o178.which, which);
+            circled = lanes_select(_m154, _o178.circled, circled);
         }
-        const LANES(court_circles_out) _o159 =
+        const LANES(court_circles_out) _o179 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o159.circling;
-        rolling = _o159.rolling;
+        M circling = _o179.circling;
+        rolling = _o179.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -5937,688 +6021,688 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_error_bounds_out) _o160 =
+            const LANES(court_error_bounds_out) _o180 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o160.position_error;
-            V velocity_error = _o160.velocity_error;
-            const LANES(court_holding_out) _o161 =
+            V position_error = _o180.position_error;
+            V velocity_error = _o180.velocity_error;
+            const LANES(court_holding_out) _o181 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o161.here;
-            const M _m162 = lanes_both(active, here);
-            if (lanes_any(_m162)) {
-                const LANES(court_backboard_normal_out) _o163 =
+            M here = _o181.here;
+            const M _m182 = lanes_both(active, here);
+            if (lanes_any(_m182)) {
+                const LANES(court_backboard_normal_out) _o183 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m162, _o163.nx, nx);
-                ny = lanes_select(_m162, _o163.ny, ny);
-                nz = lanes_select(_m162, _o163.nz, nz);
-                const LANES(court_backboard_tube_out) _o164 =
+                nx = lanes_select(_m182, _o183.nx, nx);
+                ny = lanes_select(_m182, _o183.ny, ny);
+                nz = lanes_select(_m182, _o183.nz, nz);
+                const LANES(court_backboard_tube_out) _o184 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m162, _o164.bent_x, bent_x);
-                bent_y = lanes_select(_m162, _o164.bent_y, bent_y);
-                bent_z = lanes_select(_m162, _o164.bent_z, bent_z);
-                per_reach = lanes_select(_m162, _o164.per_reach, per_reach);
+                bent_x = lanes_select(_m182, _o184.bent_x, bent_x);
+                bent_y = lanes_select(_m182, _o184.bent_y, bent_y);
+                bent_z = lanes_select(_m182, _o184.bent_z, bent_z);
+                per_reach = lanes_select(_m182, _o184.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o165 =
+            const LANES(court_holding_out) _o185 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o165.here;
-            const M _m166 = lanes_both(active, here);
-            if (lanes_any(_m166)) {
-                const LANES(court_bridge_normal_out) _o167 =
+            here = _o185.here;
+            const M _m186 = lanes_both(active, here);
+            if (lanes_any(_m186)) {
+                const LANES(court_bridge_normal_out) _o187 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m166, _o167.nx, nx);
-                ny = lanes_select(_m166, _o167.ny, ny);
-                nz = lanes_select(_m166, _o167.nz, nz);
-                const LANES(court_bridge_tube_out) _o168 =
+                nx = lanes_select(_m186, _o187.nx, nx);
+                ny = lanes_select(_m186, _o187.ny, ny);
+                nz = lanes_select(_m186, _o187.nz, nz);
+                const LANES(court_bridge_tube_out) _o188 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m166, _o168.bent_x, bent_x);
-                bent_y = lanes_select(_m166, _o168.bent_y, bent_y);
-                bent_z = lanes_select(_m166, _o168.bent_z, bent_z);
-                per_reach = lanes_select(_m166, _o168.per_reach, per_reach);
+                bent_x = lanes_select(_m186, _o188.bent_x, bent_x);
+                bent_y = lanes_select(_m186, _o188.bent_y, bent_y);
+                bent_z = lanes_select(_m186, _o188.bent_z, bent_z);
+                per_reach = lanes_select(_m186, _o188.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o169 =
+            const LANES(court_roll_start_out) _o189 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o169.vx_0;
-            V vy_0 = _o169.vy_0;
-            V vz_0 = _o169.vz_0;
-            V nx_0 = _o169.nx_0;
-            V ny_0 = _o169.ny_0;
-            V nz_0 = _o169.nz_0;
-            V turn_rate_0 = _o169.turn_rate_0;
-            const LANES(court_roll_0_out) _o170 =
+            V vx_0 = _o189.vx_0;
+            V vy_0 = _o189.vy_0;
+            V vz_0 = _o189.vz_0;
+            V nx_0 = _o189.nx_0;
+            V ny_0 = _o189.ny_0;
+            V nz_0 = _o189.nz_0;
+            V turn_rate_0 = _o189.turn_rate_0;
+            const LANES(court_roll_0_out) _o190 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o170.lift_0;
-            V tx_0 = _o170.tx_0;
-            V ty_0 = _o170.ty_0;
-            V tz_0 = _o170.tz_0;
-            V vx_1 = _o170.vx_1;
-            V vy_1 = _o170.vy_1;
-            V vz_1 = _o170.vz_1;
-            V nx_1 = _o170.nx_1;
-            V ny_1 = _o170.ny_1;
-            V nz_1 = _o170.nz_1;
-            V turn_rate_1 = _o170.turn_rate_1;
-            const LANES(court_roll_1_out) _o171 =
+            V lift_0 = _o190.lift_0;
+            V tx_0 = _o190.tx_0;
+            V ty_0 = _o190.ty_0;
+            V tz_0 = _o190.tz_0;
+            V vx_1 = _o190.vx_1;
+            V vy_1 = _o190.vy_1;
+            V vz_1 = _o190.vz_1;
+            V nx_1 = _o190.nx_1;
+            V ny_1 = _o190.ny_1;
+            V nz_1 = _o190.nz_1;
+            V turn_rate_1 = _o190.turn_rate_1;
+            const LANES(court_roll_1_out) _o191 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o171.lift_1;
-            V tx_1 = _o171.tx_1;
-            V ty_1 = _o171.ty_1;
-            V tz_1 = _o171.tz_1;
-            V vx_2 = _o171.vx_2;
-            V vy_2 = _o171.vy_2;
-            V vz_2 = _o171.vz_2;
-            V nx_2 = _o171.nx_2;
-            V ny_2 = _o171.ny_2;
-            V nz_2 = _o171.nz_2;
-            V turn_rate_2 = _o171.turn_rate_2;
-            const LANES(court_roll_2_out) _o172 =
+            V lift_1 = _o191.lift_1;
+            V tx_1 = _o191.tx_1;
+            V ty_1 = _o191.ty_1;
+            V tz_1 = _o191.tz_1;
+            V vx_2 = _o191.vx_2;
+            V vy_2 = _o191.vy_2;
+            V vz_2 = _o191.vz_2;
+            V nx_2 = _o191.nx_2;
+            V ny_2 = _o191.ny_2;
+            V nz_2 = _o191.nz_2;
+            V turn_rate_2 = _o191.turn_rate_2;
+            const LANES(court_roll_2_out) _o192 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o172.lift_2;
-            V tx_2 = _o172.tx_2;
-            V ty_2 = _o172.ty_2;
-            V tz_2 = _o172.tz_2;
-            V vx_3 = _o172.vx_3;
-            V vy_3 = _o172.vy_3;
-            V vz_3 = _o172.vz_3;
-            V nx_3 = _o172.nx_3;
-            V ny_3 = _o172.ny_3;
-            V nz_3 = _o172.nz_3;
-            V turn_rate_3 = _o172.turn_rate_3;
-            const LANES(court_roll_3_out) _o173 =
+            V lift_2 = _o192.lift_2;
+            V tx_2 = _o192.tx_2;
+            V ty_2 = _o192.ty_2;
+            V tz_2 = _o192.tz_2;
+            V vx_3 = _o192.vx_3;
+            V vy_3 = _o192.vy_3;
+            V vz_3 = _o192.vz_3;
+            V nx_3 = _o192.nx_3;
+            V ny_3 = _o192.ny_3;
+            V nz_3 = _o192.nz_3;
+            V turn_rate_3 = _o192.turn_rate_3;
+            const LANES(court_roll_3_out) _o193 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o173.lift_3;
-            V tx_3 = _o173.tx_3;
-            V ty_3 = _o173.ty_3;
-            V tz_3 = _o173.tz_3;
-            V vx_4 = _o173.vx_4;
-            V vy_4 = _o173.vy_4;
-            V vz_4 = _o173.vz_4;
-            V nx_4 = _o173.nx_4;
-            V ny_4 = _o173.ny_4;
-            V nz_4 = _o173.nz_4;
-            V turn_rate_4 = _o173.turn_rate_4;
-            const LANES(court_roll_4_out) _o174 =
+            V lift_3 = _o193.lift_3;
+            V tx_3 = _o193.tx_3;
+            V ty_3 = _o193.ty_3;
+            V tz_3 = _o193.tz_3;
+            V vx_4 = _o193.vx_4;
+            V vy_4 = _o193.vy_4;
+            V vz_4 = _o193.vz_4;
+            V nx_4 = _o193.nx_4;
+            V ny_4 = _o193.ny_4;
+            V nz_4 = _o193.nz_4;
+            V turn_rate_4 = _o193.turn_rate_4;
+            const LANES(court_roll_4_out) _o194 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o174.lift_4;
-            V tx_4 = _o174.tx_4;
-            V ty_4 = _o174.ty_4;
-            V tz_4 = _o174.tz_4;
-            V vx_5 = _o174.vx_5;
-            V vy_5 = _o174.vy_5;
-            V vz_5 = _o174.vz_5;
-            V nx_5 = _o174.nx_5;
-            V ny_5 = _o174.ny_5;
-            V nz_5 = _o174.nz_5;
-            V turn_rate_5 = _o174.turn_rate_5;
-            const LANES(court_roll_5_out) _o175 =
+            V lift_4 = _o194.lift_4;
+            V tx_4 = _o194.tx_4;
+            V ty_4 = _o194.ty_4;
+            V tz_4 = _o194.tz_4;
+            V vx_5 = _o194.vx_5;
+            V vy_5 = _o194.vy_5;
+            V vz_5 = _o194.vz_5;
+            V nx_5 = _o194.nx_5;
+            V ny_5 = _o194.ny_5;
+            V nz_5 = _o194.nz_5;
+            V turn_rate_5 = _o194.turn_rate_5;
+            const LANES(court_roll_5_out) _o195 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o175.lift_5;
-            V tx_5 = _o175.tx_5;
-            V ty_5 = _o175.ty_5;
-            V tz_5 = _o175.tz_5;
-            V vx_6 = _o175.vx_6;
-            V vy_6 = _o175.vy_6;
-            V vz_6 = _o175.vz_6;
-            V nx_6 = _o175.nx_6;
-            V ny_6 = _o175.ny_6;
-            V nz_6 = _o175.nz_6;
-            V turn_rate_6 = _o175.turn_rate_6;
-            const LANES(court_roll_6_out) _o176 =
+            V lift_5 = _o195.lift_5;
+            V tx_5 = _o195.tx_5;
+            V ty_5 = _o195.ty_5;
+            V tz_5 = _o195.tz_5;
+            V vx_6 = _o195.vx_6;
+            V vy_6 = _o195.vy_6;
+            V vz_6 = _o195.vz_6;
+            V nx_6 = _o195.nx_6;
+            V ny_6 = _o195.ny_6;
+            V nz_6 = _o195.nz_6;
+            V turn_rate_6 = _o195.turn_rate_6;
+            const LANES(court_roll_6_out) _o196 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o176.lift_6;
-            V tx_6 = _o176.tx_6;
-            V ty_6 = _o176.ty_6;
-            V tz_6 = _o176.tz_6;
-            V vx_7 = _o176.vx_7;
-            V vy_7 = _o176.vy_7;
-            V vz_7 = _o176.vz_7;
-            V nx_7 = _o176.nx_7;
-            V ny_7 = _o176.ny_7;
-            V nz_7 = _o176.nz_7;
-            V turn_rate_7 = _o176.turn_rate_7;
-            const LANES(court_roll_7_out) _o177 =
+            V lift_6 = _o196.lift_6;
+            V tx_6 = _o196.tx_6;
+            V ty_6 = _o196.ty_6;
+            V tz_6 = _o196.tz_6;
+            V vx_7 = _o196.vx_7;
+            V vy_7 = _o196.vy_7;
+            V vz_7 = _o196.vz_7;
+            V nx_7 = _o196.nx_7;
+            V ny_7 = _o196.ny_7;
+            V nz_7 = _o196.nz_7;
+            V turn_rate_7 = _o196.turn_rate_7;
+            const LANES(court_roll_7_out) _o197 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o177.lift_7;
-            V vx_8 = _o177.vx_8;
-            V vy_8 = _o177.vy_8;
-            V vz_8 = _o177.vz_8;
-            V nx_8 = _o177.nx_8;
-            V ny_8 = _o177.ny_8;
-            V nz_8 = _o177.nz_8;
-            V turn_rate_8 = _o177.turn_rate_8;
-            const LANES(court_roll_pace_out) _o178 =
+            V lift_7 = _o197.lift_7;
+            V vx_8 = _o197.vx_8;
+            V vy_8 = _o197.vy_8;
+            V vz_8 = _o197.vz_8;
+            V nx_8 = _o197.nx_8;
+            V ny_8 = _o197.ny_8;
+            V nz_8 = _o197.nz_8;
+            V turn_rate_8 = _o197.turn_rate_8;
+            const LANES(court_roll_pace_out) _o198 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o178.stride;
-            V strongest = _o178.strongest;
-            V fastest = _o178.fastest;
-            V force = _o178.force;
-            V force_rate = _o178.force_rate;
-            V force_bend = _o178.force_bend;
-            V brace = _o178.brace;
-            const LANES(court_pulled_out) _o179 =
+            V stride = _o198.stride;
+            V strongest = _o198.strongest;
+            V fastest = _o198.fastest;
+            V force = _o198.force;
+            V force_rate = _o198.force_rate;
+            V force_bend = _o198.force_bend;
+            V brace = _o198.brace;
+            const LANES(court_pulled_out) _o199 =
                 LANES(court_pulled)(p_gravity, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-            V drag = _o179.drag;
-            V drag_rate = _o179.drag_rate;
-            V strain = _o179.strain;
-            V strain_rate = _o179.strain_rate;
-            const LANES(court_holding_out) _o180 =
+            V drag = _o199.drag;
+            V drag_rate = _o199.drag_rate;
+            V strain = _o199.strain;
+            V strain_rate = _o199.strain_rate;
+            const LANES(court_holding_out) _o200 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o180.here;
-            const M _m181 = lanes_both(active, here);
+            here = _o200.here;
+            const M _m201 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o182 =
+                const LANES(court_ring_impact_strained_out) _o202 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_backboard_friction);
-                strain = lanes_select(_m181, _o182.strain, strain);
-                strain_rate = lanes_select(_m181, _o182.strain_rate, strain_rate);
+                strain = lanes_select(_m201, _o202.strain, strain);
+                strain_rate = lanes_select(_m201, _o202.strain_rate, strain_rate);
             }
-            const LANES(court_holding_out) _o183 =
+            const LANES(court_holding_out) _o203 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o183.here;
-            const M _m184 = lanes_both(active, here);
+            here = _o203.here;
+            const M _m204 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o185 =
+                const LANES(court_ring_impact_strained_out) _o205 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_bridge_friction);
-                strain = lanes_select(_m184, _o185.strain, strain);
-                strain_rate = lanes_select(_m184, _o185.strain_rate, strain_rate);
+                strain = lanes_select(_m204, _o205.strain, strain);
+                strain_rate = lanes_select(_m204, _o205.strain_rate, strain_rate);
             }
-            const LANES(court_losing_out) _o186 =
+            const LANES(court_losing_out) _o206 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o186.loses;
-            const M _m187 = lanes_both(active, loses);
-            if (lanes_any(_m187)) {
-                const LANES(court_lost_grip_out) _o188 =
+            M loses = _o206.loses;
+            const M _m207 = lanes_both(active, loses);
+            if (lanes_any(_m207)) {
+                const LANES(court_lost_grip_out) _o208 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m187, _o188.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m207, _o208.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o189 =
+            const LANES(court_tightened_out) _o209 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o189.taut;
-            taut_rate = _o189.taut_rate;
-            taut_clock = _o189.taut_clock;
-            const LANES(court_leaving_force_out) _o190 =
+            taut = _o209.taut;
+            taut_rate = _o209.taut_rate;
+            taut_clock = _o209.taut_clock;
+            const LANES(court_leaving_force_out) _o210 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o190.stride;
-            which = _o190.which;
-            M rests = _o190.rests;
-            doubt = _o190.doubt;
-            const LANES(court_beside_out) _o191 =
+            stride = _o210.stride;
+            which = _o210.which;
+            M rests = _o210.rests;
+            doubt = _o210.doubt;
+            const LANES(court_beside_out) _o211 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o191.beside;
-            const M _m192 = lanes_both(active, beside);
-            if (lanes_any(_m192)) {
-                const LANES(court_ring_beside_out) _o193 =
+            M beside = _o211.beside;
+            const M _m212 = lanes_both(active, beside);
+            if (lanes_any(_m212)) {
+                const LANES(court_ring_beside_out) _o213 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o193.gap;
-                V nearing = _o193.nearing;
-                V dent = _o193.dent;
-                const LANES(court_beside_body_out) _o194 =
+                V gap = _o213.gap;
+                V nearing = _o213.nearing;
+                V dent = _o213.dent;
+                const LANES(court_beside_body_out) _o214 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m192, _o194.stride, stride);
-                which = lanes_select(_m192, _o194.which, which);
-                doubt = lanes_select(_m192, _o194.doubt, doubt);
-                late = lanes_select(_m192, _o194.late, late);
+                stride = lanes_select(_m212, _o214.stride, stride);
+                which = lanes_select(_m212, _o214.which, which);
+                doubt = lanes_select(_m212, _o214.doubt, doubt);
+                late = lanes_select(_m212, _o214.late, late);
             }
-            const LANES(court_beside_out) _o195 =
+            const LANES(court_beside_out) _o215 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o195.beside;
-            const M _m196 = lanes_both(active, beside);
-            if (lanes_any(_m196)) {
-                const LANES(court_backboard_beside_out) _o197 =
+            beside = _o215.beside;
+            const M _m216 = lanes_both(active, beside);
+            if (lanes_any(_m216)) {
+                const LANES(court_backboard_beside_out) _o217 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o197.gap;
-                V nearing = _o197.nearing;
-                V dent = _o197.dent;
-                const LANES(court_beside_body_out) _o198 =
+                V gap = _o217.gap;
+                V nearing = _o217.nearing;
+                V dent = _o217.dent;
+                const LANES(court_beside_body_out) _o218 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m196, _o198.stride, stride);
-                which = lanes_select(_m196, _o198.which, which);
-                doubt = lanes_select(_m196, _o198.doubt, doubt);
-                late = lanes_select(_m196, _o198.late, late);
+                stride = lanes_select(_m216, _o218.stride, stride);
+                which = lanes_select(_m216, _o218.which, which);
+                doubt = lanes_select(_m216, _o218.doubt, doubt);
+                late = lanes_select(_m216, _o218.late, late);
             }
-            const LANES(court_beside_out) _o199 =
+            const LANES(court_beside_out) _o219 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o199.beside;
-            const M _m200 = lanes_both(active, beside);
-            if (lanes_any(_m200)) {
-                const LANES(court_bridge_beside_out) _o201 =
-                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o201.gap;
-                V nearing = _o201.nearing;
-                V dent = _o201.dent;
-                const LANES(court_beside_body_out) _o202 =
-                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m200, _o202.stride, stride);
-                which = lanes_select(_m200, _o202.which, which);
-                doubt = lanes_select(_m200, _o202.doubt, doubt);
-                late = lanes_select(_m200, _o202.late, late);
-            }
-            const LANES(court_end_beside_out) _o203 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o203.gap;
-            V nearing = _o203.nearing;
-            V dent = _o203.dent;
-            const LANES(court_beside_gate_out) _o204 =
-                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o204.stride;
-            which = _o204.which;
-            doubt = _o204.doubt;
-            late = _o204.late;
-            const LANES(court_holding_out) _o205 =
-                LANES(court_holding)(held, K(1.0));
-            here = _o205.here;
-            const M _m206 = lanes_both(active, here);
-            if (lanes_any(_m206)) {
-                const LANES(court_backboard_seam0_out) _o207 =
-                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m206, _o207.gap, gap);
-                V nearing = _o207.nearing;
-                V near = _o207.near;
-                const LANES(court_beside_seam_out) _o208 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m206, _o208.stride, stride);
-                const LANES(court_backboard_seam1_out) _o209 =
-                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m206, _o209.gap, gap);
-                nearing = _o209.nearing;
-                near = _o209.near;
-                const LANES(court_beside_seam_out) _o210 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m206, _o210.stride, stride);
-                const LANES(court_backboard_seam2_out) _o211 =
-                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m206, _o211.gap, gap);
-                nearing = _o211.nearing;
-                near = _o211.near;
-                const LANES(court_beside_seam_out) _o212 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m206, _o212.stride, stride);
-                const LANES(court_backboard_seam3_out) _o213 =
-                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m206, _o213.gap, gap);
-                nearing = _o213.nearing;
-                near = _o213.near;
-                const LANES(court_beside_seam_out) _o214 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m206, _o214.stride, stride);
-                const LANES(court_backboard_seam4_out) _o215 =
-                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m206, _o215.gap, gap);
-                nearing = _o215.nearing;
-                near = _o215.near;
-                const LANES(court_beside_seam_out) _o216 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m206, _o216.stride, stride);
-                const LANES(court_backboard_seam5_out) _o217 =
-                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m206, _o217.gap, gap);
-                nearing = _o217.nearing;
-                near = _o217.near;
-                const LANES(court_beside_seam_out) _o218 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m206, _o218.stride, stride);
-            }
-            const LANES(court_holding_out) _o219 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o219.here;
-            const M _m220 = lanes_both(active, here);
+            beside = _o219.beside;
+            const M _m220 = lanes_both(active, beside);
             if (lanes_any(_m220)) {
-                const LANES(court_bridge_seam0_out) _o221 =
-                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m220, _o221.gap, gap);
+                const LANES(court_bridge_beside_out) _o221 =
+                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o221.gap;
                 V nearing = _o221.nearing;
-                V near = _o221.near;
-                const LANES(court_beside_seam_out) _o222 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                V dent = _o221.dent;
+                const LANES(court_beside_body_out) _o222 =
+                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
                 stride = lanes_select(_m220, _o222.stride, stride);
-                const LANES(court_bridge_seam1_out) _o223 =
-                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m220, _o223.gap, gap);
-                nearing = _o223.nearing;
-                near = _o223.near;
-                const LANES(court_beside_seam_out) _o224 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m220, _o224.stride, stride);
-                const LANES(court_bridge_seam2_out) _o225 =
-                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m220, _o225.gap, gap);
-                nearing = _o225.nearing;
-                near = _o225.near;
-                const LANES(court_beside_seam_out) _o226 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m220, _o226.stride, stride);
-                const LANES(court_bridge_seam3_out) _o227 =
-                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m220, _o227.gap, gap);
-                nearing = _o227.nearing;
-                near = _o227.near;
+                which = lanes_select(_m220, _o222.which, which);
+                doubt = lanes_select(_m220, _o222.doubt, doubt);
+                late = lanes_select(_m220, _o222.late, late);
+            }
+            const LANES(court_end_beside_out) _o223 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            V gap = _o223.gap;
+            V nearing = _o223.nearing;
+            V dent = _o223.dent;
+            const LANES(court_beside_gate_out) _o224 =
+                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o224.stride;
+            which = _o224.which;
+            doubt = _o224.doubt;
+            late = _o224.late;
+            const LANES(court_holding_out) _o225 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o225.here;
+            const M _m226 = lanes_both(active, here);
+            if (lanes_any(_m226)) {
+                const LANES(court_backboard_seam0_out) _o227 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m226, _o227.gap, gap);
+                V nearing = _o227.nearing;
+                V near = _o227.near;
                 const LANES(court_beside_seam_out) _o228 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m220, _o228.stride, stride);
-                const LANES(court_bridge_seam4_out) _o229 =
-                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m220, _o229.gap, gap);
+                stride = lanes_select(_m226, _o228.stride, stride);
+                const LANES(court_backboard_seam1_out) _o229 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m226, _o229.gap, gap);
                 nearing = _o229.nearing;
                 near = _o229.near;
                 const LANES(court_beside_seam_out) _o230 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m220, _o230.stride, stride);
-                const LANES(court_bridge_seam5_out) _o231 =
-                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m220, _o231.gap, gap);
+                stride = lanes_select(_m226, _o230.stride, stride);
+                const LANES(court_backboard_seam2_out) _o231 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m226, _o231.gap, gap);
                 nearing = _o231.nearing;
                 near = _o231.near;
                 const LANES(court_beside_seam_out) _o232 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m220, _o232.stride, stride);
+                stride = lanes_select(_m226, _o232.stride, stride);
+                const LANES(court_backboard_seam3_out) _o233 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m226, _o233.gap, gap);
+                nearing = _o233.nearing;
+                near = _o233.near;
+                const LANES(court_beside_seam_out) _o234 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m226, _o234.stride, stride);
+                const LANES(court_backboard_seam4_out) _o235 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m226, _o235.gap, gap);
+                nearing = _o235.nearing;
+                near = _o235.near;
+                const LANES(court_beside_seam_out) _o236 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m226, _o236.stride, stride);
+                const LANES(court_backboard_seam5_out) _o237 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m226, _o237.gap, gap);
+                nearing = _o237.nearing;
+                near = _o237.near;
+                const LANES(court_beside_seam_out) _o238 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m226, _o238.stride, stride);
             }
-            const LANES(court_beside_time_out) _o233 =
+            const LANES(court_holding_out) _o239 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o239.here;
+            const M _m240 = lanes_both(active, here);
+            if (lanes_any(_m240)) {
+                const LANES(court_bridge_seam0_out) _o241 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m240, _o241.gap, gap);
+                V nearing = _o241.nearing;
+                V near = _o241.near;
+                const LANES(court_beside_seam_out) _o242 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m240, _o242.stride, stride);
+                const LANES(court_bridge_seam1_out) _o243 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m240, _o243.gap, gap);
+                nearing = _o243.nearing;
+                near = _o243.near;
+                const LANES(court_beside_seam_out) _o244 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m240, _o244.stride, stride);
+                const LANES(court_bridge_seam2_out) _o245 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m240, _o245.gap, gap);
+                nearing = _o245.nearing;
+                near = _o245.near;
+                const LANES(court_beside_seam_out) _o246 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m240, _o246.stride, stride);
+                const LANES(court_bridge_seam3_out) _o247 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m240, _o247.gap, gap);
+                nearing = _o247.nearing;
+                near = _o247.near;
+                const LANES(court_beside_seam_out) _o248 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m240, _o248.stride, stride);
+                const LANES(court_bridge_seam4_out) _o249 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m240, _o249.gap, gap);
+                nearing = _o249.nearing;
+                near = _o249.near;
+                const LANES(court_beside_seam_out) _o250 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m240, _o250.stride, stride);
+                const LANES(court_bridge_seam5_out) _o251 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m240, _o251.gap, gap);
+                nearing = _o251.nearing;
+                near = _o251.near;
+                const LANES(court_beside_seam_out) _o252 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m240, _o252.stride, stride);
+            }
+            const LANES(court_beside_time_out) _o253 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o233.stride;
-            which = _o233.which;
-            const LANES(court_apart_out) _o234 =
+            stride = _o253.stride;
+            which = _o253.which;
+            const LANES(court_apart_out) _o254 =
                 LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o234.apart;
-            const LANES(court_neighbour_out) _o235 =
+            V apart = _o254.apart;
+            const LANES(court_neighbour_out) _o255 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o235.far_x;
-            V far_y = _o235.far_y;
-            V far_z = _o235.far_z;
-            V far_vx = _o235.far_vx;
-            V far_vy = _o235.far_vy;
-            V far_vz = _o235.far_vz;
-            V far_wx = _o235.far_wx;
-            V far_wy = _o235.far_wy;
-            V far_wz = _o235.far_wz;
-            V far_nx = _o235.far_nx;
-            V far_ny = _o235.far_ny;
-            V far_nz = _o235.far_nz;
-            V far_gap = _o235.far_gap;
-            const LANES(court_passing_from_out) _o236 =
+            V far_x = _o255.far_x;
+            V far_y = _o255.far_y;
+            V far_z = _o255.far_z;
+            V far_vx = _o255.far_vx;
+            V far_vy = _o255.far_vy;
+            V far_vz = _o255.far_vz;
+            V far_wx = _o255.far_wx;
+            V far_wy = _o255.far_wy;
+            V far_wz = _o255.far_wz;
+            V far_nx = _o255.far_nx;
+            V far_ny = _o255.far_ny;
+            V far_nz = _o255.far_nz;
+            V far_gap = _o255.far_gap;
+            const LANES(court_passing_from_out) _o256 =
                 LANES(court_passing_from)(z);
-            M over = _o236.over;
-            const LANES(court_roll_moved_out) _o237 =
+            M over = _o256.over;
+            const LANES(court_roll_moved_out) _o257 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o237.x;
-            vx = _o237.vx;
-            y = _o237.y;
-            vy = _o237.vy;
-            z = _o237.z;
-            vz = _o237.vz;
-            V turn_rate = _o237.turn_rate;
-            const LANES(court_holding_out) _o238 =
+            x = _o257.x;
+            vx = _o257.vx;
+            y = _o257.y;
+            vy = _o257.vy;
+            z = _o257.z;
+            vz = _o257.vz;
+            V turn_rate = _o257.turn_rate;
+            const LANES(court_holding_out) _o258 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o238.here;
-            const M _m239 = lanes_both(active, here);
-            if (lanes_any(_m239)) {
-                const LANES(court_backboard_normal_out) _o240 =
+            here = _o258.here;
+            const M _m259 = lanes_both(active, here);
+            if (lanes_any(_m259)) {
+                const LANES(court_backboard_normal_out) _o260 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m239, _o240.nx, nx);
-                ny = lanes_select(_m239, _o240.ny, ny);
-                nz = lanes_select(_m239, _o240.nz, nz);
-                const LANES(court_backboard_off_out) _o241 =
+                nx = lanes_select(_m259, _o260.nx, nx);
+                ny = lanes_select(_m259, _o260.ny, ny);
+                nz = lanes_select(_m259, _o260.nz, nz);
+                const LANES(court_backboard_off_out) _o261 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m239, _o241.gap, gap);
+                gap = lanes_select(_m259, _o261.gap, gap);
             }
-            const LANES(court_holding_out) _o242 =
+            const LANES(court_holding_out) _o262 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o242.here;
-            const M _m243 = lanes_both(active, here);
-            if (lanes_any(_m243)) {
-                const LANES(court_bridge_normal_out) _o244 =
+            here = _o262.here;
+            const M _m263 = lanes_both(active, here);
+            if (lanes_any(_m263)) {
+                const LANES(court_bridge_normal_out) _o264 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m243, _o244.nx, nx);
-                ny = lanes_select(_m243, _o244.ny, ny);
-                nz = lanes_select(_m243, _o244.nz, nz);
-                const LANES(court_bridge_off_out) _o245 =
+                nx = lanes_select(_m263, _o264.nx, nx);
+                ny = lanes_select(_m263, _o264.ny, ny);
+                nz = lanes_select(_m263, _o264.nz, nz);
+                const LANES(court_bridge_off_out) _o265 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m243, _o245.gap, gap);
+                gap = lanes_select(_m263, _o265.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o246 =
+            const LANES(court_roll_placed_out) _o266 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o246.x;
-            y = _o246.y;
-            z = _o246.z;
-            vx = _o246.vx;
-            vy = _o246.vy;
-            vz = _o246.vz;
-            wx = _o246.wx;
-            wy = _o246.wy;
-            wz = _o246.wz;
-            const LANES(court_passing_in_contact_out) _o247 =
+            x = _o266.x;
+            y = _o266.y;
+            z = _o266.z;
+            vx = _o266.vx;
+            vy = _o266.vy;
+            vz = _o266.vz;
+            wx = _o266.wx;
+            wy = _o266.wy;
+            wz = _o266.wz;
+            const LANES(court_passing_in_contact_out) _o267 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o247.through;
-            const LANES(court_holding_out) _o248 =
+            through = _o267.through;
+            const LANES(court_holding_out) _o268 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o248.here;
-            const M _m249 = lanes_both(active, here);
+            here = _o268.here;
+            const M _m269 = lanes_both(active, here);
             {
-                const LANES(court_backboard_normal_out) _o250 =
+                const LANES(court_backboard_normal_out) _o270 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m249, _o250.nx, far_nx);
-                far_ny = lanes_select(_m249, _o250.ny, far_ny);
-                far_nz = lanes_select(_m249, _o250.nz, far_nz);
+                far_nx = lanes_select(_m269, _o270.nx, far_nx);
+                far_ny = lanes_select(_m269, _o270.ny, far_ny);
+                far_nz = lanes_select(_m269, _o270.nz, far_nz);
             }
-            const LANES(court_holding_out) _o251 =
+            const LANES(court_holding_out) _o271 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o251.here;
-            const M _m252 = lanes_both(active, here);
+            here = _o271.here;
+            const M _m272 = lanes_both(active, here);
             {
-                const LANES(court_bridge_normal_out) _o253 =
+                const LANES(court_bridge_normal_out) _o273 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m252, _o253.nx, far_nx);
-                far_ny = lanes_select(_m252, _o253.ny, far_ny);
-                far_nz = lanes_select(_m252, _o253.nz, far_nz);
+                far_nx = lanes_select(_m272, _o273.nx, far_nx);
+                far_ny = lanes_select(_m272, _o273.ny, far_ny);
+                far_nz = lanes_select(_m272, _o273.nz, far_nz);
             }
-            const LANES(court_roll_turn_rate_out) _o254 =
+            const LANES(court_roll_turn_rate_out) _o274 =
                 LANES(court_roll_turn_rate)(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
-            turn_rate = _o254.turn_rate;
-            const LANES(court_holding_out) _o255 =
+            turn_rate = _o274.turn_rate;
+            const LANES(court_holding_out) _o275 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o255.here;
-            const M _m256 = lanes_both(active, here);
-            if (lanes_any(_m256)) {
-                const LANES(court_backboard_normal_out) _o257 =
+            here = _o275.here;
+            const M _m276 = lanes_both(active, here);
+            if (lanes_any(_m276)) {
+                const LANES(court_backboard_normal_out) _o277 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m256, _o257.nx, far_nx);
-                far_ny = lanes_select(_m256, _o257.ny, far_ny);
-                far_nz = lanes_select(_m256, _o257.nz, far_nz);
-                const LANES(court_backboard_off_out) _o258 =
+                far_nx = lanes_select(_m276, _o277.nx, far_nx);
+                far_ny = lanes_select(_m276, _o277.ny, far_ny);
+                far_nz = lanes_select(_m276, _o277.nz, far_nz);
+                const LANES(court_backboard_off_out) _o278 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m256, _o258.gap, far_gap);
+                far_gap = lanes_select(_m276, _o278.gap, far_gap);
             }
-            const LANES(court_holding_out) _o259 =
+            const LANES(court_holding_out) _o279 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o259.here;
-            const M _m260 = lanes_both(active, here);
-            if (lanes_any(_m260)) {
-                const LANES(court_bridge_normal_out) _o261 =
+            here = _o279.here;
+            const M _m280 = lanes_both(active, here);
+            if (lanes_any(_m280)) {
+                const LANES(court_bridge_normal_out) _o281 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m260, _o261.nx, far_nx);
-                far_ny = lanes_select(_m260, _o261.ny, far_ny);
-                far_nz = lanes_select(_m260, _o261.nz, far_nz);
-                const LANES(court_bridge_off_out) _o262 =
+                far_nx = lanes_select(_m280, _o281.nx, far_nx);
+                far_ny = lanes_select(_m280, _o281.ny, far_ny);
+                far_nz = lanes_select(_m280, _o281.nz, far_nz);
+                const LANES(court_bridge_off_out) _o282 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m260, _o262.gap, far_gap);
+                far_gap = lanes_select(_m280, _o282.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o263 =
+            const LANES(court_roll_placed_out) _o283 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o263.x;
-            far_y = _o263.y;
-            far_z = _o263.z;
-            far_vx = _o263.vx;
-            far_vy = _o263.vy;
-            far_vz = _o263.vz;
-            far_wx = _o263.wx;
-            far_wy = _o263.wy;
-            far_wz = _o263.wz;
-            const LANES(court_roll_start_out) _o264 =
+            far_x = _o283.x;
+            far_y = _o283.y;
+            far_z = _o283.z;
+            far_vx = _o283.vx;
+            far_vy = _o283.vy;
+            far_vz = _o283.vz;
+            far_wx = _o283.wx;
+            far_wy = _o283.wy;
+            far_wz = _o283.wz;
+            const LANES(court_roll_start_out) _o284 =
                 LANES(court_roll_start)(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
-            vx_0 = _o264.vx_0;
-            vy_0 = _o264.vy_0;
-            vz_0 = _o264.vz_0;
-            nx_0 = _o264.nx_0;
-            ny_0 = _o264.ny_0;
-            nz_0 = _o264.nz_0;
-            turn_rate_0 = _o264.turn_rate_0;
-            const LANES(court_roll_0_out) _o265 =
+            vx_0 = _o284.vx_0;
+            vy_0 = _o284.vy_0;
+            vz_0 = _o284.vz_0;
+            nx_0 = _o284.nx_0;
+            ny_0 = _o284.ny_0;
+            nz_0 = _o284.nz_0;
+            turn_rate_0 = _o284.turn_rate_0;
+            const LANES(court_roll_0_out) _o285 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            lift_0 = _o265.lift_0;
-            tx_0 = _o265.tx_0;
-            ty_0 = _o265.ty_0;
-            tz_0 = _o265.tz_0;
-            vx_1 = _o265.vx_1;
-            vy_1 = _o265.vy_1;
-            vz_1 = _o265.vz_1;
-            nx_1 = _o265.nx_1;
-            ny_1 = _o265.ny_1;
-            nz_1 = _o265.nz_1;
-            turn_rate_1 = _o265.turn_rate_1;
-            const LANES(court_roll_1_out) _o266 =
+            lift_0 = _o285.lift_0;
+            tx_0 = _o285.tx_0;
+            ty_0 = _o285.ty_0;
+            tz_0 = _o285.tz_0;
+            vx_1 = _o285.vx_1;
+            vy_1 = _o285.vy_1;
+            vz_1 = _o285.vz_1;
+            nx_1 = _o285.nx_1;
+            ny_1 = _o285.ny_1;
+            nz_1 = _o285.nz_1;
+            turn_rate_1 = _o285.turn_rate_1;
+            const LANES(court_roll_1_out) _o286 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            lift_1 = _o266.lift_1;
-            tx_1 = _o266.tx_1;
-            ty_1 = _o266.ty_1;
-            tz_1 = _o266.tz_1;
-            vx_2 = _o266.vx_2;
-            vy_2 = _o266.vy_2;
-            vz_2 = _o266.vz_2;
-            nx_2 = _o266.nx_2;
-            ny_2 = _o266.ny_2;
-            nz_2 = _o266.nz_2;
-            turn_rate_2 = _o266.turn_rate_2;
-            const LANES(court_roll_2_out) _o267 =
+            lift_1 = _o286.lift_1;
+            tx_1 = _o286.tx_1;
+            ty_1 = _o286.ty_1;
+            tz_1 = _o286.tz_1;
+            vx_2 = _o286.vx_2;
+            vy_2 = _o286.vy_2;
+            vz_2 = _o286.vz_2;
+            nx_2 = _o286.nx_2;
+            ny_2 = _o286.ny_2;
+            nz_2 = _o286.nz_2;
+            turn_rate_2 = _o286.turn_rate_2;
+            const LANES(court_roll_2_out) _o287 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            lift_2 = _o267.lift_2;
-            tx_2 = _o267.tx_2;
-            ty_2 = _o267.ty_2;
-            tz_2 = _o267.tz_2;
-            vx_3 = _o267.vx_3;
-            vy_3 = _o267.vy_3;
-            vz_3 = _o267.vz_3;
-            nx_3 = _o267.nx_3;
-            ny_3 = _o267.ny_3;
-            nz_3 = _o267.nz_3;
-            turn_rate_3 = _o267.turn_rate_3;
-            const LANES(court_roll_3_out) _o268 =
+            lift_2 = _o287.lift_2;
+            tx_2 = _o287.tx_2;
+            ty_2 = _o287.ty_2;
+            tz_2 = _o287.tz_2;
+            vx_3 = _o287.vx_3;
+            vy_3 = _o287.vy_3;
+            vz_3 = _o287.vz_3;
+            nx_3 = _o287.nx_3;
+            ny_3 = _o287.ny_3;
+            nz_3 = _o287.nz_3;
+            turn_rate_3 = _o287.turn_rate_3;
+            const LANES(court_roll_3_out) _o288 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            lift_3 = _o268.lift_3;
-            tx_3 = _o268.tx_3;
-            ty_3 = _o268.ty_3;
-            tz_3 = _o268.tz_3;
-            vx_4 = _o268.vx_4;
-            vy_4 = _o268.vy_4;
-            vz_4 = _o268.vz_4;
-            nx_4 = _o268.nx_4;
-            ny_4 = _o268.ny_4;
-            nz_4 = _o268.nz_4;
-            turn_rate_4 = _o268.turn_rate_4;
-            const LANES(court_roll_4_out) _o269 =
+            lift_3 = _o288.lift_3;
+            tx_3 = _o288.tx_3;
+            ty_3 = _o288.ty_3;
+            tz_3 = _o288.tz_3;
+            vx_4 = _o288.vx_4;
+            vy_4 = _o288.vy_4;
+            vz_4 = _o288.vz_4;
+            nx_4 = _o288.nx_4;
+            ny_4 = _o288.ny_4;
+            nz_4 = _o288.nz_4;
+            turn_rate_4 = _o288.turn_rate_4;
+            const LANES(court_roll_4_out) _o289 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            lift_4 = _o269.lift_4;
-            tx_4 = _o269.tx_4;
-            ty_4 = _o269.ty_4;
-            tz_4 = _o269.tz_4;
-            vx_5 = _o269.vx_5;
-            vy_5 = _o269.vy_5;
-            vz_5 = _o269.vz_5;
-            nx_5 = _o269.nx_5;
-            ny_5 = _o269.ny_5;
-            nz_5 = _o269.nz_5;
-            turn_rate_5 = _o269.turn_rate_5;
-            const LANES(court_roll_5_out) _o270 =
+            lift_4 = _o289.lift_4;
+            tx_4 = _o289.tx_4;
+            ty_4 = _o289.ty_4;
+            tz_4 = _o289.tz_4;
+            vx_5 = _o289.vx_5;
+            vy_5 = _o289.vy_5;
+            vz_5 = _o289.vz_5;
+            nx_5 = _o289.nx_5;
+            ny_5 = _o289.ny_5;
+            nz_5 = _o289.nz_5;
+            turn_rate_5 = _o289.turn_rate_5;
+            const LANES(court_roll_5_out) _o290 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            lift_5 = _o270.lift_5;
-            tx_5 = _o270.tx_5;
-            ty_5 = _o270.ty_5;
-            tz_5 = _o270.tz_5;
-            vx_6 = _o270.vx_6;
-            vy_6 = _o270.vy_6;
-            vz_6 = _o270.vz_6;
-            nx_6 = _o270.nx_6;
-            ny_6 = _o270.ny_6;
-            nz_6 = _o270.nz_6;
-            turn_rate_6 = _o270.turn_rate_6;
-            const LANES(court_roll_6_out) _o271 =
+            lift_5 = _o290.lift_5;
+            tx_5 = _o290.tx_5;
+            ty_5 = _o290.ty_5;
+            tz_5 = _o290.tz_5;
+            vx_6 = _o290.vx_6;
+            vy_6 = _o290.vy_6;
+            vz_6 = _o290.vz_6;
+            nx_6 = _o290.nx_6;
+            ny_6 = _o290.ny_6;
+            nz_6 = _o290.nz_6;
+            turn_rate_6 = _o290.turn_rate_6;
+            const LANES(court_roll_6_out) _o291 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            lift_6 = _o271.lift_6;
-            tx_6 = _o271.tx_6;
-            ty_6 = _o271.ty_6;
-            tz_6 = _o271.tz_6;
-            vx_7 = _o271.vx_7;
-            vy_7 = _o271.vy_7;
-            vz_7 = _o271.vz_7;
-            nx_7 = _o271.nx_7;
-            ny_7 = _o271.ny_7;
-            nz_7 = _o271.nz_7;
-            turn_rate_7 = _o271.turn_rate_7;
-            const LANES(court_roll_7_out) _o272 =
+            lift_6 = _o291.lift_6;
+            tx_6 = _o291.tx_6;
+            ty_6 = _o291.ty_6;
+            tz_6 = _o291.tz_6;
+            vx_7 = _o291.vx_7;
+            vy_7 = _o291.vy_7;
+            vz_7 = _o291.vz_7;
+            nx_7 = _o291.nx_7;
+            ny_7 = _o291.ny_7;
+            nz_7 = _o291.nz_7;
+            turn_rate_7 = _o291.turn_rate_7;
+            const LANES(court_roll_7_out) _o292 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            vx_8 = _o272.vx_8;
-            vy_8 = _o272.vy_8;
-            vz_8 = _o272.vz_8;
-            turn_rate_8 = _o272.turn_rate_8;
-            const LANES(court_roll_moved_out) _o273 =
+            vx_8 = _o292.vx_8;
+            vy_8 = _o292.vy_8;
+            vz_8 = _o292.vz_8;
+            turn_rate_8 = _o292.turn_rate_8;
+            const LANES(court_roll_moved_out) _o293 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-            far_x = _o273.x;
-            far_vx = _o273.vx;
-            far_y = _o273.y;
-            far_vy = _o273.vy;
-            far_z = _o273.z;
-            far_vz = _o273.vz;
-            turn_rate = _o273.turn_rate;
-            const LANES(court_holding_out) _o274 =
+            far_x = _o293.x;
+            far_vx = _o293.vx;
+            far_y = _o293.y;
+            far_vy = _o293.vy;
+            far_z = _o293.z;
+            far_vz = _o293.vz;
+            turn_rate = _o293.turn_rate;
+            const LANES(court_holding_out) _o294 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o274.here;
-            const M _m275 = lanes_both(active, here);
-            if (lanes_any(_m275)) {
-                const LANES(court_backboard_normal_out) _o276 =
+            here = _o294.here;
+            const M _m295 = lanes_both(active, here);
+            if (lanes_any(_m295)) {
+                const LANES(court_backboard_normal_out) _o296 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m275, _o276.nx, far_nx);
-                far_ny = lanes_select(_m275, _o276.ny, far_ny);
-                far_nz = lanes_select(_m275, _o276.nz, far_nz);
-                const LANES(court_backboard_off_out) _o277 =
+                far_nx = lanes_select(_m295, _o296.nx, far_nx);
+                far_ny = lanes_select(_m295, _o296.ny, far_ny);
+                far_nz = lanes_select(_m295, _o296.nz, far_nz);
+                const LANES(court_backboard_off_out) _o297 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m275, _o277.gap, far_gap);
+                far_gap = lanes_select(_m295, _o297.gap, far_gap);
             }
-            const LANES(court_holding_out) _o278 =
+            const LANES(court_holding_out) _o298 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o278.here;
-            const M _m279 = lanes_both(active, here);
-            if (lanes_any(_m279)) {
-                const LANES(court_bridge_normal_out) _o280 =
+            here = _o298.here;
+            const M _m299 = lanes_both(active, here);
+            if (lanes_any(_m299)) {
+                const LANES(court_bridge_normal_out) _o300 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m279, _o280.nx, far_nx);
-                far_ny = lanes_select(_m279, _o280.ny, far_ny);
-                far_nz = lanes_select(_m279, _o280.nz, far_nz);
-                const LANES(court_bridge_off_out) _o281 =
+                far_nx = lanes_select(_m299, _o300.nx, far_nx);
+                far_ny = lanes_select(_m299, _o300.ny, far_ny);
+                far_nz = lanes_select(_m299, _o300.nz, far_nz);
+                const LANES(court_bridge_off_out) _o301 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m279, _o281.gap, far_gap);
+                far_gap = lanes_select(_m299, _o301.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o282 =
+            const LANES(court_roll_placed_out) _o302 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o282.x;
-            far_y = _o282.y;
-            far_z = _o282.z;
-            far_vx = _o282.vx;
-            far_vy = _o282.vy;
-            far_vz = _o282.vz;
-            far_wx = _o282.wx;
-            far_wy = _o282.wy;
-            far_wz = _o282.wz;
-            const LANES(court_compared_out) _o283 =
+            far_x = _o302.x;
+            far_y = _o302.y;
+            far_z = _o302.z;
+            far_vx = _o302.vx;
+            far_vy = _o302.vy;
+            far_vz = _o302.vz;
+            far_wx = _o302.wx;
+            far_wy = _o302.wy;
+            far_wz = _o302.wz;
+            const LANES(court_compared_out) _o303 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o283.dx;
-            dy = _o283.dy;
-            dz = _o283.dz;
-            dvx = _o283.dvx;
-            dvy = _o283.dvy;
-            dvz = _o283.dvz;
-            dwx = _o283.dwx;
-            dwy = _o283.dwy;
-            dwz = _o283.dwz;
-            const LANES(court_rolled_on_out) _o284 =
+            dx = _o303.dx;
+            dy = _o303.dy;
+            dz = _o303.dz;
+            dvx = _o303.dvx;
+            dvy = _o303.dvy;
+            dvz = _o303.dvz;
+            dwx = _o303.dwx;
+            dwy = _o303.dwy;
+            dwz = _o303.dwz;
+            const LANES(court_rolled_on_out) _o304 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o284.clock;
-            rolling = _o284.rolling;
+            clock = _o304.clock;
+            rolling = _o304.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -6941,562 +7025,562 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_error_bounds_out) _o285 =
+            const LANES(court_error_bounds_out) _o305 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o285.position_error;
-            V velocity_error = _o285.velocity_error;
-            const LANES(court_ring_tube_out) _o286 =
+            V position_error = _o305.position_error;
+            V velocity_error = _o305.velocity_error;
+            const LANES(court_ring_tube_out) _o306 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o286.per_reach;
-            const LANES(court_ring_round_start_out) _o287 =
+            V per_reach = _o306.per_reach;
+            const LANES(court_ring_round_start_out) _o307 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o287.cosine_0;
-            V sine_0 = _o287.sine_0;
-            V climb_0 = _o287.climb_0;
-            V along_0 = _o287.along_0;
-            V turn_rate_0 = _o287.turn_rate_0;
-            V cos_0 = _o287.cos_0;
-            V sin_0 = _o287.sin_0;
-            V near_0 = _o287.near_0;
-            const LANES(court_ring_round_0_out) _o288 =
+            V cosine_0 = _o307.cosine_0;
+            V sine_0 = _o307.sine_0;
+            V climb_0 = _o307.climb_0;
+            V along_0 = _o307.along_0;
+            V turn_rate_0 = _o307.turn_rate_0;
+            V cos_0 = _o307.cos_0;
+            V sin_0 = _o307.sin_0;
+            V near_0 = _o307.near_0;
+            const LANES(court_ring_round_0_out) _o308 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o288.omega_0;
-            V around_0 = _o288.around_0;
-            V tilted_0 = _o288.tilted_0;
-            V pressed_0 = _o288.pressed_0;
-            V force_0 = _o288.force_0;
-            V cosine_1 = _o288.cosine_1;
-            V sine_1 = _o288.sine_1;
-            V climb_1 = _o288.climb_1;
-            V along_1 = _o288.along_1;
-            V turn_rate_1 = _o288.turn_rate_1;
-            V cos_1 = _o288.cos_1;
-            V sin_1 = _o288.sin_1;
-            const LANES(court_ring_round_1_out) _o289 =
+            V omega_0 = _o308.omega_0;
+            V around_0 = _o308.around_0;
+            V tilted_0 = _o308.tilted_0;
+            V pressed_0 = _o308.pressed_0;
+            V force_0 = _o308.force_0;
+            V cosine_1 = _o308.cosine_1;
+            V sine_1 = _o308.sine_1;
+            V climb_1 = _o308.climb_1;
+            V along_1 = _o308.along_1;
+            V turn_rate_1 = _o308.turn_rate_1;
+            V cos_1 = _o308.cos_1;
+            V sin_1 = _o308.sin_1;
+            const LANES(court_ring_round_1_out) _o309 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o289.near_1;
-            V omega_1 = _o289.omega_1;
-            V around_1 = _o289.around_1;
-            V tilted_1 = _o289.tilted_1;
-            V pressed_1 = _o289.pressed_1;
-            V force_1 = _o289.force_1;
-            V cosine_2 = _o289.cosine_2;
-            V sine_2 = _o289.sine_2;
-            V climb_2 = _o289.climb_2;
-            V along_2 = _o289.along_2;
-            V turn_rate_2 = _o289.turn_rate_2;
-            V cos_2 = _o289.cos_2;
-            V sin_2 = _o289.sin_2;
-            const LANES(court_ring_round_2_out) _o290 =
+            V near_1 = _o309.near_1;
+            V omega_1 = _o309.omega_1;
+            V around_1 = _o309.around_1;
+            V tilted_1 = _o309.tilted_1;
+            V pressed_1 = _o309.pressed_1;
+            V force_1 = _o309.force_1;
+            V cosine_2 = _o309.cosine_2;
+            V sine_2 = _o309.sine_2;
+            V climb_2 = _o309.climb_2;
+            V along_2 = _o309.along_2;
+            V turn_rate_2 = _o309.turn_rate_2;
+            V cos_2 = _o309.cos_2;
+            V sin_2 = _o309.sin_2;
+            const LANES(court_ring_round_2_out) _o310 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o290.near_2;
-            V omega_2 = _o290.omega_2;
-            V around_2 = _o290.around_2;
-            V tilted_2 = _o290.tilted_2;
-            V pressed_2 = _o290.pressed_2;
-            V force_2 = _o290.force_2;
-            V cosine_3 = _o290.cosine_3;
-            V sine_3 = _o290.sine_3;
-            V climb_3 = _o290.climb_3;
-            V along_3 = _o290.along_3;
-            V turn_rate_3 = _o290.turn_rate_3;
-            V cos_3 = _o290.cos_3;
-            V sin_3 = _o290.sin_3;
-            const LANES(court_ring_round_3_out) _o291 =
+            V near_2 = _o310.near_2;
+            V omega_2 = _o310.omega_2;
+            V around_2 = _o310.around_2;
+            V tilted_2 = _o310.tilted_2;
+            V pressed_2 = _o310.pressed_2;
+            V force_2 = _o310.force_2;
+            V cosine_3 = _o310.cosine_3;
+            V sine_3 = _o310.sine_3;
+            V climb_3 = _o310.climb_3;
+            V along_3 = _o310.along_3;
+            V turn_rate_3 = _o310.turn_rate_3;
+            V cos_3 = _o310.cos_3;
+            V sin_3 = _o310.sin_3;
+            const LANES(court_ring_round_3_out) _o311 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o291.near_3;
-            V omega_3 = _o291.omega_3;
-            V around_3 = _o291.around_3;
-            V tilted_3 = _o291.tilted_3;
-            V pressed_3 = _o291.pressed_3;
-            V force_3 = _o291.force_3;
-            V cosine_4 = _o291.cosine_4;
-            V sine_4 = _o291.sine_4;
-            V climb_4 = _o291.climb_4;
-            V along_4 = _o291.along_4;
-            V turn_rate_4 = _o291.turn_rate_4;
-            V cos_4 = _o291.cos_4;
-            V sin_4 = _o291.sin_4;
-            const LANES(court_ring_round_4_out) _o292 =
+            V near_3 = _o311.near_3;
+            V omega_3 = _o311.omega_3;
+            V around_3 = _o311.around_3;
+            V tilted_3 = _o311.tilted_3;
+            V pressed_3 = _o311.pressed_3;
+            V force_3 = _o311.force_3;
+            V cosine_4 = _o311.cosine_4;
+            V sine_4 = _o311.sine_4;
+            V climb_4 = _o311.climb_4;
+            V along_4 = _o311.along_4;
+            V turn_rate_4 = _o311.turn_rate_4;
+            V cos_4 = _o311.cos_4;
+            V sin_4 = _o311.sin_4;
+            const LANES(court_ring_round_4_out) _o312 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o292.near_4;
-            V omega_4 = _o292.omega_4;
-            V around_4 = _o292.around_4;
-            V tilted_4 = _o292.tilted_4;
-            V pressed_4 = _o292.pressed_4;
-            V force_4 = _o292.force_4;
-            V cosine_5 = _o292.cosine_5;
-            V sine_5 = _o292.sine_5;
-            V climb_5 = _o292.climb_5;
-            V along_5 = _o292.along_5;
-            V turn_rate_5 = _o292.turn_rate_5;
-            V cos_5 = _o292.cos_5;
-            V sin_5 = _o292.sin_5;
-            const LANES(court_ring_round_5_out) _o293 =
+            V near_4 = _o312.near_4;
+            V omega_4 = _o312.omega_4;
+            V around_4 = _o312.around_4;
+            V tilted_4 = _o312.tilted_4;
+            V pressed_4 = _o312.pressed_4;
+            V force_4 = _o312.force_4;
+            V cosine_5 = _o312.cosine_5;
+            V sine_5 = _o312.sine_5;
+            V climb_5 = _o312.climb_5;
+            V along_5 = _o312.along_5;
+            V turn_rate_5 = _o312.turn_rate_5;
+            V cos_5 = _o312.cos_5;
+            V sin_5 = _o312.sin_5;
+            const LANES(court_ring_round_5_out) _o313 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o293.near_5;
-            V omega_5 = _o293.omega_5;
-            V around_5 = _o293.around_5;
-            V tilted_5 = _o293.tilted_5;
-            V pressed_5 = _o293.pressed_5;
-            V force_5 = _o293.force_5;
-            V cosine_6 = _o293.cosine_6;
-            V sine_6 = _o293.sine_6;
-            V climb_6 = _o293.climb_6;
-            V along_6 = _o293.along_6;
-            V turn_rate_6 = _o293.turn_rate_6;
-            V cos_6 = _o293.cos_6;
-            V sin_6 = _o293.sin_6;
-            const LANES(court_ring_round_6_out) _o294 =
+            V near_5 = _o313.near_5;
+            V omega_5 = _o313.omega_5;
+            V around_5 = _o313.around_5;
+            V tilted_5 = _o313.tilted_5;
+            V pressed_5 = _o313.pressed_5;
+            V force_5 = _o313.force_5;
+            V cosine_6 = _o313.cosine_6;
+            V sine_6 = _o313.sine_6;
+            V climb_6 = _o313.climb_6;
+            V along_6 = _o313.along_6;
+            V turn_rate_6 = _o313.turn_rate_6;
+            V cos_6 = _o313.cos_6;
+            V sin_6 = _o313.sin_6;
+            const LANES(court_ring_round_6_out) _o314 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o294.near_6;
-            V omega_6 = _o294.omega_6;
-            V around_6 = _o294.around_6;
-            V tilted_6 = _o294.tilted_6;
-            V pressed_6 = _o294.pressed_6;
-            V force_6 = _o294.force_6;
-            V cosine_7 = _o294.cosine_7;
-            V sine_7 = _o294.sine_7;
-            V climb_7 = _o294.climb_7;
-            V along_7 = _o294.along_7;
-            V turn_rate_7 = _o294.turn_rate_7;
-            V cos_7 = _o294.cos_7;
-            V sin_7 = _o294.sin_7;
-            const LANES(court_ring_round_7_out) _o295 =
+            V near_6 = _o314.near_6;
+            V omega_6 = _o314.omega_6;
+            V around_6 = _o314.around_6;
+            V tilted_6 = _o314.tilted_6;
+            V pressed_6 = _o314.pressed_6;
+            V force_6 = _o314.force_6;
+            V cosine_7 = _o314.cosine_7;
+            V sine_7 = _o314.sine_7;
+            V climb_7 = _o314.climb_7;
+            V along_7 = _o314.along_7;
+            V turn_rate_7 = _o314.turn_rate_7;
+            V cos_7 = _o314.cos_7;
+            V sin_7 = _o314.sin_7;
+            const LANES(court_ring_round_7_out) _o315 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o295.near_7;
-            V omega_7 = _o295.omega_7;
-            V around_7 = _o295.around_7;
-            V tilted_7 = _o295.tilted_7;
-            V pressed_7 = _o295.pressed_7;
-            V force_7 = _o295.force_7;
-            V cosine_8 = _o295.cosine_8;
-            V sine_8 = _o295.sine_8;
-            V climb_8 = _o295.climb_8;
-            V along_8 = _o295.along_8;
-            V turn_rate_8 = _o295.turn_rate_8;
-            V cos_8 = _o295.cos_8;
-            V sin_8 = _o295.sin_8;
-            const LANES(court_ring_round_8_out) _o296 =
+            V near_7 = _o315.near_7;
+            V omega_7 = _o315.omega_7;
+            V around_7 = _o315.around_7;
+            V tilted_7 = _o315.tilted_7;
+            V pressed_7 = _o315.pressed_7;
+            V force_7 = _o315.force_7;
+            V cosine_8 = _o315.cosine_8;
+            V sine_8 = _o315.sine_8;
+            V climb_8 = _o315.climb_8;
+            V along_8 = _o315.along_8;
+            V turn_rate_8 = _o315.turn_rate_8;
+            V cos_8 = _o315.cos_8;
+            V sin_8 = _o315.sin_8;
+            const LANES(court_ring_round_8_out) _o316 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o296.near_8;
-            V omega_8 = _o296.omega_8;
-            V around_8 = _o296.around_8;
-            V tilted_8 = _o296.tilted_8;
-            V pressed_8 = _o296.pressed_8;
-            V force_8 = _o296.force_8;
-            V cosine_9 = _o296.cosine_9;
-            V sine_9 = _o296.sine_9;
-            V climb_9 = _o296.climb_9;
-            V along_9 = _o296.along_9;
-            V turn_rate_9 = _o296.turn_rate_9;
-            V cos_9 = _o296.cos_9;
-            V sin_9 = _o296.sin_9;
-            const LANES(court_ring_round_9_out) _o297 =
+            V near_8 = _o316.near_8;
+            V omega_8 = _o316.omega_8;
+            V around_8 = _o316.around_8;
+            V tilted_8 = _o316.tilted_8;
+            V pressed_8 = _o316.pressed_8;
+            V force_8 = _o316.force_8;
+            V cosine_9 = _o316.cosine_9;
+            V sine_9 = _o316.sine_9;
+            V climb_9 = _o316.climb_9;
+            V along_9 = _o316.along_9;
+            V turn_rate_9 = _o316.turn_rate_9;
+            V cos_9 = _o316.cos_9;
+            V sin_9 = _o316.sin_9;
+            const LANES(court_ring_round_9_out) _o317 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o297.near_9;
-            V omega_9 = _o297.omega_9;
-            V around_9 = _o297.around_9;
-            V tilted_9 = _o297.tilted_9;
-            V pressed_9 = _o297.pressed_9;
-            V force_9 = _o297.force_9;
-            V cosine_10 = _o297.cosine_10;
-            V sine_10 = _o297.sine_10;
-            V climb_10 = _o297.climb_10;
-            V along_10 = _o297.along_10;
-            V turn_rate_10 = _o297.turn_rate_10;
-            V cos_10 = _o297.cos_10;
-            V sin_10 = _o297.sin_10;
-            const LANES(court_ring_round_10_out) _o298 =
+            V near_9 = _o317.near_9;
+            V omega_9 = _o317.omega_9;
+            V around_9 = _o317.around_9;
+            V tilted_9 = _o317.tilted_9;
+            V pressed_9 = _o317.pressed_9;
+            V force_9 = _o317.force_9;
+            V cosine_10 = _o317.cosine_10;
+            V sine_10 = _o317.sine_10;
+            V climb_10 = _o317.climb_10;
+            V along_10 = _o317.along_10;
+            V turn_rate_10 = _o317.turn_rate_10;
+            V cos_10 = _o317.cos_10;
+            V sin_10 = _o317.sin_10;
+            const LANES(court_ring_round_10_out) _o318 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o298.near_10;
-            V omega_10 = _o298.omega_10;
-            V around_10 = _o298.around_10;
-            V tilted_10 = _o298.tilted_10;
-            V pressed_10 = _o298.pressed_10;
-            V force_10 = _o298.force_10;
-            V cosine_11 = _o298.cosine_11;
-            V sine_11 = _o298.sine_11;
-            V climb_11 = _o298.climb_11;
-            V along_11 = _o298.along_11;
-            V turn_rate_11 = _o298.turn_rate_11;
-            V cos_11 = _o298.cos_11;
-            V sin_11 = _o298.sin_11;
-            const LANES(court_ring_round_11_out) _o299 =
+            V near_10 = _o318.near_10;
+            V omega_10 = _o318.omega_10;
+            V around_10 = _o318.around_10;
+            V tilted_10 = _o318.tilted_10;
+            V pressed_10 = _o318.pressed_10;
+            V force_10 = _o318.force_10;
+            V cosine_11 = _o318.cosine_11;
+            V sine_11 = _o318.sine_11;
+            V climb_11 = _o318.climb_11;
+            V along_11 = _o318.along_11;
+            V turn_rate_11 = _o318.turn_rate_11;
+            V cos_11 = _o318.cos_11;
+            V sin_11 = _o318.sin_11;
+            const LANES(court_ring_round_11_out) _o319 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o299.force_11;
-            V cosine_12 = _o299.cosine_12;
-            V sine_12 = _o299.sine_12;
-            V climb_12 = _o299.climb_12;
-            V along_12 = _o299.along_12;
-            V turn_rate_12 = _o299.turn_rate_12;
-            V cos_12 = _o299.cos_12;
-            V sin_12 = _o299.sin_12;
-            const LANES(court_ring_round_pace_out) _o300 =
+            V force_11 = _o319.force_11;
+            V cosine_12 = _o319.cosine_12;
+            V sine_12 = _o319.sine_12;
+            V climb_12 = _o319.climb_12;
+            V along_12 = _o319.along_12;
+            V turn_rate_12 = _o319.turn_rate_12;
+            V cos_12 = _o319.cos_12;
+            V sin_12 = _o319.sin_12;
+            const LANES(court_ring_round_pace_out) _o320 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V stride = _o300.stride;
-            V strongest = _o300.strongest;
-            V fastest = _o300.fastest;
-            V sway = _o300.sway;
-            V force = _o300.force;
-            V force_rate = _o300.force_rate;
-            V force_bend = _o300.force_bend;
-            V brace = _o300.brace;
-            V vx_1 = _o300.vx_1;
-            V vy_1 = _o300.vy_1;
-            V vz_1 = _o300.vz_1;
-            const LANES(court_ring_round_pulled_out) _o301 =
+            V stride = _o320.stride;
+            V strongest = _o320.strongest;
+            V fastest = _o320.fastest;
+            V sway = _o320.sway;
+            V force = _o320.force;
+            V force_rate = _o320.force_rate;
+            V force_bend = _o320.force_bend;
+            V brace = _o320.brace;
+            V vx_1 = _o320.vx_1;
+            V vy_1 = _o320.vy_1;
+            V vz_1 = _o320.vz_1;
+            const LANES(court_ring_round_pulled_out) _o321 =
                 LANES(court_ring_round_pulled)(climb_0, climb_1, cosine_0, cosine_1, p_gravity, omega_0, omega_1, turn_rate_0, turn_rate_1);
-            V drag = _o301.drag;
-            V drag_rate = _o301.drag_rate;
-            const LANES(court_ring_impact_strained_out) _o302 =
+            V drag = _o321.drag;
+            V drag_rate = _o321.drag_rate;
+            const LANES(court_ring_impact_strained_out) _o322 =
                 LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_ring_friction);
-            V strain = _o302.strain;
-            V strain_rate = _o302.strain_rate;
-            const LANES(court_losing_out) _o303 =
+            V strain = _o322.strain;
+            V strain_rate = _o322.strain_rate;
+            const LANES(court_losing_out) _o323 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o303.loses;
-            const M _m304 = lanes_both(active, loses);
-            if (lanes_any(_m304)) {
-                const LANES(court_lost_grip_out) _o305 =
+            M loses = _o323.loses;
+            const M _m324 = lanes_both(active, loses);
+            if (lanes_any(_m324)) {
+                const LANES(court_lost_grip_out) _o325 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m304, _o305.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m324, _o325.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o306 =
+            const LANES(court_tightened_out) _o326 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o306.taut;
-            taut_rate = _o306.taut_rate;
-            taut_clock = _o306.taut_clock;
-            const LANES(court_leaving_force_out) _o307 =
+            taut = _o326.taut;
+            taut_rate = _o326.taut_rate;
+            taut_clock = _o326.taut_clock;
+            const LANES(court_leaving_force_out) _o327 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o307.stride;
-            which = _o307.which;
-            M rests = _o307.rests;
-            doubt = _o307.doubt;
-            const LANES(court_backboard_beside_out) _o308 =
+            stride = _o327.stride;
+            which = _o327.which;
+            M rests = _o327.rests;
+            doubt = _o327.doubt;
+            const LANES(court_backboard_beside_out) _o328 =
                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o308.gap;
-            V nearing = _o308.nearing;
-            V dent = _o308.dent;
-            const LANES(court_beside_body_out) _o309 =
+            V gap = _o328.gap;
+            V nearing = _o328.nearing;
+            V dent = _o328.dent;
+            const LANES(court_beside_body_out) _o329 =
                 LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o309.stride;
-            which = _o309.which;
-            doubt = _o309.doubt;
-            late = _o309.late;
-            const LANES(court_bridge_beside_out) _o310 =
+            stride = _o329.stride;
+            which = _o329.which;
+            doubt = _o329.doubt;
+            late = _o329.late;
+            const LANES(court_bridge_beside_out) _o330 =
                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o310.gap;
-            nearing = _o310.nearing;
-            dent = _o310.dent;
-            const LANES(court_beside_body_out) _o311 =
-                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o311.stride;
-            which = _o311.which;
-            doubt = _o311.doubt;
-            late = _o311.late;
-            const LANES(court_end_beside_out) _o312 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o312.gap;
-            nearing = _o312.nearing;
-            dent = _o312.dent;
-            const LANES(court_beside_gate_out) _o313 =
-                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o313.stride;
-            which = _o313.which;
-            doubt = _o313.doubt;
-            late = _o313.late;
-            const LANES(court_beside_time_out) _o314 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o314.stride;
-            which = _o314.which;
-            const LANES(court_apart_out) _o315 =
-                LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o315.apart;
-            const LANES(court_neighbour_out) _o316 =
-                LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o316.far_x;
-            V far_y = _o316.far_y;
-            V far_z = _o316.far_z;
-            V far_vx = _o316.far_vx;
-            V far_vy = _o316.far_vy;
-            V far_vz = _o316.far_vz;
-            V far_wx = _o316.far_wx;
-            V far_wy = _o316.far_wy;
-            V far_wz = _o316.far_wz;
-            const LANES(court_passing_from_out) _o317 =
-                LANES(court_passing_from)(z);
-            M over = _o317.over;
-            const LANES(court_alone_out) _o318 =
-                LANES(court_alone)();
-            V berth = _o318.nearest;
-            const LANES(court_leaps_out) _o319 =
-                LANES(court_leaps)(stride);
-            V forth = _o319.forth;
-            V back = _o319.back;
-            const LANES(court_backboard_around_out) _o320 =
-                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o320.gap;
-            nearing = _o320.nearing;
-            const LANES(court_cleared_out) _o321 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o321.berth;
-            const LANES(court_bridge_around_out) _o322 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o322.gap;
-            nearing = _o322.nearing;
-            const LANES(court_cleared_out) _o323 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o323.berth;
-            const LANES(court_end_around_out) _o324 =
-                LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o324.gap;
-            nearing = _o324.nearing;
-            const LANES(court_cleared_out) _o325 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o325.berth;
-            const LANES(court_ring_round_moved_out) _o326 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o326.x;
-            y = _o326.y;
-            z = _o326.z;
-            vx = _o326.vx;
-            vy = _o326.vy;
-            vz = _o326.vz;
-            wx = _o326.wx;
-            wy = _o326.wy;
-            wz = _o326.wz;
-            V climb = _o326.climb;
-            const LANES(court_passing_in_contact_out) _o327 =
-                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o327.through;
-            const LANES(court_backboard_around_out) _o328 =
-                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o328.gap;
-            nearing = _o328.nearing;
-            const LANES(court_cleared_out) _o329 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o329.berth;
-            const LANES(court_bridge_around_out) _o330 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o330.gap;
             nearing = _o330.nearing;
-            const LANES(court_cleared_out) _o331 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o331.berth;
-            const LANES(court_end_around_out) _o332 =
-                LANES(court_end_around)(p_end_depth, vz, z);
+            dent = _o330.dent;
+            const LANES(court_beside_body_out) _o331 =
+                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o331.stride;
+            which = _o331.which;
+            doubt = _o331.doubt;
+            late = _o331.late;
+            const LANES(court_end_beside_out) _o332 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
             gap = _o332.gap;
             nearing = _o332.nearing;
-            const LANES(court_cleared_out) _o333 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o333.berth;
-            const LANES(court_ring_swung_out) _o334 =
-                LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, p_gravity, position_error, stride, sway, velocity_error, which, p_wire_radius);
-            circled = _o334.circled;
-            M endless = _o334.endless;
-            doubt = _o334.doubt;
-            const LANES(court_for_ever_out) _o335 =
-                LANES(court_for_ever)(endless, which);
-            which = _o335.which;
-            const LANES(court_ring_round_start_out) _o336 =
-                LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, far_vx, far_vy, far_vz, p_wire_radius, far_wx, far_wy, far_wz, far_x, far_y, far_z);
-            cosine_0 = _o336.cosine_0;
-            sine_0 = _o336.sine_0;
-            climb_0 = _o336.climb_0;
-            along_0 = _o336.along_0;
-            turn_rate_0 = _o336.turn_rate_0;
-            cos_0 = _o336.cos_0;
-            sin_0 = _o336.sin_0;
-            near_0 = _o336.near_0;
-            const LANES(court_ring_round_0_out) _o337 =
-                LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            omega_0 = _o337.omega_0;
-            around_0 = _o337.around_0;
-            tilted_0 = _o337.tilted_0;
-            pressed_0 = _o337.pressed_0;
-            cosine_1 = _o337.cosine_1;
-            sine_1 = _o337.sine_1;
-            climb_1 = _o337.climb_1;
-            along_1 = _o337.along_1;
-            turn_rate_1 = _o337.turn_rate_1;
-            cos_1 = _o337.cos_1;
-            sin_1 = _o337.sin_1;
-            const LANES(court_ring_round_1_out) _o338 =
-                LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            near_1 = _o338.near_1;
-            omega_1 = _o338.omega_1;
-            around_1 = _o338.around_1;
-            tilted_1 = _o338.tilted_1;
-            pressed_1 = _o338.pressed_1;
-            cosine_2 = _o338.cosine_2;
-            sine_2 = _o338.sine_2;
-            climb_2 = _o338.climb_2;
-            along_2 = _o338.along_2;
-            turn_rate_2 = _o338.turn_rate_2;
-            cos_2 = _o338.cos_2;
-            sin_2 = _o338.sin_2;
-            const LANES(court_ring_round_2_out) _o339 =
-                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            near_2 = _o339.near_2;
-            omega_2 = _o339.omega_2;
-            around_2 = _o339.around_2;
-            tilted_2 = _o339.tilted_2;
-            pressed_2 = _o339.pressed_2;
-            cosine_3 = _o339.cosine_3;
-            sine_3 = _o339.sine_3;
-            climb_3 = _o339.climb_3;
-            along_3 = _o339.along_3;
-            turn_rate_3 = _o339.turn_rate_3;
-            cos_3 = _o339.cos_3;
-            sin_3 = _o339.sin_3;
-            const LANES(court_ring_round_3_out) _o340 =
-                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            near_3 = _o340.near_3;
-            omega_3 = _o340.omega_3;
-            around_3 = _o340.around_3;
-            tilted_3 = _o340.tilted_3;
-            pressed_3 = _o340.pressed_3;
-            cosine_4 = _o340.cosine_4;
-            sine_4 = _o340.sine_4;
-            climb_4 = _o340.climb_4;
-            along_4 = _o340.along_4;
-            turn_rate_4 = _o340.turn_rate_4;
-            cos_4 = _o340.cos_4;
-            sin_4 = _o340.sin_4;
-            const LANES(court_ring_round_4_out) _o341 =
-                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            near_4 = _o341.near_4;
-            omega_4 = _o341.omega_4;
-            around_4 = _o341.around_4;
-            tilted_4 = _o341.tilted_4;
-            pressed_4 = _o341.pressed_4;
-            cosine_5 = _o341.cosine_5;
-            sine_5 = _o341.sine_5;
-            climb_5 = _o341.climb_5;
-            along_5 = _o341.along_5;
-            turn_rate_5 = _o341.turn_rate_5;
-            cos_5 = _o341.cos_5;
-            sin_5 = _o341.sin_5;
-            const LANES(court_ring_round_5_out) _o342 =
-                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            near_5 = _o342.near_5;
-            omega_5 = _o342.omega_5;
-            around_5 = _o342.around_5;
-            tilted_5 = _o342.tilted_5;
-            pressed_5 = _o342.pressed_5;
-            cosine_6 = _o342.cosine_6;
-            sine_6 = _o342.sine_6;
-            climb_6 = _o342.climb_6;
-            along_6 = _o342.along_6;
-            turn_rate_6 = _o342.turn_rate_6;
-            cos_6 = _o342.cos_6;
-            sin_6 = _o342.sin_6;
-            const LANES(court_ring_round_6_out) _o343 =
-                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            near_6 = _o343.near_6;
-            omega_6 = _o343.omega_6;
-            around_6 = _o343.around_6;
-            tilted_6 = _o343.tilted_6;
-            pressed_6 = _o343.pressed_6;
-            cosine_7 = _o343.cosine_7;
-            sine_7 = _o343.sine_7;
-            climb_7 = _o343.climb_7;
-            along_7 = _o343.along_7;
-            turn_rate_7 = _o343.turn_rate_7;
-            cos_7 = _o343.cos_7;
-            sin_7 = _o343.sin_7;
-            const LANES(court_ring_round_7_out) _o344 =
-                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            near_7 = _o344.near_7;
-            omega_7 = _o344.omega_7;
-            around_7 = _o344.around_7;
-            tilted_7 = _o344.tilted_7;
-            pressed_7 = _o344.pressed_7;
-            cosine_8 = _o344.cosine_8;
-            sine_8 = _o344.sine_8;
-            climb_8 = _o344.climb_8;
-            along_8 = _o344.along_8;
-            turn_rate_8 = _o344.turn_rate_8;
-            cos_8 = _o344.cos_8;
-            sin_8 = _o344.sin_8;
-            const LANES(court_ring_round_8_out) _o345 =
-                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            near_8 = _o345.near_8;
-            omega_8 = _o345.omega_8;
-            around_8 = _o345.around_8;
-            tilted_8 = _o345.tilted_8;
-            pressed_8 = _o345.pressed_8;
-            cosine_9 = _o345.cosine_9;
-            sine_9 = _o345.sine_9;
-            climb_9 = _o345.climb_9;
-            along_9 = _o345.along_9;
-            turn_rate_9 = _o345.turn_rate_9;
-            cos_9 = _o345.cos_9;
-            sin_9 = _o345.sin_9;
-            const LANES(court_ring_round_9_out) _o346 =
-                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_9 = _o346.near_9;
-            omega_9 = _o346.omega_9;
-            around_9 = _o346.around_9;
-            tilted_9 = _o346.tilted_9;
-            pressed_9 = _o346.pressed_9;
-            cosine_10 = _o346.cosine_10;
-            sine_10 = _o346.sine_10;
-            climb_10 = _o346.climb_10;
-            along_10 = _o346.along_10;
-            turn_rate_10 = _o346.turn_rate_10;
-            cos_10 = _o346.cos_10;
-            sin_10 = _o346.sin_10;
-            const LANES(court_ring_round_10_out) _o347 =
-                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_10 = _o347.near_10;
-            omega_10 = _o347.omega_10;
-            around_10 = _o347.around_10;
-            tilted_10 = _o347.tilted_10;
-            pressed_10 = _o347.pressed_10;
-            cosine_11 = _o347.cosine_11;
-            sine_11 = _o347.sine_11;
-            climb_11 = _o347.climb_11;
-            along_11 = _o347.along_11;
-            turn_rate_11 = _o347.turn_rate_11;
-            cos_11 = _o347.cos_11;
-            sin_11 = _o347.sin_11;
-            const LANES(court_ring_round_11_out) _o348 =
-                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            cosine_12 = _o348.cosine_12;
-            sine_12 = _o348.sine_12;
-            climb_12 = _o348.climb_12;
-            along_12 = _o348.along_12;
-            turn_rate_12 = _o348.turn_rate_12;
-            cos_12 = _o348.cos_12;
-            sin_12 = _o348.sin_12;
-            const LANES(court_ring_round_moved_out) _o349 =
+            dent = _o332.dent;
+            const LANES(court_beside_gate_out) _o333 =
+                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o333.stride;
+            which = _o333.which;
+            doubt = _o333.doubt;
+            late = _o333.late;
+            const LANES(court_beside_time_out) _o334 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o334.stride;
+            which = _o334.which;
+            const LANES(court_apart_out) _o335 =
+                LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
+            V apart = _o335.apart;
+            const LANES(court_neighbour_out) _o336 =
+                LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
+            V far_x = _o336.far_x;
+            V far_y = _o336.far_y;
+            V far_z = _o336.far_z;
+            V far_vx = _o336.far_vx;
+            V far_vy = _o336.far_vy;
+            V far_vz = _o336.far_vz;
+            V far_wx = _o336.far_wx;
+            V far_wy = _o336.far_wy;
+            V far_wz = _o336.far_wz;
+            const LANES(court_passing_from_out) _o337 =
+                LANES(court_passing_from)(z);
+            M over = _o337.over;
+            const LANES(court_alone_out) _o338 =
+                LANES(court_alone)();
+            V berth = _o338.nearest;
+            const LANES(court_leaps_out) _o339 =
+                LANES(court_leaps)(stride);
+            V forth = _o339.forth;
+            V back = _o339.back;
+            const LANES(court_backboard_around_out) _o340 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o340.gap;
+            nearing = _o340.nearing;
+            const LANES(court_cleared_out) _o341 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o341.berth;
+            const LANES(court_bridge_around_out) _o342 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o342.gap;
+            nearing = _o342.nearing;
+            const LANES(court_cleared_out) _o343 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o343.berth;
+            const LANES(court_end_around_out) _o344 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o344.gap;
+            nearing = _o344.nearing;
+            const LANES(court_cleared_out) _o345 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o345.berth;
+            const LANES(court_ring_round_moved_out) _o346 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            far_x = _o349.x;
-            far_y = _o349.y;
-            far_z = _o349.z;
-            far_vx = _o349.vx;
-            far_vy = _o349.vy;
-            far_vz = _o349.vz;
-            far_wx = _o349.wx;
-            far_wy = _o349.wy;
-            far_wz = _o349.wz;
-            const LANES(court_compared_out) _o350 =
+            x = _o346.x;
+            y = _o346.y;
+            z = _o346.z;
+            vx = _o346.vx;
+            vy = _o346.vy;
+            vz = _o346.vz;
+            wx = _o346.wx;
+            wy = _o346.wy;
+            wz = _o346.wz;
+            V climb = _o346.climb;
+            const LANES(court_passing_in_contact_out) _o347 =
+                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
+            through = _o347.through;
+            const LANES(court_backboard_around_out) _o348 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o348.gap;
+            nearing = _o348.nearing;
+            const LANES(court_cleared_out) _o349 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o349.berth;
+            const LANES(court_bridge_around_out) _o350 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o350.gap;
+            nearing = _o350.nearing;
+            const LANES(court_cleared_out) _o351 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o351.berth;
+            const LANES(court_end_around_out) _o352 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o352.gap;
+            nearing = _o352.nearing;
+            const LANES(court_cleared_out) _o353 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o353.berth;
+            const LANES(court_ring_swung_out) _o354 =
+                LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, p_gravity, position_error, stride, sway, velocity_error, which, p_wire_radius);
+            circled = _o354.circled;
+            M endless = _o354.endless;
+            doubt = _o354.doubt;
+            const LANES(court_for_ever_out) _o355 =
+                LANES(court_for_ever)(endless, which);
+            which = _o355.which;
+            const LANES(court_ring_round_start_out) _o356 =
+                LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, far_vx, far_vy, far_vz, p_wire_radius, far_wx, far_wy, far_wz, far_x, far_y, far_z);
+            cosine_0 = _o356.cosine_0;
+            sine_0 = _o356.sine_0;
+            climb_0 = _o356.climb_0;
+            along_0 = _o356.along_0;
+            turn_rate_0 = _o356.turn_rate_0;
+            cos_0 = _o356.cos_0;
+            sin_0 = _o356.sin_0;
+            near_0 = _o356.near_0;
+            const LANES(court_ring_round_0_out) _o357 =
+                LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
+            omega_0 = _o357.omega_0;
+            around_0 = _o357.around_0;
+            tilted_0 = _o357.tilted_0;
+            pressed_0 = _o357.pressed_0;
+            cosine_1 = _o357.cosine_1;
+            sine_1 = _o357.sine_1;
+            climb_1 = _o357.climb_1;
+            along_1 = _o357.along_1;
+            turn_rate_1 = _o357.turn_rate_1;
+            cos_1 = _o357.cos_1;
+            sin_1 = _o357.sin_1;
+            const LANES(court_ring_round_1_out) _o358 =
+                LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
+            near_1 = _o358.near_1;
+            omega_1 = _o358.omega_1;
+            around_1 = _o358.around_1;
+            tilted_1 = _o358.tilted_1;
+            pressed_1 = _o358.pressed_1;
+            cosine_2 = _o358.cosine_2;
+            sine_2 = _o358.sine_2;
+            climb_2 = _o358.climb_2;
+            along_2 = _o358.along_2;
+            turn_rate_2 = _o358.turn_rate_2;
+            cos_2 = _o358.cos_2;
+            sin_2 = _o358.sin_2;
+            const LANES(court_ring_round_2_out) _o359 =
+                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
+            near_2 = _o359.near_2;
+            omega_2 = _o359.omega_2;
+            around_2 = _o359.around_2;
+            tilted_2 = _o359.tilted_2;
+            pressed_2 = _o359.pressed_2;
+            cosine_3 = _o359.cosine_3;
+            sine_3 = _o359.sine_3;
+            climb_3 = _o359.climb_3;
+            along_3 = _o359.along_3;
+            turn_rate_3 = _o359.turn_rate_3;
+            cos_3 = _o359.cos_3;
+            sin_3 = _o359.sin_3;
+            const LANES(court_ring_round_3_out) _o360 =
+                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
+            near_3 = _o360.near_3;
+            omega_3 = _o360.omega_3;
+            around_3 = _o360.around_3;
+            tilted_3 = _o360.tilted_3;
+            pressed_3 = _o360.pressed_3;
+            cosine_4 = _o360.cosine_4;
+            sine_4 = _o360.sine_4;
+            climb_4 = _o360.climb_4;
+            along_4 = _o360.along_4;
+            turn_rate_4 = _o360.turn_rate_4;
+            cos_4 = _o360.cos_4;
+            sin_4 = _o360.sin_4;
+            const LANES(court_ring_round_4_out) _o361 =
+                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
+            near_4 = _o361.near_4;
+            omega_4 = _o361.omega_4;
+            around_4 = _o361.around_4;
+            tilted_4 = _o361.tilted_4;
+            pressed_4 = _o361.pressed_4;
+            cosine_5 = _o361.cosine_5;
+            sine_5 = _o361.sine_5;
+            climb_5 = _o361.climb_5;
+            along_5 = _o361.along_5;
+            turn_rate_5 = _o361.turn_rate_5;
+            cos_5 = _o361.cos_5;
+            sin_5 = _o361.sin_5;
+            const LANES(court_ring_round_5_out) _o362 =
+                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
+            near_5 = _o362.near_5;
+            omega_5 = _o362.omega_5;
+            around_5 = _o362.around_5;
+            tilted_5 = _o362.tilted_5;
+            pressed_5 = _o362.pressed_5;
+            cosine_6 = _o362.cosine_6;
+            sine_6 = _o362.sine_6;
+            climb_6 = _o362.climb_6;
+            along_6 = _o362.along_6;
+            turn_rate_6 = _o362.turn_rate_6;
+            cos_6 = _o362.cos_6;
+            sin_6 = _o362.sin_6;
+            const LANES(court_ring_round_6_out) _o363 =
+                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
+            near_6 = _o363.near_6;
+            omega_6 = _o363.omega_6;
+            around_6 = _o363.around_6;
+            tilted_6 = _o363.tilted_6;
+            pressed_6 = _o363.pressed_6;
+            cosine_7 = _o363.cosine_7;
+            sine_7 = _o363.sine_7;
+            climb_7 = _o363.climb_7;
+            along_7 = _o363.along_7;
+            turn_rate_7 = _o363.turn_rate_7;
+            cos_7 = _o363.cos_7;
+            sin_7 = _o363.sin_7;
+            const LANES(court_ring_round_7_out) _o364 =
+                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
+            near_7 = _o364.near_7;
+            omega_7 = _o364.omega_7;
+            around_7 = _o364.around_7;
+            tilted_7 = _o364.tilted_7;
+            pressed_7 = _o364.pressed_7;
+            cosine_8 = _o364.cosine_8;
+            sine_8 = _o364.sine_8;
+            climb_8 = _o364.climb_8;
+            along_8 = _o364.along_8;
+            turn_rate_8 = _o364.turn_rate_8;
+            cos_8 = _o364.cos_8;
+            sin_8 = _o364.sin_8;
+            const LANES(court_ring_round_8_out) _o365 =
+                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
+            near_8 = _o365.near_8;
+            omega_8 = _o365.omega_8;
+            around_8 = _o365.around_8;
+            tilted_8 = _o365.tilted_8;
+            pressed_8 = _o365.pressed_8;
+            cosine_9 = _o365.cosine_9;
+            sine_9 = _o365.sine_9;
+            climb_9 = _o365.climb_9;
+            along_9 = _o365.along_9;
+            turn_rate_9 = _o365.turn_rate_9;
+            cos_9 = _o365.cos_9;
+            sin_9 = _o365.sin_9;
+            const LANES(court_ring_round_9_out) _o366 =
+                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            near_9 = _o366.near_9;
+            omega_9 = _o366.omega_9;
+            around_9 = _o366.around_9;
+            tilted_9 = _o366.tilted_9;
+            pressed_9 = _o366.pressed_9;
+            cosine_10 = _o366.cosine_10;
+            sine_10 = _o366.sine_10;
+            climb_10 = _o366.climb_10;
+            along_10 = _o366.along_10;
+            turn_rate_10 = _o366.turn_rate_10;
+            cos_10 = _o366.cos_10;
+            sin_10 = _o366.sin_10;
+            const LANES(court_ring_round_10_out) _o367 =
+                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            near_10 = _o367.near_10;
+            omega_10 = _o367.omega_10;
+            around_10 = _o367.around_10;
+            tilted_10 = _o367.tilted_10;
+            pressed_10 = _o367.pressed_10;
+            cosine_11 = _o367.cosine_11;
+            sine_11 = _o367.sine_11;
+            climb_11 = _o367.climb_11;
+            along_11 = _o367.along_11;
+            turn_rate_11 = _o367.turn_rate_11;
+            cos_11 = _o367.cos_11;
+            sin_11 = _o367.sin_11;
+            const LANES(court_ring_round_11_out) _o368 =
+                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            cosine_12 = _o368.cosine_12;
+            sine_12 = _o368.sine_12;
+            climb_12 = _o368.climb_12;
+            along_12 = _o368.along_12;
+            turn_rate_12 = _o368.turn_rate_12;
+            cos_12 = _o368.cos_12;
+            sin_12 = _o368.sin_12;
+            const LANES(court_ring_round_moved_out) _o369 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            far_x = _o369.x;
+            far_y = _o369.y;
+            far_z = _o369.z;
+            far_vx = _o369.vx;
+            far_vy = _o369.vy;
+            far_vz = _o369.vz;
+            far_wx = _o369.wx;
+            far_wy = _o369.wy;
+            far_wz = _o369.wz;
+            const LANES(court_compared_out) _o370 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o350.dx;
-            dy = _o350.dy;
-            dz = _o350.dz;
-            dvx = _o350.dvx;
-            dvy = _o350.dvy;
-            dvz = _o350.dvz;
-            dwx = _o350.dwx;
-            dwy = _o350.dwy;
-            dwz = _o350.dwz;
-            const LANES(court_rolled_on_out) _o351 =
+            dx = _o370.dx;
+            dy = _o370.dy;
+            dz = _o370.dz;
+            dvx = _o370.dvx;
+            dvy = _o370.dvy;
+            dvz = _o370.dvz;
+            dwx = _o370.dwx;
+            dwy = _o370.dwy;
+            dwz = _o370.dwz;
+            const LANES(court_rolled_on_out) _o371 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o351.clock;
-            circling = _o351.rolling;
+            clock = _o371.clock;
+            circling = _o371.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -7654,115 +7738,115 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o352 =
+        const LANES(court_rejoined_out) _o372 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o352.rolling;
-        const M _m353 = lanes_both(rows, leaves);
-        if (lanes_any(_m353)) {
-            const LANES(court_error_bounds_out) _o354 =
+        rolling = _o372.rolling;
+        const M _m373 = lanes_both(rows, leaves);
+        if (lanes_any(_m373)) {
+            const LANES(court_error_bounds_out) _o374 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_error = lanes_select(_m353, _o354.position_error, position_error);
-            velocity_error = lanes_select(_m353, _o354.velocity_error, velocity_error);
-            const LANES(court_holding_out) _o355 =
+            position_error = lanes_select(_m373, _o374.position_error, position_error);
+            velocity_error = lanes_select(_m373, _o374.velocity_error, velocity_error);
+            const LANES(court_holding_out) _o375 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o355.here;
-            const M _m356 = lanes_both(_m353, here);
-            if (lanes_any(_m356)) {
-                const LANES(court_ring_tube_out) _o357 =
+            M here = _o375.here;
+            const M _m376 = lanes_both(_m373, here);
+            if (lanes_any(_m376)) {
+                const LANES(court_ring_tube_out) _o377 =
                     LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-                per_reach = lanes_select(_m356, _o357.per_reach, per_reach);
-                const LANES(court_ring_parting_out) _o358 =
+                per_reach = lanes_select(_m376, _o377.per_reach, per_reach);
+                const LANES(court_ring_parting_out) _o378 =
                     LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m356, _o358.lift, lift);
-                surge = lanes_select(_m356, _o358.surge, surge);
-                snap = lanes_select(_m356, _o358.snap, snap);
+                lift = lanes_select(_m376, _o378.lift, lift);
+                surge = lanes_select(_m376, _o378.surge, surge);
+                snap = lanes_select(_m376, _o378.snap, snap);
             }
-            const LANES(court_holding_out) _o359 =
+            const LANES(court_holding_out) _o379 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o359.here;
-            const M _m360 = lanes_both(_m353, here);
-            if (lanes_any(_m360)) {
-                const LANES(court_backboard_tube_out) _o361 =
+            here = _o379.here;
+            const M _m380 = lanes_both(_m373, here);
+            if (lanes_any(_m380)) {
+                const LANES(court_backboard_tube_out) _o381 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                per_reach = lanes_select(_m360, _o361.per_reach, per_reach);
-                const LANES(court_backboard_parting_out) _o362 =
+                per_reach = lanes_select(_m380, _o381.per_reach, per_reach);
+                const LANES(court_backboard_parting_out) _o382 =
                     LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m360, _o362.lift, lift);
-                surge = lanes_select(_m360, _o362.surge, surge);
-                snap = lanes_select(_m360, _o362.snap, snap);
+                lift = lanes_select(_m380, _o382.lift, lift);
+                surge = lanes_select(_m380, _o382.surge, surge);
+                snap = lanes_select(_m380, _o382.snap, snap);
             }
-            const LANES(court_holding_out) _o363 =
+            const LANES(court_holding_out) _o383 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o363.here;
-            const M _m364 = lanes_both(_m353, here);
-            if (lanes_any(_m364)) {
-                const LANES(court_bridge_tube_out) _o365 =
+            here = _o383.here;
+            const M _m384 = lanes_both(_m373, here);
+            if (lanes_any(_m384)) {
+                const LANES(court_bridge_tube_out) _o385 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                per_reach = lanes_select(_m364, _o365.per_reach, per_reach);
-                const LANES(court_bridge_parting_out) _o366 =
+                per_reach = lanes_select(_m384, _o385.per_reach, per_reach);
+                const LANES(court_bridge_parting_out) _o386 =
                     LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                lift = lanes_select(_m364, _o366.lift, lift);
-                surge = lanes_select(_m364, _o366.surge, surge);
-                snap = lanes_select(_m364, _o366.snap, snap);
+                lift = lanes_select(_m384, _o386.lift, lift);
+                surge = lanes_select(_m384, _o386.surge, surge);
+                snap = lanes_select(_m384, _o386.snap, snap);
             }
-            const LANES(court_alone_out) _o367 =
+            const LANES(court_alone_out) _o387 =
                 LANES(court_alone)();
-            V nearest = _o367.nearest;
-            const LANES(court_beside_out) _o368 =
+            V nearest = _o387.nearest;
+            const LANES(court_beside_out) _o388 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o368.beside;
-            const M _m369 = lanes_both(_m353, beside);
-            if (lanes_any(_m369)) {
-                const LANES(court_ring_beside_out) _o370 =
+            M beside = _o388.beside;
+            const M _m389 = lanes_both(_m373, beside);
+            if (lanes_any(_m389)) {
+                const LANES(court_ring_beside_out) _o390 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o370.gap;
-                const LANES(court_neared_out) _o371 =
+                V gap = _o390.gap;
+                const LANES(court_neared_out) _o391 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m369, _o371.nearest, nearest);
+                nearest = lanes_select(_m389, _o391.nearest, nearest);
             }
-            const LANES(court_beside_out) _o372 =
+            const LANES(court_beside_out) _o392 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o372.beside;
-            const M _m373 = lanes_both(_m353, beside);
-            if (lanes_any(_m373)) {
-                const LANES(court_backboard_beside_out) _o374 =
+            beside = _o392.beside;
+            const M _m393 = lanes_both(_m373, beside);
+            if (lanes_any(_m393)) {
+                const LANES(court_backboard_beside_out) _o394 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o374.gap;
-                const LANES(court_neared_out) _o375 =
+                V gap = _o394.gap;
+                const LANES(court_neared_out) _o395 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m373, _o375.nearest, nearest);
+                nearest = lanes_select(_m393, _o395.nearest, nearest);
             }
-            const LANES(court_beside_out) _o376 =
+            const LANES(court_beside_out) _o396 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o376.beside;
-            const M _m377 = lanes_both(_m353, beside);
-            if (lanes_any(_m377)) {
-                const LANES(court_bridge_beside_out) _o378 =
+            beside = _o396.beside;
+            const M _m397 = lanes_both(_m373, beside);
+            if (lanes_any(_m397)) {
+                const LANES(court_bridge_beside_out) _o398 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o378.gap;
-                const LANES(court_neared_out) _o379 =
+                V gap = _o398.gap;
+                const LANES(court_neared_out) _o399 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m377, _o379.nearest, nearest);
+                nearest = lanes_select(_m397, _o399.nearest, nearest);
             }
-            const LANES(court_beside_out) _o380 =
+            const LANES(court_beside_out) _o400 =
                 LANES(court_beside)(held, K(3.0));
-            beside = _o380.beside;
-            const M _m381 = lanes_both(_m353, beside);
+            beside = _o400.beside;
+            const M _m401 = lanes_both(_m373, beside);
             {
-                const LANES(court_end_beside_out) _o382 =
+                const LANES(court_end_beside_out) _o402 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o382.gap;
-                const LANES(court_neared_out) _o383 =
+                V gap = _o402.gap;
+                const LANES(court_neared_out) _o403 =
                     LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m381, _o383.nearest, nearest);
+                nearest = lanes_select(_m401, _o403.nearest, nearest);
             }
-            const LANES(court_parted_out) _o384 =
+            const LANES(court_parted_out) _o404 =
                 LANES(court_parted)(doubt, p_gravity, lift, nearest, per_reach, position_error, snap, surge, velocity_error, vx, vy, vz);
-            when = lanes_select(_m353, _o384.when, when);
-            doubt = lanes_select(_m353, _o384.doubt, doubt);
-            const LANES(court_hopping_out) _o385 =
+            when = lanes_select(_m373, _o404.when, when);
+            doubt = lanes_select(_m373, _o404.doubt, doubt);
+            const LANES(court_hopping_out) _o405 =
                 LANES(court_hopping)();
-            which = lanes_select(_m353, _o385.which, which);
+            which = lanes_select(_m373, _o405.which, which);
         }
         lanes_store(lists->kept_doubt + i, doubt);
         lanes_store(lists->kept_position_error + i, position_error);
@@ -8146,6 +8230,15 @@ static void LANES(court_bounded)(const court_job *job)
             V ceiling = _o35.ceiling;
             V flat = _o35.flat;
             V tilt = _o35.tilt;
+            const M _m36 = lanes_both(rows, leaping);
+            if (lanes_any(_m36)) {
+                const LANES(court_ring_leap_out) _o37 =
+                    LANES(court_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                short_t = singles_select(singles_of(_m36), _o37.t, short_t);
+                short_end = singles_select(singles_of(_m36), _o37.end, short_end);
+                certain = lanes_choose(_m36, _o37.certain, certain);
+                leaping = lanes_choose(_m36, _o37.leaping, leaping);
+            }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -8269,12 +8362,12 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(court_ring_leap_out) _o36 =
+                const LANES(court_ring_leap_out) _o38 =
                     LANES(court_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o36.t;
-                short_end = _o36.end;
-                M certain = _o36.certain;
-                leaping = _o36.leaping;
+                short_t = _o38.t;
+                short_end = _o38.end;
+                M certain = _o38.certain;
+                leaping = _o38.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -8324,12 +8417,12 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_leapt_out) _o37 =
+            const LANES(court_leapt_out) _o39 =
                 LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o37.arrival;
-            certain = _o37.certain;
-            V t = _o37.t;
-            searching = _o37.searching;
+            arrival = _o39.arrival;
+            certain = _o39.certain;
+            V t = _o39.t;
+            searching = _o39.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
@@ -8388,33 +8481,33 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(court_ring_prepare_out) _o38 =
+            const LANES(court_ring_prepare_out) _o40 =
                 LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o38.steady;
-            V swing = _o38.swing;
-            V rho_start = _o38.rho_start;
-            V low0 = _o38.low0;
-            V high0 = _o38.high0;
-            V low1 = _o38.low1;
-            V high1 = _o38.high1;
-            V low2 = _o38.low2;
-            V high2 = _o38.high2;
-            V ceiling = _o38.ceiling;
-            V latest = _o38.latest;
-            const LANES(court_allowance_out) _o39 =
+            V steady = _o40.steady;
+            V swing = _o40.swing;
+            V rho_start = _o40.rho_start;
+            V low0 = _o40.low0;
+            V high0 = _o40.high0;
+            V low1 = _o40.low1;
+            V high1 = _o40.high1;
+            V low2 = _o40.low2;
+            V high2 = _o40.high2;
+            V ceiling = _o40.ceiling;
+            V latest = _o40.latest;
+            const LANES(court_allowance_out) _o41 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o39.position_level;
-            V velocity_level = _o39.velocity_level;
-            const LANES(court_ring_margins_out) _o40 =
+            V position_level = _o41.position_level;
+            V velocity_level = _o41.velocity_level;
+            const LANES(court_ring_margins_out) _o42 =
                 LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o40.margin;
-            V tilt = _o40.leaving_margin;
-            V rate_slack = _o40.rate_margin;
-            const LANES(court_ring_enter_out) _o41 =
+            V flat = _o42.margin;
+            V tilt = _o42.leaving_margin;
+            V rate_slack = _o42.rate_margin;
+            const LANES(court_ring_enter_out) _o43 =
                 LANES(court_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o41.t;
-            V end = _o41.end;
-            M searching = _o41.searching;
+            t = _o43.t;
+            V end = _o43.end;
+            M searching = _o43.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
@@ -8556,56 +8649,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o42 =
+                const LANES(court_nearby_out) _o44 =
                     LANES(court_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o42.leaving;
-                V margin = _o42.margin;
-                const LANES(court_ring_advance_out) _o43 =
+                V leaving = _o44.leaving;
+                V margin = _o44.margin;
+                const LANES(court_ring_advance_out) _o45 =
                     LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o43.gap;
-                V rate = _o43.rate;
-                V bend = _o43.bend;
-                V step = _o43.step;
-                V next = _o43.next;
-                V clearance = _o43.clearance;
-                const LANES(court_struck_out) _o44 =
+                V gap = _o45.gap;
+                V rate = _o45.rate;
+                V bend = _o45.bend;
+                V step = _o45.step;
+                V next = _o45.next;
+                V clearance = _o45.clearance;
+                const LANES(court_struck_out) _o46 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o44.hit;
-                M sure = _o44.sure;
-                M vague = _o44.vague;
-                const M _m45 = lanes_both(active, vague);
-                if (lanes_any(_m45)) {
-                    const LANES(court_finer_out) _o46 =
+                M hit = _o46.hit;
+                M sure = _o46.sure;
+                M vague = _o46.vague;
+                const M _m47 = lanes_both(active, vague);
+                if (lanes_any(_m47)) {
+                    const LANES(court_finer_out) _o48 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m45, _o46.share, share);
-                    const LANES(court_allowance_out) _o47 =
+                    share = lanes_select(_m47, _o48.share, share);
+                    const LANES(court_allowance_out) _o49 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o47.position_level;
-                    V velocity_level = _o47.velocity_level;
-                    V excess = _o47.excess;
-                    const LANES(court_ring_margins_out) _o48 =
+                    V position_level = _o49.position_level;
+                    V velocity_level = _o49.velocity_level;
+                    V excess = _o49.excess;
+                    const LANES(court_ring_margins_out) _o50 =
                         LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m45, _o48.margin, flat);
-                    tilt = lanes_select(_m45, _o48.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m45, _o48.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o49 =
+                    flat = lanes_select(_m47, _o50.margin, flat);
+                    tilt = lanes_select(_m47, _o50.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m47, _o50.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o51 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m45, _o49.doubt, doubt);
+                    doubt = lanes_select(_m47, _o51.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o50 =
+                const LANES(court_advanced_out) _o52 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o50.arrival;
-                certain = _o50.certain;
-                M exhausted = _o50.exhausted;
-                searching = _o50.searching;
-                t = _o50.t;
-                const M _m51 = lanes_both(active, exhausted);
+                arrival = _o52.arrival;
+                certain = _o52.certain;
+                M exhausted = _o52.exhausted;
+                searching = _o52.searching;
+                t = _o52.t;
+                const M _m53 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_ring_enter_out) _o52 =
+                    const LANES(court_ring_enter_out) _o54 =
                         LANES(court_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m51, _o52.t, t);
-                    end = lanes_select(_m51, _o52.end, end);
-                    searching = lanes_choose(_m51, _o52.searching, searching);
+                    t = lanes_select(_m53, _o54.t, t);
+                    end = lanes_select(_m53, _o54.end, end);
+                    searching = lanes_choose(_m53, _o54.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -8647,9 +8740,9 @@ static void LANES(court_bounded)(const court_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(court_questioned_out) _o53 =
+            const LANES(court_questioned_out) _o55 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o53.doubt;
+            doubt = _o55.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -8685,14 +8778,39 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o54 =
+            const LANES(court_found_out) _o56 =
                 LANES(court_found)(arrival);
-            M arrives = _o54.arrives;
-            M refining = _o54.refining;
-            V rate = _o54.rate;
-            const LANES(court_nearby_out) _o55 =
+            M arrives = _o56.arrives;
+            M refining = _o56.refining;
+            V rate = _o56.rate;
+            const LANES(court_nearby_out) _o57 =
                 LANES(court_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o55.leaving;
+            V leaving = _o57.leaving;
+            const M _m58 = lanes_both(rows, refining);
+            if (lanes_any(_m58)) {
+                const LANES(court_ring_refine_out) _o59 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o59.time;
+                V gap = _o59.gap;
+                rate = lanes_select(_m58, _o59.rate, rate);
+                const LANES(court_polished_out) _o60 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m58, _o60.arrival, arrival);
+                refining = lanes_choose(_m58, _o60.refining, refining);
+            }
+            const M _m61 = lanes_both(rows, refining);
+            if (lanes_any(_m61)) {
+                const LANES(court_ring_refine_out) _o62 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o62.time;
+                V gap = _o62.gap;
+                rate = lanes_select(_m61, _o62.rate, rate);
+                const LANES(court_polished_out) _o63 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m61, _o63.arrival, arrival);
+                refining = lanes_choose(_m61, _o63.refining, refining);
+            }
+            lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             lanes_store(lists->open_leaving + i, leaving);
             lanes_store(lists->open_rate + i, rate);
@@ -8770,15 +8888,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_ring_refine_out) _o56 =
+                const LANES(court_ring_refine_out) _o64 =
                     LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o56.time;
-                V gap = _o56.gap;
-                V rate = _o56.rate;
-                const LANES(court_polished_out) _o57 =
+                V refined = _o64.time;
+                V gap = _o64.gap;
+                V rate = _o64.rate;
+                const LANES(court_polished_out) _o65 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o57.arrival;
-                refining = _o57.refining;
+                arrival = _o65.arrival;
+                refining = _o65.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -8820,33 +8938,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_ring_margins_out) _o58 =
+            const LANES(court_ring_margins_out) _o66 =
                 LANES(court_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o58.margin;
-            V tilt = _o58.leaving_margin;
-            V rate_margin = _o58.rate_margin;
-            const LANES(court_own_margin_out) _o59 =
+            V flat = _o66.margin;
+            V tilt = _o66.leaving_margin;
+            V rate_margin = _o66.rate_margin;
+            const LANES(court_own_margin_out) _o67 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o59.margin;
-            const LANES(court_crossing_out) _o60 =
+            V margin = _o67.margin;
+            const LANES(court_crossing_out) _o68 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o60.clearance;
-            V delay = _o60.delay;
-            const LANES(court_landed_out) _o61 =
+            V clearance = _o68.clearance;
+            V delay = _o68.delay;
+            const LANES(court_landed_out) _o69 =
                 LANES(court_landed)(arrival);
-            V time = _o61.time;
-            const LANES(court_landed_surely_out) _o62 =
+            V time = _o69.time;
+            const LANES(court_landed_surely_out) _o70 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o62.delay;
-            doubt = _o62.doubt;
-            const LANES(court_tied_out) _o63 =
+            delay = _o70.delay;
+            doubt = _o70.doubt;
+            const LANES(court_tied_out) _o71 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o63.doubt;
-            late = _o63.late;
-            const LANES(court_sooner_out) _o64 =
+            doubt = _o71.doubt;
+            late = _o71.late;
+            const LANES(court_sooner_out) _o72 =
                 LANES(court_sooner)(arrives, K(0.0), time, when, which);
-            when = _o64.when;
-            which = _o64.which;
+            when = _o72.when;
+            which = _o72.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -8887,16 +9005,16 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o65 =
+            const LANES(court_horizon_out) _o73 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o65.horizon;
-            V pad = _o65.pad;
-            const LANES(court_backboard_clear_out) _o66 =
+            V until = _o73.horizon;
+            V pad = _o73.pad;
+            const LANES(court_backboard_clear_out) _o74 =
                 LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V clear = _o66.clear;
-            const LANES(court_opens_in_flight_out) _o67 =
+            V clear = _o74.clear;
+            const LANES(court_opens_in_flight_out) _o75 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o67.open;
+            M open = _o75.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -8960,38 +9078,38 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_backboard_prepare_out) _o68 =
+            const LANES(court_backboard_prepare_out) _o76 =
                 LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V low0 = _o68.low0;
-            V high0 = _o68.high0;
-            V low1 = _o68.low1;
-            V high1 = _o68.high1;
-            V ceiling = _o68.ceiling;
-            V latest = _o68.latest;
-            V lost = _o68.lost;
-            const LANES(court_beginning_out) _o69 =
+            V low0 = _o76.low0;
+            V high0 = _o76.high0;
+            V low1 = _o76.low1;
+            V high1 = _o76.high1;
+            V ceiling = _o76.ceiling;
+            V latest = _o76.latest;
+            V lost = _o76.lost;
+            const LANES(court_beginning_out) _o77 =
                 LANES(court_beginning)();
-            V share = _o69.share;
-            V arrival = _o69.arrival;
-            M certain = _o69.certain;
-            const LANES(court_allowance_out) _o70 =
+            V share = _o77.share;
+            V arrival = _o77.arrival;
+            M certain = _o77.certain;
+            const LANES(court_allowance_out) _o78 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o70.position_level;
-            V velocity_level = _o70.velocity_level;
-            V excess = _o70.excess;
-            const LANES(court_backboard_margins_out) _o71 =
+            V position_level = _o78.position_level;
+            V velocity_level = _o78.velocity_level;
+            V excess = _o78.excess;
+            const LANES(court_backboard_margins_out) _o79 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o71.margin;
-            V tilt = _o71.leaving_margin;
-            V rate_slack = _o71.rate_margin;
-            const LANES(court_beyond_out) _o72 =
+            V flat = _o79.margin;
+            V tilt = _o79.leaving_margin;
+            V rate_slack = _o79.rate_margin;
+            const LANES(court_beyond_out) _o80 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o72.doubt;
-            const LANES(court_backboard_enter_out) _o73 =
+            doubt = _o80.doubt;
+            const LANES(court_backboard_enter_out) _o81 =
                 LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o73.t;
-            V end = _o73.end;
-            M searching = _o73.searching;
+            V t = _o81.t;
+            V end = _o81.end;
+            M searching = _o81.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -9132,56 +9250,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o74 =
+                const LANES(court_nearby_out) _o82 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o74.leaving;
-                V margin = _o74.margin;
-                const LANES(court_backboard_advance_out) _o75 =
+                V leaving = _o82.leaving;
+                V margin = _o82.margin;
+                const LANES(court_backboard_advance_out) _o83 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V gap = _o75.gap;
-                V rate = _o75.rate;
-                V bend = _o75.bend;
-                V step = _o75.step;
-                V next = _o75.next;
-                V clearance = _o75.clearance;
-                const LANES(court_struck_out) _o76 =
+                V gap = _o83.gap;
+                V rate = _o83.rate;
+                V bend = _o83.bend;
+                V step = _o83.step;
+                V next = _o83.next;
+                V clearance = _o83.clearance;
+                const LANES(court_struck_out) _o84 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o76.hit;
-                M sure = _o76.sure;
-                M vague = _o76.vague;
-                const M _m77 = lanes_both(active, vague);
-                if (lanes_any(_m77)) {
-                    const LANES(court_finer_out) _o78 =
+                M hit = _o84.hit;
+                M sure = _o84.sure;
+                M vague = _o84.vague;
+                const M _m85 = lanes_both(active, vague);
+                if (lanes_any(_m85)) {
+                    const LANES(court_finer_out) _o86 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m77, _o78.share, share);
-                    const LANES(court_allowance_out) _o79 =
+                    share = lanes_select(_m85, _o86.share, share);
+                    const LANES(court_allowance_out) _o87 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o79.position_level;
-                    V velocity_level = _o79.velocity_level;
-                    V excess = _o79.excess;
-                    const LANES(court_backboard_margins_out) _o80 =
+                    V position_level = _o87.position_level;
+                    V velocity_level = _o87.velocity_level;
+                    V excess = _o87.excess;
+                    const LANES(court_backboard_margins_out) _o88 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = lanes_select(_m77, _o80.margin, flat);
-                    tilt = lanes_select(_m77, _o80.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m77, _o80.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o81 =
+                    flat = lanes_select(_m85, _o88.margin, flat);
+                    tilt = lanes_select(_m85, _o88.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m85, _o88.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o89 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m77, _o81.doubt, doubt);
+                    doubt = lanes_select(_m85, _o89.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o82 =
+                const LANES(court_advanced_out) _o90 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o82.arrival;
-                certain = _o82.certain;
-                M exhausted = _o82.exhausted;
-                searching = _o82.searching;
-                t = _o82.t;
-                const M _m83 = lanes_both(active, exhausted);
+                arrival = _o90.arrival;
+                certain = _o90.certain;
+                M exhausted = _o90.exhausted;
+                searching = _o90.searching;
+                t = _o90.t;
+                const M _m91 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o84 =
+                    const LANES(court_backboard_enter_out) _o92 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m83, _o84.t, t);
-                    end = lanes_select(_m83, _o84.end, end);
-                    searching = lanes_choose(_m83, _o84.searching, searching);
+                    t = lanes_select(_m91, _o92.t, t);
+                    end = lanes_select(_m91, _o92.end, end);
+                    searching = lanes_choose(_m91, _o92.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -9245,17 +9363,42 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_questioned_out) _o85 =
+            const LANES(court_questioned_out) _o93 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o85.doubt;
-            const LANES(court_found_out) _o86 =
+            doubt = _o93.doubt;
+            const LANES(court_found_out) _o94 =
                 LANES(court_found)(arrival);
-            M arrives = _o86.arrives;
-            M refining = _o86.refining;
-            V rate = _o86.rate;
-            const LANES(court_nearby_out) _o87 =
+            M arrives = _o94.arrives;
+            M refining = _o94.refining;
+            V rate = _o94.rate;
+            const LANES(court_nearby_out) _o95 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o87.leaving;
+            V leaving = _o95.leaving;
+            const M _m96 = lanes_both(rows, refining);
+            if (lanes_any(_m96)) {
+                const LANES(court_backboard_refine_out) _o97 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                V refined = _o97.time;
+                V gap = _o97.gap;
+                rate = lanes_select(_m96, _o97.rate, rate);
+                const LANES(court_polished_out) _o98 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m96, _o98.arrival, arrival);
+                refining = lanes_choose(_m96, _o98.refining, refining);
+            }
+            const M _m99 = lanes_both(rows, refining);
+            if (lanes_any(_m99)) {
+                const LANES(court_backboard_refine_out) _o100 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                V refined = _o100.time;
+                V gap = _o100.gap;
+                rate = lanes_select(_m99, _o100.rate, rate);
+                const LANES(court_polished_out) _o101 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m99, _o101.arrival, arrival);
+                refining = lanes_choose(_m99, _o101.refining, refining);
+            }
+            lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_leaving + i, leaving);
@@ -9343,15 +9486,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_backboard_refine_out) _o88 =
+                const LANES(court_backboard_refine_out) _o102 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o88.time;
-                V gap = _o88.gap;
-                V rate = _o88.rate;
-                const LANES(court_polished_out) _o89 =
+                V refined = _o102.time;
+                V gap = _o102.gap;
+                V rate = _o102.rate;
+                const LANES(court_polished_out) _o103 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o89.arrival;
-                refining = _o89.refining;
+                arrival = _o103.arrival;
+                refining = _o103.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -9396,33 +9539,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_backboard_margins_out) _o90 =
+            const LANES(court_backboard_margins_out) _o104 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o90.margin;
-            V tilt = _o90.leaving_margin;
-            V rate_margin = _o90.rate_margin;
-            const LANES(court_own_margin_out) _o91 =
+            V flat = _o104.margin;
+            V tilt = _o104.leaving_margin;
+            V rate_margin = _o104.rate_margin;
+            const LANES(court_own_margin_out) _o105 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o91.margin;
-            const LANES(court_crossing_out) _o92 =
+            V margin = _o105.margin;
+            const LANES(court_crossing_out) _o106 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o92.clearance;
-            V delay = _o92.delay;
-            const LANES(court_landed_out) _o93 =
+            V clearance = _o106.clearance;
+            V delay = _o106.delay;
+            const LANES(court_landed_out) _o107 =
                 LANES(court_landed)(arrival);
-            V time = _o93.time;
-            const LANES(court_landed_surely_out) _o94 =
+            V time = _o107.time;
+            const LANES(court_landed_surely_out) _o108 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o94.delay;
-            doubt = _o94.doubt;
-            const LANES(court_tied_out) _o95 =
+            delay = _o108.delay;
+            doubt = _o108.doubt;
+            const LANES(court_tied_out) _o109 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o95.doubt;
-            late = _o95.late;
-            const LANES(court_sooner_out) _o96 =
+            doubt = _o109.doubt;
+            late = _o109.late;
+            const LANES(court_sooner_out) _o110 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o96.when;
-            which = _o96.which;
+            when = _o110.when;
+            which = _o110.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -9463,16 +9606,16 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o97 =
+            const LANES(court_horizon_out) _o111 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o97.horizon;
-            V pad = _o97.pad;
-            const LANES(court_bridge_clear_out) _o98 =
+            V until = _o111.horizon;
+            V pad = _o111.pad;
+            const LANES(court_bridge_clear_out) _o112 =
                 LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V clear = _o98.clear;
-            const LANES(court_opens_in_flight_out) _o99 =
+            V clear = _o112.clear;
+            const LANES(court_opens_in_flight_out) _o113 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o99.open;
+            M open = _o113.open;
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -9536,38 +9679,38 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_bridge_prepare_out) _o100 =
+            const LANES(court_bridge_prepare_out) _o114 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o100.low0;
-            V high0 = _o100.high0;
-            V low1 = _o100.low1;
-            V high1 = _o100.high1;
-            V ceiling = _o100.ceiling;
-            V latest = _o100.latest;
-            V lost = _o100.lost;
-            const LANES(court_beginning_out) _o101 =
+            V low0 = _o114.low0;
+            V high0 = _o114.high0;
+            V low1 = _o114.low1;
+            V high1 = _o114.high1;
+            V ceiling = _o114.ceiling;
+            V latest = _o114.latest;
+            V lost = _o114.lost;
+            const LANES(court_beginning_out) _o115 =
                 LANES(court_beginning)();
-            V share = _o101.share;
-            V arrival = _o101.arrival;
-            M certain = _o101.certain;
-            const LANES(court_allowance_out) _o102 =
+            V share = _o115.share;
+            V arrival = _o115.arrival;
+            M certain = _o115.certain;
+            const LANES(court_allowance_out) _o116 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o102.position_level;
-            V velocity_level = _o102.velocity_level;
-            V excess = _o102.excess;
-            const LANES(court_bridge_margins_out) _o103 =
+            V position_level = _o116.position_level;
+            V velocity_level = _o116.velocity_level;
+            V excess = _o116.excess;
+            const LANES(court_bridge_margins_out) _o117 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o103.margin;
-            V tilt = _o103.leaving_margin;
-            V rate_slack = _o103.rate_margin;
-            const LANES(court_beyond_out) _o104 =
+            V flat = _o117.margin;
+            V tilt = _o117.leaving_margin;
+            V rate_slack = _o117.rate_margin;
+            const LANES(court_beyond_out) _o118 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o104.doubt;
-            const LANES(court_bridge_enter_out) _o105 =
+            doubt = _o118.doubt;
+            const LANES(court_bridge_enter_out) _o119 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o105.t;
-            V end = _o105.end;
-            M searching = _o105.searching;
+            V t = _o119.t;
+            V end = _o119.end;
+            M searching = _o119.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -9708,56 +9851,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o106 =
+                const LANES(court_nearby_out) _o120 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o106.leaving;
-                V margin = _o106.margin;
-                const LANES(court_bridge_advance_out) _o107 =
+                V leaving = _o120.leaving;
+                V margin = _o120.margin;
+                const LANES(court_bridge_advance_out) _o121 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o107.gap;
-                V rate = _o107.rate;
-                V bend = _o107.bend;
-                V step = _o107.step;
-                V next = _o107.next;
-                V clearance = _o107.clearance;
-                const LANES(court_struck_out) _o108 =
+                V gap = _o121.gap;
+                V rate = _o121.rate;
+                V bend = _o121.bend;
+                V step = _o121.step;
+                V next = _o121.next;
+                V clearance = _o121.clearance;
+                const LANES(court_struck_out) _o122 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o108.hit;
-                M sure = _o108.sure;
-                M vague = _o108.vague;
-                const M _m109 = lanes_both(active, vague);
-                if (lanes_any(_m109)) {
-                    const LANES(court_finer_out) _o110 =
+                M hit = _o122.hit;
+                M sure = _o122.sure;
+                M vague = _o122.vague;
+                const M _m123 = lanes_both(active, vague);
+                if (lanes_any(_m123)) {
+                    const LANES(court_finer_out) _o124 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m109, _o110.share, share);
-                    const LANES(court_allowance_out) _o111 =
+                    share = lanes_select(_m123, _o124.share, share);
+                    const LANES(court_allowance_out) _o125 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o111.position_level;
-                    V velocity_level = _o111.velocity_level;
-                    V excess = _o111.excess;
-                    const LANES(court_bridge_margins_out) _o112 =
+                    V position_level = _o125.position_level;
+                    V velocity_level = _o125.velocity_level;
+                    V excess = _o125.excess;
+                    const LANES(court_bridge_margins_out) _o126 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m109, _o112.margin, flat);
-                    tilt = lanes_select(_m109, _o112.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m109, _o112.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o113 =
+                    flat = lanes_select(_m123, _o126.margin, flat);
+                    tilt = lanes_select(_m123, _o126.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m123, _o126.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o127 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m109, _o113.doubt, doubt);
+                    doubt = lanes_select(_m123, _o127.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o114 =
+                const LANES(court_advanced_out) _o128 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o114.arrival;
-                certain = _o114.certain;
-                M exhausted = _o114.exhausted;
-                searching = _o114.searching;
-                t = _o114.t;
-                const M _m115 = lanes_both(active, exhausted);
+                arrival = _o128.arrival;
+                certain = _o128.certain;
+                M exhausted = _o128.exhausted;
+                searching = _o128.searching;
+                t = _o128.t;
+                const M _m129 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o116 =
+                    const LANES(court_bridge_enter_out) _o130 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m115, _o116.t, t);
-                    end = lanes_select(_m115, _o116.end, end);
-                    searching = lanes_choose(_m115, _o116.searching, searching);
+                    t = lanes_select(_m129, _o130.t, t);
+                    end = lanes_select(_m129, _o130.end, end);
+                    searching = lanes_choose(_m129, _o130.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -9821,17 +9964,42 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_questioned_out) _o117 =
+            const LANES(court_questioned_out) _o131 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o117.doubt;
-            const LANES(court_found_out) _o118 =
+            doubt = _o131.doubt;
+            const LANES(court_found_out) _o132 =
                 LANES(court_found)(arrival);
-            M arrives = _o118.arrives;
-            M refining = _o118.refining;
-            V rate = _o118.rate;
-            const LANES(court_nearby_out) _o119 =
+            M arrives = _o132.arrives;
+            M refining = _o132.refining;
+            V rate = _o132.rate;
+            const LANES(court_nearby_out) _o133 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o119.leaving;
+            V leaving = _o133.leaving;
+            const M _m134 = lanes_both(rows, refining);
+            if (lanes_any(_m134)) {
+                const LANES(court_bridge_refine_out) _o135 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                V refined = _o135.time;
+                V gap = _o135.gap;
+                rate = lanes_select(_m134, _o135.rate, rate);
+                const LANES(court_polished_out) _o136 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m134, _o136.arrival, arrival);
+                refining = lanes_choose(_m134, _o136.refining, refining);
+            }
+            const M _m137 = lanes_both(rows, refining);
+            if (lanes_any(_m137)) {
+                const LANES(court_bridge_refine_out) _o138 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                V refined = _o138.time;
+                V gap = _o138.gap;
+                rate = lanes_select(_m137, _o138.rate, rate);
+                const LANES(court_polished_out) _o139 =
+                    LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m137, _o139.arrival, arrival);
+                refining = lanes_choose(_m137, _o139.refining, refining);
+            }
+            lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_leaving + i, leaving);
@@ -9919,15 +10087,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o120 =
+                const LANES(court_bridge_refine_out) _o140 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o120.time;
-                V gap = _o120.gap;
-                V rate = _o120.rate;
-                const LANES(court_polished_out) _o121 =
+                V refined = _o140.time;
+                V gap = _o140.gap;
+                V rate = _o140.rate;
+                const LANES(court_polished_out) _o141 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o121.arrival;
-                refining = _o121.refining;
+                arrival = _o141.arrival;
+                refining = _o141.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -9972,33 +10140,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_bridge_margins_out) _o122 =
+            const LANES(court_bridge_margins_out) _o142 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o122.margin;
-            V tilt = _o122.leaving_margin;
-            V rate_margin = _o122.rate_margin;
-            const LANES(court_own_margin_out) _o123 =
+            V flat = _o142.margin;
+            V tilt = _o142.leaving_margin;
+            V rate_margin = _o142.rate_margin;
+            const LANES(court_own_margin_out) _o143 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o123.margin;
-            const LANES(court_crossing_out) _o124 =
+            V margin = _o143.margin;
+            const LANES(court_crossing_out) _o144 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o124.clearance;
-            V delay = _o124.delay;
-            const LANES(court_landed_out) _o125 =
+            V clearance = _o144.clearance;
+            V delay = _o144.delay;
+            const LANES(court_landed_out) _o145 =
                 LANES(court_landed)(arrival);
-            V time = _o125.time;
-            const LANES(court_landed_surely_out) _o126 =
+            V time = _o145.time;
+            const LANES(court_landed_surely_out) _o146 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o126.delay;
-            doubt = _o126.doubt;
-            const LANES(court_tied_out) _o127 =
+            delay = _o146.delay;
+            doubt = _o146.doubt;
+            const LANES(court_tied_out) _o147 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o127.doubt;
-            late = _o127.late;
-            const LANES(court_sooner_out) _o128 =
+            doubt = _o147.doubt;
+            late = _o147.late;
+            const LANES(court_sooner_out) _o148 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o128.when;
-            which = _o128.which;
+            when = _o148.when;
+            which = _o148.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -10069,22 +10237,22 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m129 = lanes_both(rows, limited);
-            if (lanes_any(_m129)) {
-                const LANES(court_expiry_out) _o130 =
+            const M _m149 = lanes_both(rows, limited);
+            if (lanes_any(_m149)) {
+                const LANES(court_expiry_out) _o150 =
                     LANES(court_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o130.time;
-                V delay = _o130.delay;
-                M arrives = _o130.arrives;
-                doubt = lanes_select(_m129, _o130.doubt, doubt);
-                const LANES(court_tied_out) _o131 =
+                V time = _o150.time;
+                V delay = _o150.delay;
+                M arrives = _o150.arrives;
+                doubt = lanes_select(_m149, _o150.doubt, doubt);
+                const LANES(court_tied_out) _o151 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m129, _o131.doubt, doubt);
-                late = lanes_select(_m129, _o131.late, late);
-                const LANES(court_sooner_out) _o132 =
+                doubt = lanes_select(_m149, _o151.doubt, doubt);
+                late = lanes_select(_m149, _o151.late, late);
+                const LANES(court_sooner_out) _o152 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m129, _o132.when, when);
-                which = lanes_select(_m129, _o132.which, which);
+                when = lanes_select(_m149, _o152.when, when);
+                which = lanes_select(_m149, _o152.which, which);
             }
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->late + i, late);
@@ -10270,90 +10438,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o386 =
+            const LANES(court_departed_out) _o406 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o386.moves;
-            M ends = _o386.ends;
-            M touches = _o386.touches;
-            V reached = _o386.reached;
-            M edge = _o386.edge;
-            const LANES(court_body_of_out) _o387 =
+            M moves = _o406.moves;
+            M ends = _o406.ends;
+            M touches = _o406.touches;
+            V reached = _o406.reached;
+            M edge = _o406.edge;
+            const LANES(court_body_of_out) _o407 =
                 LANES(court_body_of)(which);
-            V body = _o387.body;
-            const M _m388 = lanes_both(rows, moves);
-            if (lanes_any(_m388)) {
-                const LANES(court_passing_doubt_out) _o389 =
+            V body = _o407.body;
+            const M _m408 = lanes_both(rows, moves);
+            if (lanes_any(_m408)) {
+                const LANES(court_passing_doubt_out) _o409 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o389.unsure;
-                const LANES(court_undecided_out) _o390 =
+                M unsure = _o409.unsure;
+                const LANES(court_undecided_out) _o410 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m388, _o390.uncertain, uncertain);
-                const LANES(court_passing_out) _o391 =
+                uncertain = lanes_select(_m408, _o410.uncertain, uncertain);
+                const LANES(court_passing_out) _o411 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m388, _o391.through, through);
-                const LANES(court_flight_out) _o392 =
+                through = lanes_select(_m408, _o411.through, through);
+                const LANES(court_flight_out) _o412 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m388, _o392.x, x);
-                y = lanes_select(_m388, _o392.y, y);
-                z = lanes_select(_m388, _o392.z, z);
-                vx = lanes_select(_m388, _o392.vx, vx);
-                vy = lanes_select(_m388, _o392.vy, vy);
-                vz = lanes_select(_m388, _o392.vz, vz);
-                const LANES(court_ticked_out) _o393 =
+                x = lanes_select(_m408, _o412.x, x);
+                y = lanes_select(_m408, _o412.y, y);
+                z = lanes_select(_m408, _o412.z, z);
+                vx = lanes_select(_m408, _o412.vx, vx);
+                vy = lanes_select(_m408, _o412.vy, vy);
+                vz = lanes_select(_m408, _o412.vz, vz);
+                const LANES(court_ticked_out) _o413 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m388, _o393.clock, clock);
+                clock = lanes_select(_m408, _o413.clock, clock);
             }
-            const M _m394 = lanes_both(rows, limited);
-            if (lanes_any(_m394)) {
-                const LANES(court_expired_out) _o395 =
+            const M _m414 = lanes_both(rows, limited);
+            if (lanes_any(_m414)) {
+                const LANES(court_expired_out) _o415 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m394, _o395.clock, clock);
-                body = lanes_select(_m394, _o395.body, body);
-                reached = lanes_select(_m394, _o395.reached, reached);
-                ends = lanes_choose(_m394, _o395.ends, ends);
+                clock = lanes_select(_m414, _o415.clock, clock);
+                body = lanes_select(_m414, _o415.body, body);
+                reached = lanes_select(_m414, _o415.reached, reached);
+                ends = lanes_choose(_m414, _o415.ends, ends);
             }
-            const LANES(court_unhopped_out) _o396 =
+            const LANES(court_unhopped_out) _o416 =
                 LANES(court_unhopped)();
-            M hopped = _o396.hopped;
-            const M _m397 = lanes_both(rows, kept);
-            if (lanes_any(_m397)) {
-                const LANES(court_kept_on_out) _o398 =
+            M hopped = _o416.hopped;
+            const M _m417 = lanes_both(rows, kept);
+            if (lanes_any(_m417)) {
+                const LANES(court_kept_on_out) _o418 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m397, _o398.body, body);
-                reached = lanes_select(_m397, _o398.reached, reached);
-                doubt = lanes_select(_m397, _o398.doubt, doubt);
-                ends = lanes_choose(_m397, _o398.ends, ends);
-                hopped = lanes_choose(_m397, _o398.hopped, hopped);
-                last = lanes_select(_m397, _o398.last, last);
-                mode = lanes_select(_m397, _o398.mode, mode);
-                held = lanes_select(_m397, _o398.held, held);
-                rolls = lanes_select(_m397, _o398.rolls, rolls);
+                body = lanes_select(_m417, _o418.body, body);
+                reached = lanes_select(_m417, _o418.reached, reached);
+                doubt = lanes_select(_m417, _o418.doubt, doubt);
+                ends = lanes_choose(_m417, _o418.ends, ends);
+                hopped = lanes_choose(_m417, _o418.hopped, hopped);
+                last = lanes_select(_m417, _o418.last, last);
+                mode = lanes_select(_m417, _o418.mode, mode);
+                held = lanes_select(_m417, _o418.held, held);
+                rolls = lanes_select(_m417, _o418.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o399 =
+            const LANES(court_displacement_out) _o419 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o399.margin;
-            const LANES(court_here_out) _o400 =
+            V slack = _o419.margin;
+            const LANES(court_here_out) _o420 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o400.here;
-            const M _m401 = lanes_both(rows, here);
+            M here = _o420.here;
+            const M _m421 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o402 =
+                const LANES(court_end_bounds_out) _o422 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o402.g0;
-                const LANES(court_end_reached_out) _o403 =
+                V g0 = _o422.g0;
+                const LANES(court_end_reached_out) _o423 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m401, _o403.reached, reached);
-                const LANES(court_end_edge_out) _o404 =
+                reached = lanes_select(_m421, _o423.reached, reached);
+                const LANES(court_end_edge_out) _o424 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m401, _o404.edge, edge);
+                edge = lanes_choose(_m421, _o424.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o405 =
+            const LANES(court_doubted_in_contact_out) _o425 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o405.uncertain;
-            const LANES(court_accounted_out) _o406 =
+            uncertain = _o425.uncertain;
+            const LANES(court_accounted_out) _o426 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o406.contacts;
-            V outcome = _o406.outcome;
+            contacts = _o426.contacts;
+            V outcome = _o426.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -10366,459 +10534,459 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o407 =
+            const LANES(court_meeting_out) _o427 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o407.meeting;
-            const M _m408 = lanes_both(rows, meeting);
-            if (lanes_any(_m408)) {
-                const LANES(court_end_normal_out) _o409 =
+            M meeting = _o427.meeting;
+            const M _m428 = lanes_both(rows, meeting);
+            if (lanes_any(_m428)) {
+                const LANES(court_end_normal_out) _o429 =
                     LANES(court_end_normal)();
-                V nx = _o409.nx;
-                V ny = _o409.ny;
-                V nz = _o409.nz;
-                const LANES(court_here_out) _o410 =
+                V nx = _o429.nx;
+                V ny = _o429.ny;
+                V nz = _o429.nz;
+                const LANES(court_here_out) _o430 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o410.here;
-                const M _m411 = lanes_both(_m408, here);
+                M here = _o430.here;
+                const M _m431 = lanes_both(_m428, here);
                 {
-                    const LANES(court_ring_normal_out) _o412 =
+                    const LANES(court_ring_normal_out) _o432 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m411, _o412.nx, nx);
-                    ny = lanes_select(_m411, _o412.ny, ny);
-                    nz = lanes_select(_m411, _o412.nz, nz);
-                    const LANES(court_counted_out) _o413 =
+                    nx = lanes_select(_m431, _o432.nx, nx);
+                    ny = lanes_select(_m431, _o432.ny, ny);
+                    nz = lanes_select(_m431, _o432.nz, nz);
+                    const LANES(court_counted_out) _o433 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m411, _o413.count, count_0);
+                    count_0 = lanes_select(_m431, _o433.count, count_0);
                 }
-                const LANES(court_here_out) _o414 =
+                const LANES(court_here_out) _o434 =
                     LANES(court_here)(K(1.0), which);
-                here = _o414.here;
-                const M _m415 = lanes_both(_m408, here);
+                here = _o434.here;
+                const M _m435 = lanes_both(_m428, here);
                 {
-                    const LANES(court_backboard_normal_out) _o416 =
+                    const LANES(court_backboard_normal_out) _o436 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m415, _o416.nx, nx);
-                    ny = lanes_select(_m415, _o416.ny, ny);
-                    nz = lanes_select(_m415, _o416.nz, nz);
-                    const LANES(court_counted_out) _o417 =
+                    nx = lanes_select(_m435, _o436.nx, nx);
+                    ny = lanes_select(_m435, _o436.ny, ny);
+                    nz = lanes_select(_m435, _o436.nz, nz);
+                    const LANES(court_counted_out) _o437 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m415, _o417.count, count_1);
+                    count_1 = lanes_select(_m435, _o437.count, count_1);
                 }
-                const LANES(court_here_out) _o418 =
+                const LANES(court_here_out) _o438 =
                     LANES(court_here)(K(2.0), which);
-                here = _o418.here;
-                const M _m419 = lanes_both(_m408, here);
+                here = _o438.here;
+                const M _m439 = lanes_both(_m428, here);
                 {
-                    const LANES(court_bridge_normal_out) _o420 =
+                    const LANES(court_bridge_normal_out) _o440 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m419, _o420.nx, nx);
-                    ny = lanes_select(_m419, _o420.ny, ny);
-                    nz = lanes_select(_m419, _o420.nz, nz);
-                    const LANES(court_counted_out) _o421 =
+                    nx = lanes_select(_m439, _o440.nx, nx);
+                    ny = lanes_select(_m439, _o440.ny, ny);
+                    nz = lanes_select(_m439, _o440.nz, nz);
+                    const LANES(court_counted_out) _o441 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m419, _o421.count, count_2);
+                    count_2 = lanes_select(_m439, _o441.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o422 =
+                const LANES(court_elsewhere_out) _o442 =
                     LANES(court_elsewhere)();
-                V curving = _o422.curving;
-                const LANES(court_again_out) _o423 =
+                V curving = _o442.curving;
+                const LANES(court_again_out) _o443 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o423.again;
-                const M _m424 = lanes_both(_m408, again);
+                M again = _o443.again;
+                const M _m444 = lanes_both(_m428, again);
                 {
-                    const LANES(court_ring_curvature_out) _o425 =
+                    const LANES(court_ring_curvature_out) _o445 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m424, _o425.curvature, curving);
+                    curving = lanes_select(_m444, _o445.curvature, curving);
                 }
-                const LANES(court_again_out) _o426 =
+                const LANES(court_again_out) _o446 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o426.again;
-                const M _m427 = lanes_both(_m408, again);
+                again = _o446.again;
+                const M _m447 = lanes_both(_m428, again);
                 {
-                    const LANES(court_backboard_curvature_out) _o428 =
+                    const LANES(court_backboard_curvature_out) _o448 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m427, _o428.curvature, curving);
+                    curving = lanes_select(_m447, _o448.curvature, curving);
                 }
-                const LANES(court_again_out) _o429 =
+                const LANES(court_again_out) _o449 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o429.again;
-                const M _m430 = lanes_both(_m408, again);
+                again = _o449.again;
+                const M _m450 = lanes_both(_m428, again);
                 {
-                    const LANES(court_bridge_curvature_out) _o431 =
+                    const LANES(court_bridge_curvature_out) _o451 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m430, _o431.curvature, curving);
+                    curving = lanes_select(_m450, _o451.curvature, curving);
                 }
-                const LANES(court_carry_flight_out) _o432 =
+                const LANES(court_carry_flight_out) _o452 =
                     LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m408, _o432.dx, dx);
-                dy = lanes_select(_m408, _o432.dy, dy);
-                dz = lanes_select(_m408, _o432.dz, dz);
-                dvx = lanes_select(_m408, _o432.dvx, dvx);
-                dvy = lanes_select(_m408, _o432.dvy, dvy);
-                dvz = lanes_select(_m408, _o432.dvz, dvz);
-                V delay = _o432.delay;
-                V shift = _o432.shift;
-                const LANES(court_delayed_out) _o433 =
+                dx = lanes_select(_m428, _o452.dx, dx);
+                dy = lanes_select(_m428, _o452.dy, dy);
+                dz = lanes_select(_m428, _o452.dz, dz);
+                dvx = lanes_select(_m428, _o452.dvx, dvx);
+                dvy = lanes_select(_m428, _o452.dvy, dvy);
+                dvz = lanes_select(_m428, _o452.dvz, dvz);
+                V delay = _o452.delay;
+                V shift = _o452.shift;
+                const LANES(court_delayed_out) _o453 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m408, _o433.clock_error, clock_error);
-                const M _m434 = lanes_both(_m408, ends);
+                clock_error = lanes_select(_m428, _o453.clock_error, clock_error);
+                const M _m454 = lanes_both(_m428, ends);
                 {
-                    const LANES(court_floored_out) _o435 =
+                    const LANES(court_floored_out) _o455 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m434, _o435.dx, dx);
-                    dy = lanes_select(_m434, _o435.dy, dy);
-                    dz = lanes_select(_m434, _o435.dz, dz);
+                    dx = lanes_select(_m454, _o455.dx, dx);
+                    dy = lanes_select(_m454, _o455.dy, dy);
+                    dz = lanes_select(_m454, _o455.dz, dz);
                 }
-                const LANES(court_unturned_out) _o436 =
+                const LANES(court_unturned_out) _o456 =
                     LANES(court_unturned)();
-                V dnx = _o436.dnx;
-                V dny = _o436.dny;
-                V dnz = _o436.dnz;
-                V turn = _o436.turn;
-                const LANES(court_here_out) _o437 =
+                V dnx = _o456.dnx;
+                V dny = _o456.dny;
+                V dnz = _o456.dnz;
+                V turn = _o456.turn;
+                const LANES(court_here_out) _o457 =
                     LANES(court_here)(K(0.0), which);
-                here = _o437.here;
-                const M _m438 = lanes_both(_m408, here);
-                if (lanes_any(_m438)) {
-                    const LANES(court_ring_carry_normal_out) _o439 =
+                here = _o457.here;
+                const M _m458 = lanes_both(_m428, here);
+                if (lanes_any(_m458)) {
+                    const LANES(court_ring_carry_normal_out) _o459 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m438, _o439.dnx, dnx);
-                    dny = lanes_select(_m438, _o439.dny, dny);
-                    dnz = lanes_select(_m438, _o439.dnz, dnz);
-                    turn = lanes_select(_m438, _o439.turn, turn);
+                    dnx = lanes_select(_m458, _o459.dnx, dnx);
+                    dny = lanes_select(_m458, _o459.dny, dny);
+                    dnz = lanes_select(_m458, _o459.dnz, dnz);
+                    turn = lanes_select(_m458, _o459.turn, turn);
                 }
-                const LANES(court_here_out) _o440 =
+                const LANES(court_here_out) _o460 =
                     LANES(court_here)(K(1.0), which);
-                here = _o440.here;
-                const M _m441 = lanes_both(_m408, here);
+                here = _o460.here;
+                const M _m461 = lanes_both(_m428, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o442 =
+                    const LANES(court_backboard_carry_normal_out) _o462 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m441, _o442.dnx, dnx);
-                    dny = lanes_select(_m441, _o442.dny, dny);
-                    dnz = lanes_select(_m441, _o442.dnz, dnz);
-                    turn = lanes_select(_m441, _o442.turn, turn);
+                    dnx = lanes_select(_m461, _o462.dnx, dnx);
+                    dny = lanes_select(_m461, _o462.dny, dny);
+                    dnz = lanes_select(_m461, _o462.dnz, dnz);
+                    turn = lanes_select(_m461, _o462.turn, turn);
                 }
-                const LANES(court_here_out) _o443 =
+                const LANES(court_here_out) _o463 =
                     LANES(court_here)(K(2.0), which);
-                here = _o443.here;
-                const M _m444 = lanes_both(_m408, here);
+                here = _o463.here;
+                const M _m464 = lanes_both(_m428, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o445 =
+                    const LANES(court_bridge_carry_normal_out) _o465 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m444, _o445.dnx, dnx);
-                    dny = lanes_select(_m444, _o445.dny, dny);
-                    dnz = lanes_select(_m444, _o445.dnz, dnz);
-                    turn = lanes_select(_m444, _o445.turn, turn);
+                    dnx = lanes_select(_m464, _o465.dnx, dnx);
+                    dny = lanes_select(_m464, _o465.dny, dny);
+                    dnz = lanes_select(_m464, _o465.dnz, dnz);
+                    turn = lanes_select(_m464, _o465.turn, turn);
                 }
                 {
-                    const double *const _t447[][2] = {
+                    const double *const _t467[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t448[][1] = {
+                    static const double _t468[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k446 = 0; _k446 < 3; _k446++) {
-                        const V own_1 = lanes_load(_t447[_k446][0] + (i & varying));
-                        const V own_2 = lanes_load(_t447[_k446][1] + (i & varying));
-                        const V own_index = K(_t448[_k446][0]);
-                        const LANES(court_here_out) _o449 =
+                    for (size_t _k466 = 0; _k466 < 3; _k466++) {
+                        const V own_1 = lanes_load(_t467[_k466][0] + (i & varying));
+                        const V own_2 = lanes_load(_t467[_k466][1] + (i & varying));
+                        const V own_index = K(_t468[_k466][0]);
+                        const LANES(court_here_out) _o469 =
                             LANES(court_here)(own_index, which);
-                        M here = _o449.here;
-                        const M _m450 = lanes_both(_m408, here);
-                        if (lanes_any(_m450)) {
-                            const LANES(court_ring_impact_doubt_out) _o451 =
+                        M here = _o469.here;
+                        const M _m470 = lanes_both(_m428, here);
+                        if (lanes_any(_m470)) {
+                            const LANES(court_ring_impact_doubt_out) _o471 =
                                 LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            M unsure = _o451.unsure;
-                            const LANES(court_undecided_out) _o452 =
+                            M unsure = _o471.unsure;
+                            const LANES(court_undecided_out) _o472 =
                                 LANES(court_undecided)(uncertain, unsure);
-                            uncertain = lanes_select(_m450, _o452.uncertain, uncertain);
-                            const LANES(court_carry_ring_impact_out) _o453 =
+                            uncertain = lanes_select(_m470, _o472.uncertain, uncertain);
+                            const LANES(court_carry_ring_impact_out) _o473 =
                                 LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            dvx = lanes_select(_m450, _o453.dvx, dvx);
-                            dvy = lanes_select(_m450, _o453.dvy, dvy);
-                            dvz = lanes_select(_m450, _o453.dvz, dvz);
-                            dwx = lanes_select(_m450, _o453.dwx, dwx);
-                            dwy = lanes_select(_m450, _o453.dwy, dwy);
-                            dwz = lanes_select(_m450, _o453.dwz, dwz);
-                            const LANES(court_ring_impact_out) _o454 =
+                            dvx = lanes_select(_m470, _o473.dvx, dvx);
+                            dvy = lanes_select(_m470, _o473.dvy, dvy);
+                            dvz = lanes_select(_m470, _o473.dvz, dvz);
+                            dwx = lanes_select(_m470, _o473.dwx, dwx);
+                            dwy = lanes_select(_m470, _o473.dwy, dwy);
+                            dwz = lanes_select(_m470, _o473.dwz, dwz);
+                            const LANES(court_ring_impact_out) _o474 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m450, _o454.vx, vx);
-                            vy = lanes_select(_m450, _o454.vy, vy);
-                            vz = lanes_select(_m450, _o454.vz, vz);
-                            wx = lanes_select(_m450, _o454.wx, wx);
-                            wy = lanes_select(_m450, _o454.wy, wy);
-                            wz = lanes_select(_m450, _o454.wz, wz);
+                            vx = lanes_select(_m470, _o474.vx, vx);
+                            vy = lanes_select(_m470, _o474.vy, vy);
+                            vz = lanes_select(_m470, _o474.vz, vz);
+                            wx = lanes_select(_m470, _o474.wx, wx);
+                            wy = lanes_select(_m470, _o474.wy, wy);
+                            wz = lanes_select(_m470, _o474.wz, wz);
                         }
                     }
                 }
-                const M _m455 = lanes_both(_m408, touches);
+                const M _m475 = lanes_both(_m428, touches);
                 {
-                    const LANES(court_touched_out) _o456 =
+                    const LANES(court_touched_out) _o476 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m455, _o456.first, first);
-                    last = lanes_select(_m455, _o456.last, last);
+                    first = lanes_select(_m475, _o476.first, first);
+                    last = lanes_select(_m475, _o476.last, last);
                 }
-                const M _m457 = lanes_both(_m408, touches);
-                if (lanes_any(_m457)) {
-                    const LANES(court_slowed_out) _o458 =
+                const M _m477 = lanes_both(_m428, touches);
+                if (lanes_any(_m477)) {
+                    const LANES(court_slowed_out) _o478 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o458.slow;
-                    assured = lanes_select(_m457, _o458.assured, assured);
-                    const M _m459 = lanes_both(_m457, slow);
-                    if (lanes_any(_m459)) {
-                        const LANES(court_gripped_out) _o460 =
+                    M slow = _o478.slow;
+                    assured = lanes_select(_m477, _o478.assured, assured);
+                    const M _m479 = lanes_both(_m477, slow);
+                    if (lanes_any(_m479)) {
+                        const LANES(court_gripped_out) _o480 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o460.rolled_x;
-                        V rolled_y = _o460.rolled_y;
-                        V rolled_z = _o460.rolled_z;
-                        V slip = _o460.slip;
-                        V bounce = _o460.bounce;
-                        const LANES(court_here_out) _o461 =
+                        V rolled_x = _o480.rolled_x;
+                        V rolled_y = _o480.rolled_y;
+                        V rolled_z = _o480.rolled_z;
+                        V slip = _o480.slip;
+                        V bounce = _o480.bounce;
+                        const LANES(court_here_out) _o481 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o461.here;
-                        const M _m462 = lanes_both(_m459, here);
-                        if (lanes_any(_m462)) {
-                            const LANES(court_ring_turning_out) _o463 =
+                        M here = _o481.here;
+                        const M _m482 = lanes_both(_m479, here);
+                        if (lanes_any(_m482)) {
+                            const LANES(court_ring_turning_out) _o483 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o463.turning_x;
-                            V turning_y = _o463.turning_y;
-                            V turning_z = _o463.turning_z;
-                            const LANES(court_pressed_on_out) _o464 =
+                            V turning_x = _o483.turning_x;
+                            V turning_y = _o483.turning_y;
+                            V turning_z = _o483.turning_z;
+                            const LANES(court_pressed_on_out) _o484 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o464.press;
-                            V weight = _o464.weight;
-                            V drag = _o464.drag;
-                            V thrust_x = _o464.thrust_x;
-                            V thrust_y = _o464.thrust_y;
-                            V thrust_z = _o464.thrust_z;
-                            const LANES(court_alone_out) _o465 =
+                            V press = _o484.press;
+                            V weight = _o484.weight;
+                            V drag = _o484.drag;
+                            V thrust_x = _o484.thrust_x;
+                            V thrust_y = _o484.thrust_y;
+                            V thrust_z = _o484.thrust_z;
+                            const LANES(court_alone_out) _o485 =
                                 LANES(court_alone)();
-                            V nearest = _o465.nearest;
-                            V wedge = _o465.wedge;
-                            const LANES(court_backboard_closing_out) _o466 =
+                            V nearest = _o485.nearest;
+                            V wedge = _o485.wedge;
+                            const LANES(court_backboard_closing_out) _o486 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o466.gap;
-                            V nearing = _o466.nearing;
-                            V swerve = _o466.swerve;
-                            V facing = _o466.facing;
-                            const LANES(court_neared_body_out) _o467 =
+                            V gap = _o486.gap;
+                            V nearing = _o486.nearing;
+                            V swerve = _o486.swerve;
+                            V facing = _o486.facing;
+                            const LANES(court_neared_body_out) _o487 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o467.nearest;
-                            wedge = _o467.wedge;
-                            const LANES(court_bridge_closing_out) _o468 =
+                            nearest = _o487.nearest;
+                            wedge = _o487.wedge;
+                            const LANES(court_bridge_closing_out) _o488 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o468.gap;
-                            nearing = _o468.nearing;
-                            swerve = _o468.swerve;
-                            facing = _o468.facing;
-                            const LANES(court_neared_body_out) _o469 =
+                            gap = _o488.gap;
+                            nearing = _o488.nearing;
+                            swerve = _o488.swerve;
+                            facing = _o488.facing;
+                            const LANES(court_neared_body_out) _o489 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o469.nearest;
-                            wedge = _o469.wedge;
-                            const LANES(court_end_beside_out) _o470 =
+                            nearest = _o489.nearest;
+                            wedge = _o489.wedge;
+                            const LANES(court_end_beside_out) _o490 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o470.gap;
-                            const LANES(court_neared_out) _o471 =
+                            gap = _o490.gap;
+                            const LANES(court_neared_out) _o491 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o471.nearest;
-                            const LANES(court_ring_parting_out) _o472 =
+                            nearest = _o491.nearest;
+                            const LANES(court_ring_parting_out) _o492 =
                                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o472.lift;
-                            const LANES(court_ring_impact_settling_out) _o473 =
+                            V lift = _o492.lift;
+                            const LANES(court_ring_impact_settling_out) _o493 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o473.settles;
-                            M lodges = _o473.lodges;
-                            M slides = _o473.slides;
-                            M parts = _o473.parts;
-                            assured = lanes_select(_m462, _o473.assured, assured);
-                            M unsure = _o473.unsure;
-                            const LANES(court_settled_out) _o474 =
+                            M settles = _o493.settles;
+                            M lodges = _o493.lodges;
+                            M slides = _o493.slides;
+                            M parts = _o493.parts;
+                            assured = lanes_select(_m482, _o493.assured, assured);
+                            M unsure = _o493.unsure;
+                            const LANES(court_settled_out) _o494 =
                                 LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m462, _o474.mode, mode);
-                            held = lanes_select(_m462, _o474.held, held);
-                            outcome = lanes_select(_m462, _o474.outcome, outcome);
-                            slip_left = lanes_select(_m462, _o474.slip_left, slip_left);
-                            uncertain = lanes_select(_m462, _o474.uncertain, uncertain);
+                            mode = lanes_select(_m482, _o494.mode, mode);
+                            held = lanes_select(_m482, _o494.held, held);
+                            outcome = lanes_select(_m482, _o494.outcome, outcome);
+                            slip_left = lanes_select(_m482, _o494.slip_left, slip_left);
+                            uncertain = lanes_select(_m482, _o494.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o475 =
+                        const LANES(court_here_out) _o495 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o475.here;
-                        const M _m476 = lanes_both(_m459, here);
-                        if (lanes_any(_m476)) {
-                            const LANES(court_backboard_turning_out) _o477 =
+                        here = _o495.here;
+                        const M _m496 = lanes_both(_m479, here);
+                        if (lanes_any(_m496)) {
+                            const LANES(court_backboard_turning_out) _o497 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o477.turning_x;
-                            V turning_y = _o477.turning_y;
-                            V turning_z = _o477.turning_z;
-                            const LANES(court_pressed_on_out) _o478 =
+                            V turning_x = _o497.turning_x;
+                            V turning_y = _o497.turning_y;
+                            V turning_z = _o497.turning_z;
+                            const LANES(court_pressed_on_out) _o498 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o478.press;
-                            V weight = _o478.weight;
-                            V drag = _o478.drag;
-                            V thrust_x = _o478.thrust_x;
-                            V thrust_y = _o478.thrust_y;
-                            V thrust_z = _o478.thrust_z;
-                            const LANES(court_alone_out) _o479 =
+                            V press = _o498.press;
+                            V weight = _o498.weight;
+                            V drag = _o498.drag;
+                            V thrust_x = _o498.thrust_x;
+                            V thrust_y = _o498.thrust_y;
+                            V thrust_z = _o498.thrust_z;
+                            const LANES(court_alone_out) _o499 =
                                 LANES(court_alone)();
-                            V nearest = _o479.nearest;
-                            V wedge = _o479.wedge;
-                            const LANES(court_ring_closing_out) _o480 =
+                            V nearest = _o499.nearest;
+                            V wedge = _o499.wedge;
+                            const LANES(court_ring_closing_out) _o500 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o480.gap;
-                            V nearing = _o480.nearing;
-                            V swerve = _o480.swerve;
-                            V facing = _o480.facing;
-                            const LANES(court_neared_body_out) _o481 =
+                            V gap = _o500.gap;
+                            V nearing = _o500.nearing;
+                            V swerve = _o500.swerve;
+                            V facing = _o500.facing;
+                            const LANES(court_neared_body_out) _o501 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o481.nearest;
-                            wedge = _o481.wedge;
-                            const LANES(court_bridge_closing_out) _o482 =
+                            nearest = _o501.nearest;
+                            wedge = _o501.wedge;
+                            const LANES(court_bridge_closing_out) _o502 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o482.gap;
-                            nearing = _o482.nearing;
-                            swerve = _o482.swerve;
-                            facing = _o482.facing;
-                            const LANES(court_neared_body_out) _o483 =
+                            gap = _o502.gap;
+                            nearing = _o502.nearing;
+                            swerve = _o502.swerve;
+                            facing = _o502.facing;
+                            const LANES(court_neared_body_out) _o503 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o483.nearest;
-                            wedge = _o483.wedge;
-                            const LANES(court_end_beside_out) _o484 =
+                            nearest = _o503.nearest;
+                            wedge = _o503.wedge;
+                            const LANES(court_end_beside_out) _o504 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o484.gap;
-                            const LANES(court_neared_out) _o485 =
+                            gap = _o504.gap;
+                            const LANES(court_neared_out) _o505 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o485.nearest;
-                            const LANES(court_backboard_parting_out) _o486 =
+                            nearest = _o505.nearest;
+                            const LANES(court_backboard_parting_out) _o506 =
                                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o486.lift;
-                            const LANES(court_ring_impact_settling_out) _o487 =
+                            V lift = _o506.lift;
+                            const LANES(court_ring_impact_settling_out) _o507 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o487.settles;
-                            M lodges = _o487.lodges;
-                            M slides = _o487.slides;
-                            M parts = _o487.parts;
-                            assured = lanes_select(_m476, _o487.assured, assured);
-                            M unsure = _o487.unsure;
-                            const LANES(court_settled_out) _o488 =
+                            M settles = _o507.settles;
+                            M lodges = _o507.lodges;
+                            M slides = _o507.slides;
+                            M parts = _o507.parts;
+                            assured = lanes_select(_m496, _o507.assured, assured);
+                            M unsure = _o507.unsure;
+                            const LANES(court_settled_out) _o508 =
                                 LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m476, _o488.mode, mode);
-                            held = lanes_select(_m476, _o488.held, held);
-                            outcome = lanes_select(_m476, _o488.outcome, outcome);
-                            slip_left = lanes_select(_m476, _o488.slip_left, slip_left);
-                            uncertain = lanes_select(_m476, _o488.uncertain, uncertain);
+                            mode = lanes_select(_m496, _o508.mode, mode);
+                            held = lanes_select(_m496, _o508.held, held);
+                            outcome = lanes_select(_m496, _o508.outcome, outcome);
+                            slip_left = lanes_select(_m496, _o508.slip_left, slip_left);
+                            uncertain = lanes_select(_m496, _o508.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o489 =
+                        const LANES(court_here_out) _o509 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o489.here;
-                        const M _m490 = lanes_both(_m459, here);
-                        if (lanes_any(_m490)) {
-                            const LANES(court_bridge_turning_out) _o491 =
+                        here = _o509.here;
+                        const M _m510 = lanes_both(_m479, here);
+                        if (lanes_any(_m510)) {
+                            const LANES(court_bridge_turning_out) _o511 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o491.turning_x;
-                            V turning_y = _o491.turning_y;
-                            V turning_z = _o491.turning_z;
-                            const LANES(court_pressed_on_out) _o492 =
+                            V turning_x = _o511.turning_x;
+                            V turning_y = _o511.turning_y;
+                            V turning_z = _o511.turning_z;
+                            const LANES(court_pressed_on_out) _o512 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o492.press;
-                            V weight = _o492.weight;
-                            V drag = _o492.drag;
-                            V thrust_x = _o492.thrust_x;
-                            V thrust_y = _o492.thrust_y;
-                            V thrust_z = _o492.thrust_z;
-                            const LANES(court_alone_out) _o493 =
+                            V press = _o512.press;
+                            V weight = _o512.weight;
+                            V drag = _o512.drag;
+                            V thrust_x = _o512.thrust_x;
+                            V thrust_y = _o512.thrust_y;
+                            V thrust_z = _o512.thrust_z;
+                            const LANES(court_alone_out) _o513 =
                                 LANES(court_alone)();
-                            V nearest = _o493.nearest;
-                            V wedge = _o493.wedge;
-                            const LANES(court_ring_closing_out) _o494 =
+                            V nearest = _o513.nearest;
+                            V wedge = _o513.wedge;
+                            const LANES(court_ring_closing_out) _o514 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o494.gap;
-                            V nearing = _o494.nearing;
-                            V swerve = _o494.swerve;
-                            V facing = _o494.facing;
-                            const LANES(court_neared_body_out) _o495 =
+                            V gap = _o514.gap;
+                            V nearing = _o514.nearing;
+                            V swerve = _o514.swerve;
+                            V facing = _o514.facing;
+                            const LANES(court_neared_body_out) _o515 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o495.nearest;
-                            wedge = _o495.wedge;
-                            const LANES(court_backboard_closing_out) _o496 =
+                            nearest = _o515.nearest;
+                            wedge = _o515.wedge;
+                            const LANES(court_backboard_closing_out) _o516 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o496.gap;
-                            nearing = _o496.nearing;
-                            swerve = _o496.swerve;
-                            facing = _o496.facing;
-                            const LANES(court_neared_body_out) _o497 =
+                            gap = _o516.gap;
+                            nearing = _o516.nearing;
+                            swerve = _o516.swerve;
+                            facing = _o516.facing;
+                            const LANES(court_neared_body_out) _o517 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o497.nearest;
-                            wedge = _o497.wedge;
-                            const LANES(court_end_beside_out) _o498 =
+                            nearest = _o517.nearest;
+                            wedge = _o517.wedge;
+                            const LANES(court_end_beside_out) _o518 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o498.gap;
-                            const LANES(court_neared_out) _o499 =
+                            gap = _o518.gap;
+                            const LANES(court_neared_out) _o519 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o499.nearest;
-                            const LANES(court_bridge_parting_out) _o500 =
+                            nearest = _o519.nearest;
+                            const LANES(court_bridge_parting_out) _o520 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o500.lift;
-                            const LANES(court_ring_impact_settling_out) _o501 =
+                            V lift = _o520.lift;
+                            const LANES(court_ring_impact_settling_out) _o521 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o501.settles;
-                            M lodges = _o501.lodges;
-                            M slides = _o501.slides;
-                            M parts = _o501.parts;
-                            assured = lanes_select(_m490, _o501.assured, assured);
-                            M unsure = _o501.unsure;
-                            const LANES(court_settled_out) _o502 =
+                            M settles = _o521.settles;
+                            M lodges = _o521.lodges;
+                            M slides = _o521.slides;
+                            M parts = _o521.parts;
+                            assured = lanes_select(_m510, _o521.assured, assured);
+                            M unsure = _o521.unsure;
+                            const LANES(court_settled_out) _o522 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m490, _o502.mode, mode);
-                            held = lanes_select(_m490, _o502.held, held);
-                            outcome = lanes_select(_m490, _o502.outcome, outcome);
-                            slip_left = lanes_select(_m490, _o502.slip_left, slip_left);
-                            uncertain = lanes_select(_m490, _o502.uncertain, uncertain);
+                            mode = lanes_select(_m510, _o522.mode, mode);
+                            held = lanes_select(_m510, _o522.held, held);
+                            outcome = lanes_select(_m510, _o522.outcome, outcome);
+                            slip_left = lanes_select(_m510, _o522.slip_left, slip_left);
+                            uncertain = lanes_select(_m510, _o522.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m503 = lanes_both(rows, limited);
-            if (lanes_any(_m503)) {
-                const LANES(court_timed_out) _o504 =
+            const M _m523 = lanes_both(rows, limited);
+            if (lanes_any(_m523)) {
+                const LANES(court_timed_out) _o524 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o504.timed;
-                const M _m505 = lanes_both(_m503, timed);
-                if (lanes_any(_m505)) {
-                    const LANES(court_carry_time_out) _o506 =
+                M timed = _o524.timed;
+                const M _m525 = lanes_both(_m523, timed);
+                if (lanes_any(_m525)) {
+                    const LANES(court_carry_time_out) _o526 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m505, _o506.dx, dx);
-                    dy = lanes_select(_m505, _o506.dy, dy);
-                    dz = lanes_select(_m505, _o506.dz, dz);
-                    dvx = lanes_select(_m505, _o506.dvx, dvx);
-                    dvy = lanes_select(_m505, _o506.dvy, dvy);
-                    dvz = lanes_select(_m505, _o506.dvz, dvz);
-                    clock_error = lanes_select(_m505, _o506.clock_error, clock_error);
+                    dx = lanes_select(_m525, _o526.dx, dx);
+                    dy = lanes_select(_m525, _o526.dy, dy);
+                    dz = lanes_select(_m525, _o526.dz, dz);
+                    dvx = lanes_select(_m525, _o526.dvx, dvx);
+                    dvy = lanes_select(_m525, _o526.dvy, dvy);
+                    dvz = lanes_select(_m525, _o526.dvz, dvz);
+                    clock_error = lanes_select(_m525, _o526.clock_error, clock_error);
                 }
             }
-            const M _m507 = lanes_both(rows, hopped);
-            if (lanes_any(_m507)) {
-                const LANES(court_carry_hop_out) _o508 =
+            const M _m527 = lanes_both(rows, hopped);
+            if (lanes_any(_m527)) {
+                const LANES(court_carry_hop_out) _o528 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m507, _o508.dx, dx);
-                dy = lanes_select(_m507, _o508.dy, dy);
-                dz = lanes_select(_m507, _o508.dz, dz);
+                dx = lanes_select(_m527, _o528.dx, dx);
+                dy = lanes_select(_m527, _o528.dy, dy);
+                dz = lanes_select(_m527, _o528.dz, dz);
             }
-            const LANES(court_closing_out) _o509 =
+            const LANES(court_closing_out) _o529 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o509.closed;
-            const M _m510 = lanes_both(rows, closed);
+            M closed = _o529.closed;
+            const M _m530 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o511 =
+                const LANES(court_claimed_errors_out) _o531 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m510, _o511.position_error, position_claim);
-                velocity_claim = lanes_select(_m510, _o511.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m510, _o511.spin_error, spin_claim);
-                time_claim = lanes_select(_m510, _o511.time_error, time_claim);
+                position_claim = lanes_select(_m530, _o531.position_error, position_claim);
+                velocity_claim = lanes_select(_m530, _o531.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m530, _o531.spin_error, spin_claim);
+                time_claim = lanes_select(_m530, _o531.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);

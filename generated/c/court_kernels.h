@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation ad3d4fdcacf7e68f,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 1d4de2563d5a3b0a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -3015,7 +3015,7 @@ LANES(court_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S
 }
 
 /* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
-   Newton from the left under a curvature bound. 190 operations: 30 additions, 16 subtractions, 63 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 27 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 29 selections. */
+   Newton from the left under a curvature bound. 199 operations: 32 additions, 17 subtractions, 67 multiplications, 4 divisions, 2 square roots, 2 negations, 4 absolute values, 27 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 29 selections. */
 typedef struct {
     S t;
     S end;
@@ -3053,37 +3053,36 @@ LANES(court_ring_leap)(S t, S end, S leaving, S rate_margin, S ceiling, S x, S y
     const S _s24 = singles_select(singles_less(KS(0.0), _s12), singles_sub(singles_mul(_s12, _s12), singles_mul(singles_mul(KS(8.0), ceiling), singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s15), _s23)))), _s12);
     const Q _s25 = singles_less(KS(0.0), _s24);
     const S _s26 = singles_mul(KS(1.00006103515625), _s20);
-    const S _s27 = singles_mul(KS(0.000244140625), singles_add(p_ring_radius, _s26));
-    const S _s28 = singles_sub(_s11, rate_margin);
-    const S _s29 = singles_mul(KS(6.0), p_gravity);
-    const S _s30 = singles_sub(singles_add(singles_mul(_s29, _s10), singles_mul(swing, singles_mul(_s5, singles_mul(_s5, _s5)))), steady);
-    const Q _s31 = singles_less(_s28, KS(0.0));
-    const S _s32 = singles_mul(KS(2.0), _s23);
-    const S _s33 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s28), _s23, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s31, _s32, singles_mul(KS(4.0), _s28)), singles_select(_s31, singles_neg(_s28), singles_max(KS(0.0), _s30))));
-    const S _s34 = singles_sub(end, t);
-    const S _s35 = singles_min(_s33, _s34);
-    const S _s36 = singles_add(_s27, singles_add(singles_mul(_s35, singles_max(_s8, KS(0.0))), _s10));
-    const S _s37 = singles_mul(_s29, singles_min(_s26, _s36));
-    const S _s38 = singles_sub(singles_add(singles_mul(_s35, singles_min(KS(0.0), _s6)), _s2), _s27);
-    const S _s39 = singles_sub(p_ring_radius, _s26);
-    const S _s40 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s41 = singles_max(_s39, _s40);
-    const S _s42 = singles_div(KS(1.0), singles_max(_s38, _s41));
-    const S _s43 = singles_mul(swing, singles_mul(_s42, singles_mul(_s42, _s42)));
-    const S _s44 = singles_sub(singles_add(singles_add(_s37, _s43), singles_mul(KS(0.000244140625), singles_add(singles_add(_s43, singles_abs(steady)), singles_abs(_s37)))), steady);
-    const S _s45 = singles_add(singles_mul(singles_mul(KS(2.0), _s44), _s23), singles_mul(_s28, _s28));
-    const S _s46 = singles_sqrt(_s45);
-    const S _s47 = singles_select(singles_at_most(KS(0.0), _s45), singles_div(singles_select(_s31, _s32, singles_add(_s28, _s46)), singles_select(_s31, singles_sub(_s46, _s28), singles_max(KS(0.0), _s44))), KS(INFINITY));
-    const S _s48 = singles_min(_s47, _s35);
-    const S _s49 = singles_add(t, _s48);
-    const Q _s50 = singles_both(singles_not(_s25), singles_either(singles_both(singles_less(_s11, KS(0.0)), singles_at_most(_s22, _s15)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s49)))));
-    const Q _s51 = singles_not(singles_either(_s25, _s50));
-    const Q _s52 = singles_both(_s51, singles_at_most(_s34, _s48));
-    const S _s53 = singles_max(end, low1);
-    const Q _s54 = singles_less(_s53, high1);
-    const S _s55 = singles_max(end, low2);
-    const Q _s56 = singles_less(_s55, high2);
-    return (LANES(court_ring_leap_out)){ singles_select(_s52, singles_select(_s54, _s53, singles_select(_s56, _s55, KS(INFINITY))), singles_select(_s50, t, _s49)), singles_select(_s52, singles_select(_s54, high1, singles_select(_s56, high2, end)), end), singles_truth(_s25), singles_truth(singles_both(_s51, singles_either(singles_not(_s52), singles_either(singles_either(singles_nowhere(), _s56), _s54)))) };
+    const S _s27 = singles_sub(_s11, rate_margin);
+    const S _s28 = singles_mul(KS(6.0), p_gravity);
+    const S _s29 = singles_sub(singles_add(singles_mul(_s28, _s10), singles_mul(swing, singles_mul(_s5, singles_mul(_s5, _s5)))), steady);
+    const Q _s30 = singles_less(_s27, KS(0.0));
+    const S _s31 = singles_mul(KS(2.0), _s23);
+    const S _s32 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s27), _s23, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s30, _s31, singles_mul(KS(4.0), _s27)), singles_select(_s30, singles_neg(_s27), singles_max(KS(0.0), _s29))));
+    const S _s33 = singles_sub(end, t);
+    const S _s34 = singles_min(_s32, _s33);
+    const S _s35 = singles_add(singles_add(singles_mul(KS(3.0517578125e-05), p_ball_radius), singles_mul(KS(3.0517578125e-05), p_wire_radius)), singles_add(singles_mul(_s34, singles_max(_s8, KS(0.0))), _s10));
+    const S _s36 = singles_mul(_s28, singles_min(_s26, _s35));
+    const S _s37 = singles_sub(singles_sub(singles_add(singles_mul(_s34, singles_min(KS(0.0), _s6)), _s2), singles_mul(KS(0.0001220703125), singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s34))), singles_mul(KS(9.5367431640625e-07), singles_add(p_ring_radius, _s26)));
+    const S _s38 = singles_sub(p_ring_radius, _s26);
+    const S _s39 = singles_mul(KS(0.0001220703125), p_ring_radius);
+    const S _s40 = singles_max(_s38, _s39);
+    const S _s41 = singles_div(KS(1.0), singles_max(_s37, _s40));
+    const S _s42 = singles_mul(swing, singles_mul(_s41, singles_mul(_s41, _s41)));
+    const S _s43 = singles_sub(singles_add(singles_add(_s36, _s42), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s42, singles_abs(steady)), singles_abs(_s36)))), steady);
+    const S _s44 = singles_add(singles_mul(singles_mul(KS(2.0), _s43), _s23), singles_mul(_s27, _s27));
+    const S _s45 = singles_sqrt(_s44);
+    const S _s46 = singles_select(singles_at_most(KS(0.0), _s44), singles_div(singles_select(_s30, _s31, singles_add(_s27, _s45)), singles_select(_s30, singles_sub(_s45, _s27), singles_max(KS(0.0), _s43))), KS(INFINITY));
+    const S _s47 = singles_min(_s46, _s34);
+    const S _s48 = singles_add(t, _s47);
+    const Q _s49 = singles_both(singles_not(_s25), singles_either(singles_both(singles_less(_s11, KS(0.0)), singles_at_most(_s22, _s15)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s48)))));
+    const Q _s50 = singles_not(singles_either(_s25, _s49));
+    const Q _s51 = singles_both(_s50, singles_at_most(_s33, _s47));
+    const S _s52 = singles_max(end, low1);
+    const Q _s53 = singles_less(_s52, high1);
+    const S _s54 = singles_max(end, low2);
+    const Q _s55 = singles_less(_s54, high2);
+    return (LANES(court_ring_leap_out)){ singles_select(_s51, singles_select(_s53, _s52, singles_select(_s55, _s54, KS(INFINITY))), singles_select(_s49, t, _s48)), singles_select(_s51, singles_select(_s53, high1, singles_select(_s55, high2, end)), end), singles_truth(_s25), singles_truth(singles_both(_s50, singles_either(singles_not(_s51), singles_either(singles_either(singles_nowhere(), _s55), _s53)))) };
 }
 
 /* Distance from the axis, rate of the gap and of that distance, at the start of the flight.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation e897546f3266e17f,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 4e5e9605adf14d3b,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -754,6 +754,15 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V ceiling = _o42.ceiling;
             V flat = _o42.flat;
             V tilt = _o42.tilt;
+            const M _m43 = lanes_both(rows, leaping);
+            if (lanes_any(_m43)) {
+                const LANES(hoop_ring_leap_out) _o44 =
+                    LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                short_t = singles_select(singles_of(_m43), _o44.t, short_t);
+                short_end = singles_select(singles_of(_m43), _o44.end, short_end);
+                certain = lanes_choose(_m43, _o44.certain, certain);
+                leaping = lanes_choose(_m43, _o44.leaping, leaping);
+            }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -875,12 +884,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o43 =
+                const LANES(hoop_ring_leap_out) _o45 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o43.t;
-                short_end = _o43.end;
-                M certain = _o43.certain;
-                leaping = _o43.leaping;
+                short_t = _o45.t;
+                short_end = _o45.end;
+                M certain = _o45.certain;
+                leaping = _o45.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -927,12 +936,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o44 =
+            const LANES(hoop_leapt_out) _o46 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o44.arrival;
-            certain = _o44.certain;
-            V t = _o44.t;
-            searching = _o44.searching;
+            arrival = _o46.arrival;
+            certain = _o46.certain;
+            V t = _o46.t;
+            searching = _o46.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
@@ -985,33 +994,33 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o45 =
+            const LANES(hoop_ring_prepare_out) _o47 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o45.steady;
-            V swing = _o45.swing;
-            V rho_start = _o45.rho_start;
-            V low0 = _o45.low0;
-            V high0 = _o45.high0;
-            V low1 = _o45.low1;
-            V high1 = _o45.high1;
-            V low2 = _o45.low2;
-            V high2 = _o45.high2;
-            V ceiling = _o45.ceiling;
-            V latest = _o45.latest;
-            const LANES(hoop_allowance_out) _o46 =
+            V steady = _o47.steady;
+            V swing = _o47.swing;
+            V rho_start = _o47.rho_start;
+            V low0 = _o47.low0;
+            V high0 = _o47.high0;
+            V low1 = _o47.low1;
+            V high1 = _o47.high1;
+            V low2 = _o47.low2;
+            V high2 = _o47.high2;
+            V ceiling = _o47.ceiling;
+            V latest = _o47.latest;
+            const LANES(hoop_allowance_out) _o48 =
                 LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o46.position_level;
-            V velocity_level = _o46.velocity_level;
-            const LANES(hoop_ring_margins_out) _o47 =
+            V position_level = _o48.position_level;
+            V velocity_level = _o48.velocity_level;
+            const LANES(hoop_ring_margins_out) _o49 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o47.margin;
-            V tilt = _o47.leaving_margin;
-            V rate_slack = _o47.rate_margin;
-            const LANES(hoop_ring_enter_out) _o48 =
+            V flat = _o49.margin;
+            V tilt = _o49.leaving_margin;
+            V rate_slack = _o49.rate_margin;
+            const LANES(hoop_ring_enter_out) _o50 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o48.t;
-            V end = _o48.end;
-            M searching = _o48.searching;
+            t = _o50.t;
+            V end = _o50.end;
+            M searching = _o50.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_rho_start + i, rho_start);
@@ -1141,52 +1150,52 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o49 =
+                const LANES(hoop_nearby_out) _o51 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o49.leaving;
-                V margin = _o49.margin;
-                const LANES(hoop_ring_advance_out) _o50 =
+                V leaving = _o51.leaving;
+                V margin = _o51.margin;
+                const LANES(hoop_ring_advance_out) _o52 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o50.gap;
-                V rate = _o50.rate;
-                V bend = _o50.bend;
-                V step = _o50.step;
-                V next = _o50.next;
-                V clearance = _o50.clearance;
-                const LANES(hoop_struck_out) _o51 =
+                V gap = _o52.gap;
+                V rate = _o52.rate;
+                V bend = _o52.bend;
+                V step = _o52.step;
+                V next = _o52.next;
+                V clearance = _o52.clearance;
+                const LANES(hoop_struck_out) _o53 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o51.hit;
-                M sure = _o51.sure;
-                M vague = _o51.vague;
-                const M _m52 = lanes_both(active, vague);
-                if (lanes_any(_m52)) {
-                    const LANES(hoop_finer_out) _o53 =
+                M hit = _o53.hit;
+                M sure = _o53.sure;
+                M vague = _o53.vague;
+                const M _m54 = lanes_both(active, vague);
+                if (lanes_any(_m54)) {
+                    const LANES(hoop_finer_out) _o55 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m52, _o53.share, share);
-                    const LANES(hoop_allowance_out) _o54 =
+                    share = lanes_select(_m54, _o55.share, share);
+                    const LANES(hoop_allowance_out) _o56 =
                         LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o54.position_level;
-                    V velocity_level = _o54.velocity_level;
-                    const LANES(hoop_ring_margins_out) _o55 =
+                    V position_level = _o56.position_level;
+                    V velocity_level = _o56.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o57 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m52, _o55.margin, flat);
-                    tilt = lanes_select(_m52, _o55.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m52, _o55.rate_margin, rate_slack);
+                    flat = lanes_select(_m54, _o57.margin, flat);
+                    tilt = lanes_select(_m54, _o57.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m54, _o57.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) _o56 =
+                const LANES(hoop_advanced_out) _o58 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o56.arrival;
-                certain = _o56.certain;
-                M exhausted = _o56.exhausted;
-                searching = _o56.searching;
-                t = _o56.t;
-                const M _m57 = lanes_both(active, exhausted);
+                arrival = _o58.arrival;
+                certain = _o58.certain;
+                M exhausted = _o58.exhausted;
+                searching = _o58.searching;
+                t = _o58.t;
+                const M _m59 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o58 =
+                    const LANES(hoop_ring_enter_out) _o60 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m57, _o58.t, t);
-                    end = lanes_select(_m57, _o58.end, end);
-                    searching = lanes_choose(_m57, _o58.searching, searching);
+                    t = lanes_select(_m59, _o60.t, t);
+                    end = lanes_select(_m59, _o60.end, end);
+                    searching = lanes_choose(_m59, _o60.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -1246,13 +1255,38 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o59 =
+            const LANES(hoop_found_out) _o61 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o59.arrives;
-            M refining = _o59.refining;
-            const LANES(hoop_nearby_out) _o60 =
+            M arrives = _o61.arrives;
+            M refining = _o61.refining;
+            const LANES(hoop_nearby_out) _o62 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o60.leaving;
+            V leaving = _o62.leaving;
+            const M _m63 = lanes_both(rows, refining);
+            if (lanes_any(_m63)) {
+                const LANES(hoop_ring_refine_out) _o64 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o64.time;
+                V gap = _o64.gap;
+                V rate = _o64.rate;
+                const LANES(hoop_polished_out) _o65 =
+                    LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m63, _o65.arrival, arrival);
+                refining = lanes_choose(_m63, _o65.refining, refining);
+            }
+            const M _m66 = lanes_both(rows, refining);
+            if (lanes_any(_m66)) {
+                const LANES(hoop_ring_refine_out) _o67 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o67.time;
+                V gap = _o67.gap;
+                V rate = _o67.rate;
+                const LANES(hoop_polished_out) _o68 =
+                    LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m66, _o68.arrival, arrival);
+                refining = lanes_choose(_m66, _o68.refining, refining);
+            }
+            lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
@@ -1328,15 +1362,15 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o61 =
+                const LANES(hoop_ring_refine_out) _o69 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o61.time;
-                V gap = _o61.gap;
-                V rate = _o61.rate;
-                const LANES(hoop_polished_out) _o62 =
+                V refined = _o69.time;
+                V gap = _o69.gap;
+                V rate = _o69.rate;
+                const LANES(hoop_polished_out) _o70 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o62.arrival;
-                refining = _o62.refining;
+                arrival = _o70.arrival;
+                refining = _o70.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -1360,13 +1394,13 @@ static void LANES(hoop_plain)(const hoop_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_landed_out) _o63 =
+            const LANES(hoop_landed_out) _o71 =
                 LANES(hoop_landed)(arrival);
-            V time = _o63.time;
-            const LANES(hoop_sooner_out) _o64 =
+            V time = _o71.time;
+            const LANES(hoop_sooner_out) _o72 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o64.when;
-            which = _o64.which;
+            when = _o72.when;
+            which = _o72.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -1404,65 +1438,65 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m65 = lanes_both(rows, limited);
-            if (lanes_any(_m65)) {
-                const LANES(hoop_expiry_out) _o66 =
-                    LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o66.time;
-                M arrives = _o66.arrives;
-                const LANES(hoop_sooner_out) _o67 =
-                    LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m65, _o67.when, when);
-                which = lanes_select(_m65, _o67.which, which);
-            }
-            const LANES(hoop_departed_out) _o68 =
-                LANES(hoop_departed)(K(3.0), which);
-            M moves = _o68.moves;
-            M ends = _o68.ends;
-            M touches = _o68.touches;
-            V reached = _o68.reached;
-            const LANES(hoop_body_of_out) _o69 =
-                LANES(hoop_body_of)(which);
-            V body = _o69.body;
-            const M _m70 = lanes_both(rows, moves);
-            {
-                const LANES(hoop_flight_out) _o71 =
-                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m70, _o71.x, x);
-                y = lanes_select(_m70, _o71.y, y);
-                z = lanes_select(_m70, _o71.z, z);
-                vx = lanes_select(_m70, _o71.vx, vx);
-                vy = lanes_select(_m70, _o71.vy, vy);
-                vz = lanes_select(_m70, _o71.vz, vz);
-                const LANES(hoop_ticked_out) _o72 =
-                    LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m70, _o72.clock, clock);
-            }
             const M _m73 = lanes_both(rows, limited);
             if (lanes_any(_m73)) {
-                const LANES(hoop_expired_out) _o74 =
-                    LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m73, _o74.clock, clock);
-                body = lanes_select(_m73, _o74.body, body);
-                reached = lanes_select(_m73, _o74.reached, reached);
-                ends = lanes_choose(_m73, _o74.ends, ends);
+                const LANES(hoop_expiry_out) _o74 =
+                    LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
+                V time = _o74.time;
+                M arrives = _o74.arrives;
+                const LANES(hoop_sooner_out) _o75 =
+                    LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
+                when = lanes_select(_m73, _o75.when, when);
+                which = lanes_select(_m73, _o75.which, which);
             }
-            const LANES(hoop_here_out) _o75 =
-                LANES(hoop_here)(K(3.0), which);
-            M here = _o75.here;
-            const M _m76 = lanes_both(rows, here);
+            const LANES(hoop_departed_out) _o76 =
+                LANES(hoop_departed)(K(3.0), which);
+            M moves = _o76.moves;
+            M ends = _o76.ends;
+            M touches = _o76.touches;
+            V reached = _o76.reached;
+            const LANES(hoop_body_of_out) _o77 =
+                LANES(hoop_body_of)(which);
+            V body = _o77.body;
+            const M _m78 = lanes_both(rows, moves);
             {
-                const LANES(hoop_end_bounds_out) _o77 =
-                    LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o77.g0;
-                const LANES(hoop_end_reached_out) _o78 =
-                    LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m76, _o78.reached, reached);
+                const LANES(hoop_flight_out) _o79 =
+                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
+                x = lanes_select(_m78, _o79.x, x);
+                y = lanes_select(_m78, _o79.y, y);
+                z = lanes_select(_m78, _o79.z, z);
+                vx = lanes_select(_m78, _o79.vx, vx);
+                vy = lanes_select(_m78, _o79.vy, vy);
+                vz = lanes_select(_m78, _o79.vz, vz);
+                const LANES(hoop_ticked_out) _o80 =
+                    LANES(hoop_ticked)(clock, when);
+                clock = lanes_select(_m78, _o80.clock, clock);
             }
-            const LANES(hoop_accounted_out) _o79 =
+            const M _m81 = lanes_both(rows, limited);
+            if (lanes_any(_m81)) {
+                const LANES(hoop_expired_out) _o82 =
+                    LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
+                clock = lanes_select(_m81, _o82.clock, clock);
+                body = lanes_select(_m81, _o82.body, body);
+                reached = lanes_select(_m81, _o82.reached, reached);
+                ends = lanes_choose(_m81, _o82.ends, ends);
+            }
+            const LANES(hoop_here_out) _o83 =
+                LANES(hoop_here)(K(3.0), which);
+            M here = _o83.here;
+            const M _m84 = lanes_both(rows, here);
+            {
+                const LANES(hoop_end_bounds_out) _o85 =
+                    LANES(hoop_end_bounds)(x, y, p_ring_radius);
+                V g0 = _o85.g0;
+                const LANES(hoop_end_reached_out) _o86 =
+                    LANES(hoop_end_reached)(g0);
+                reached = lanes_select(_m84, _o86.reached, reached);
+            }
+            const LANES(hoop_accounted_out) _o87 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o79.contacts;
-            V outcome = _o79.outcome;
+            contacts = _o87.contacts;
+            V outcome = _o87.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -1475,97 +1509,97 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o80 =
+            const LANES(hoop_meeting_out) _o88 =
                 LANES(hoop_meeting)(K(0.0), ends, touches);
-            M meeting = _o80.meeting;
-            const M _m81 = lanes_both(rows, meeting);
-            if (lanes_any(_m81)) {
-                const LANES(hoop_end_normal_out) _o82 =
+            M meeting = _o88.meeting;
+            const M _m89 = lanes_both(rows, meeting);
+            if (lanes_any(_m89)) {
+                const LANES(hoop_end_normal_out) _o90 =
                     LANES(hoop_end_normal)();
-                V nx = _o82.nx;
-                V ny = _o82.ny;
-                V nz = _o82.nz;
-                const LANES(hoop_here_out) _o83 =
-                    LANES(hoop_here)(K(0.0), which);
-                M here = _o83.here;
-                const M _m84 = lanes_both(_m81, here);
-                {
-                    const LANES(hoop_ring_normal_out) _o85 =
-                        LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m84, _o85.nx, nx);
-                    ny = lanes_select(_m84, _o85.ny, ny);
-                    nz = lanes_select(_m84, _o85.nz, nz);
-                    const LANES(hoop_counted_out) _o86 =
-                        LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m84, _o86.count, count_0);
-                }
-                const LANES(hoop_here_out) _o87 =
-                    LANES(hoop_here)(K(1.0), which);
-                here = _o87.here;
-                const M _m88 = lanes_both(_m81, here);
-                {
-                    const LANES(hoop_backboard_normal_out) _o89 =
-                        LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m88, _o89.nx, nx);
-                    ny = lanes_select(_m88, _o89.ny, ny);
-                    nz = lanes_select(_m88, _o89.nz, nz);
-                    const LANES(hoop_counted_out) _o90 =
-                        LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m88, _o90.count, count_1);
-                }
+                V nx = _o90.nx;
+                V ny = _o90.ny;
+                V nz = _o90.nz;
                 const LANES(hoop_here_out) _o91 =
-                    LANES(hoop_here)(K(2.0), which);
-                here = _o91.here;
-                const M _m92 = lanes_both(_m81, here);
+                    LANES(hoop_here)(K(0.0), which);
+                M here = _o91.here;
+                const M _m92 = lanes_both(_m89, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o93 =
-                        LANES(hoop_bridge_normal)();
+                    const LANES(hoop_ring_normal_out) _o93 =
+                        LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
                     nx = lanes_select(_m92, _o93.nx, nx);
                     ny = lanes_select(_m92, _o93.ny, ny);
                     nz = lanes_select(_m92, _o93.nz, nz);
                     const LANES(hoop_counted_out) _o94 =
-                        LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m92, _o94.count, count_2);
+                        LANES(hoop_counted)(count_0);
+                    count_0 = lanes_select(_m92, _o94.count, count_0);
                 }
-                const M _m95 = lanes_both(_m81, touches);
-                if (lanes_any(_m95)) {
-                    const LANES(hoop_impact_out) _o96 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m95, _o96.vx, vx);
-                    vy = lanes_select(_m95, _o96.vy, vy);
-                    vz = lanes_select(_m95, _o96.vz, vz);
-                    wx = lanes_select(_m95, _o96.wx, wx);
-                    wy = lanes_select(_m95, _o96.wy, wy);
-                    wz = lanes_select(_m95, _o96.wz, wz);
-                }
-                const LANES(hoop_here_out) _o97 =
+                const LANES(hoop_here_out) _o95 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o97.here;
-                const M _m98 = lanes_both(_m81, here);
+                here = _o95.here;
+                const M _m96 = lanes_both(_m89, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o99 =
-                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m98, _o99.x, x);
-                    y = lanes_select(_m98, _o99.y, y);
-                    z = lanes_select(_m98, _o99.z, z);
+                    const LANES(hoop_backboard_normal_out) _o97 =
+                        LANES(hoop_backboard_normal)();
+                    nx = lanes_select(_m96, _o97.nx, nx);
+                    ny = lanes_select(_m96, _o97.ny, ny);
+                    nz = lanes_select(_m96, _o97.nz, nz);
+                    const LANES(hoop_counted_out) _o98 =
+                        LANES(hoop_counted)(count_1);
+                    count_1 = lanes_select(_m96, _o98.count, count_1);
                 }
-                const LANES(hoop_here_out) _o100 =
+                const LANES(hoop_here_out) _o99 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o100.here;
-                const M _m101 = lanes_both(_m81, here);
+                here = _o99.here;
+                const M _m100 = lanes_both(_m89, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o102 =
-                        LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m101, _o102.x, x);
-                    y = lanes_select(_m101, _o102.y, y);
-                    z = lanes_select(_m101, _o102.z, z);
+                    const LANES(hoop_bridge_normal_out) _o101 =
+                        LANES(hoop_bridge_normal)();
+                    nx = lanes_select(_m100, _o101.nx, nx);
+                    ny = lanes_select(_m100, _o101.ny, ny);
+                    nz = lanes_select(_m100, _o101.nz, nz);
+                    const LANES(hoop_counted_out) _o102 =
+                        LANES(hoop_counted)(count_2);
+                    count_2 = lanes_select(_m100, _o102.count, count_2);
                 }
-                const M _m103 = lanes_both(_m81, touches);
+                const M _m103 = lanes_both(_m89, touches);
+                if (lanes_any(_m103)) {
+                    const LANES(hoop_impact_out) _o104 =
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                    vx = lanes_select(_m103, _o104.vx, vx);
+                    vy = lanes_select(_m103, _o104.vy, vy);
+                    vz = lanes_select(_m103, _o104.vz, vz);
+                    wx = lanes_select(_m103, _o104.wx, wx);
+                    wy = lanes_select(_m103, _o104.wy, wy);
+                    wz = lanes_select(_m103, _o104.wz, wz);
+                }
+                const LANES(hoop_here_out) _o105 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o105.here;
+                const M _m106 = lanes_both(_m89, here);
                 {
-                    const LANES(hoop_touched_out) _o104 =
+                    const LANES(hoop_backboard_place_out) _o107 =
+                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                    x = lanes_select(_m106, _o107.x, x);
+                    y = lanes_select(_m106, _o107.y, y);
+                    z = lanes_select(_m106, _o107.z, z);
+                }
+                const LANES(hoop_here_out) _o108 =
+                    LANES(hoop_here)(K(2.0), which);
+                here = _o108.here;
+                const M _m109 = lanes_both(_m89, here);
+                {
+                    const LANES(hoop_bridge_place_out) _o110 =
+                        LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
+                    x = lanes_select(_m109, _o110.x, x);
+                    y = lanes_select(_m109, _o110.y, y);
+                    z = lanes_select(_m109, _o110.z, z);
+                }
+                const M _m111 = lanes_both(_m89, touches);
+                {
+                    const LANES(hoop_touched_out) _o112 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m103, _o104.first, first);
-                    last = lanes_select(_m103, _o104.last, last);
+                    first = lanes_select(_m111, _o112.first, first);
+                    last = lanes_select(_m111, _o112.last, last);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -2535,6 +2569,15 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V ceiling = _o67.ceiling;
             V flat = _o67.flat;
             V tilt = _o67.tilt;
+            const M _m68 = lanes_both(rows, leaping);
+            if (lanes_any(_m68)) {
+                const LANES(hoop_ring_leap_out) _o69 =
+                    LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                short_t = singles_select(singles_of(_m68), _o69.t, short_t);
+                short_end = singles_select(singles_of(_m68), _o69.end, short_end);
+                certain = lanes_choose(_m68, _o69.certain, certain);
+                leaping = lanes_choose(_m68, _o69.leaping, leaping);
+            }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -2658,12 +2701,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o68 =
+                const LANES(hoop_ring_leap_out) _o70 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_leaving, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o68.t;
-                short_end = _o68.end;
-                M certain = _o68.certain;
-                leaping = _o68.leaping;
+                short_t = _o70.t;
+                short_end = _o70.end;
+                M certain = _o70.certain;
+                leaping = _o70.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -2713,12 +2756,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o69 =
+            const LANES(hoop_leapt_out) _o71 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o69.arrival;
-            certain = _o69.certain;
-            V t = _o69.t;
-            searching = _o69.searching;
+            arrival = _o71.arrival;
+            certain = _o71.certain;
+            V t = _o71.t;
+            searching = _o71.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
@@ -2777,33 +2820,33 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o70 =
+            const LANES(hoop_ring_prepare_out) _o72 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o70.steady;
-            V swing = _o70.swing;
-            V rho_start = _o70.rho_start;
-            V low0 = _o70.low0;
-            V high0 = _o70.high0;
-            V low1 = _o70.low1;
-            V high1 = _o70.high1;
-            V low2 = _o70.low2;
-            V high2 = _o70.high2;
-            V ceiling = _o70.ceiling;
-            V latest = _o70.latest;
-            const LANES(hoop_allowance_out) _o71 =
+            V steady = _o72.steady;
+            V swing = _o72.swing;
+            V rho_start = _o72.rho_start;
+            V low0 = _o72.low0;
+            V high0 = _o72.high0;
+            V low1 = _o72.low1;
+            V high1 = _o72.high1;
+            V low2 = _o72.low2;
+            V high2 = _o72.high2;
+            V ceiling = _o72.ceiling;
+            V latest = _o72.latest;
+            const LANES(hoop_allowance_out) _o73 =
                 LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o71.position_level;
-            V velocity_level = _o71.velocity_level;
-            const LANES(hoop_ring_margins_out) _o72 =
+            V position_level = _o73.position_level;
+            V velocity_level = _o73.velocity_level;
+            const LANES(hoop_ring_margins_out) _o74 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o72.margin;
-            V tilt = _o72.leaving_margin;
-            V rate_slack = _o72.rate_margin;
-            const LANES(hoop_ring_enter_out) _o73 =
+            V flat = _o74.margin;
+            V tilt = _o74.leaving_margin;
+            V rate_slack = _o74.rate_margin;
+            const LANES(hoop_ring_enter_out) _o75 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o73.t;
-            V end = _o73.end;
-            M searching = _o73.searching;
+            t = _o75.t;
+            V end = _o75.end;
+            M searching = _o75.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
@@ -2945,56 +2988,56 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o74 =
+                const LANES(hoop_nearby_out) _o76 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o74.leaving;
-                V margin = _o74.margin;
-                const LANES(hoop_ring_advance_out) _o75 =
+                V leaving = _o76.leaving;
+                V margin = _o76.margin;
+                const LANES(hoop_ring_advance_out) _o77 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o75.gap;
-                V rate = _o75.rate;
-                V bend = _o75.bend;
-                V step = _o75.step;
-                V next = _o75.next;
-                V clearance = _o75.clearance;
-                const LANES(hoop_struck_out) _o76 =
+                V gap = _o77.gap;
+                V rate = _o77.rate;
+                V bend = _o77.bend;
+                V step = _o77.step;
+                V next = _o77.next;
+                V clearance = _o77.clearance;
+                const LANES(hoop_struck_out) _o78 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o76.hit;
-                M sure = _o76.sure;
-                M vague = _o76.vague;
-                const M _m77 = lanes_both(active, vague);
-                if (lanes_any(_m77)) {
-                    const LANES(hoop_finer_out) _o78 =
+                M hit = _o78.hit;
+                M sure = _o78.sure;
+                M vague = _o78.vague;
+                const M _m79 = lanes_both(active, vague);
+                if (lanes_any(_m79)) {
+                    const LANES(hoop_finer_out) _o80 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m77, _o78.share, share);
-                    const LANES(hoop_allowance_out) _o79 =
+                    share = lanes_select(_m79, _o80.share, share);
+                    const LANES(hoop_allowance_out) _o81 =
                         LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o79.position_level;
-                    V velocity_level = _o79.velocity_level;
-                    V excess = _o79.excess;
-                    const LANES(hoop_ring_margins_out) _o80 =
+                    V position_level = _o81.position_level;
+                    V velocity_level = _o81.velocity_level;
+                    V excess = _o81.excess;
+                    const LANES(hoop_ring_margins_out) _o82 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m77, _o80.margin, flat);
-                    tilt = lanes_select(_m77, _o80.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m77, _o80.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o81 =
+                    flat = lanes_select(_m79, _o82.margin, flat);
+                    tilt = lanes_select(_m79, _o82.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m79, _o82.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o83 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m77, _o81.doubt, doubt);
+                    doubt = lanes_select(_m79, _o83.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) _o82 =
+                const LANES(hoop_advanced_out) _o84 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o82.arrival;
-                certain = _o82.certain;
-                M exhausted = _o82.exhausted;
-                searching = _o82.searching;
-                t = _o82.t;
-                const M _m83 = lanes_both(active, exhausted);
+                arrival = _o84.arrival;
+                certain = _o84.certain;
+                M exhausted = _o84.exhausted;
+                searching = _o84.searching;
+                t = _o84.t;
+                const M _m85 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o84 =
+                    const LANES(hoop_ring_enter_out) _o86 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m83, _o84.t, t);
-                    end = lanes_select(_m83, _o84.end, end);
-                    searching = lanes_choose(_m83, _o84.searching, searching);
+                    t = lanes_select(_m85, _o86.t, t);
+                    end = lanes_select(_m85, _o86.end, end);
+                    searching = lanes_choose(_m85, _o86.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3036,9 +3079,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(hoop_questioned_out) _o85 =
+            const LANES(hoop_questioned_out) _o87 =
                 LANES(hoop_questioned)(doubt, t, searching);
-            doubt = _o85.doubt;
+            doubt = _o87.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -3074,14 +3117,39 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o86 =
+            const LANES(hoop_found_out) _o88 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o86.arrives;
-            M refining = _o86.refining;
-            V rate = _o86.rate;
-            const LANES(hoop_nearby_out) _o87 =
+            M arrives = _o88.arrives;
+            M refining = _o88.refining;
+            V rate = _o88.rate;
+            const LANES(hoop_nearby_out) _o89 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o87.leaving;
+            V leaving = _o89.leaving;
+            const M _m90 = lanes_both(rows, refining);
+            if (lanes_any(_m90)) {
+                const LANES(hoop_ring_refine_out) _o91 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o91.time;
+                V gap = _o91.gap;
+                rate = lanes_select(_m90, _o91.rate, rate);
+                const LANES(hoop_polished_out) _o92 =
+                    LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m90, _o92.arrival, arrival);
+                refining = lanes_choose(_m90, _o92.refining, refining);
+            }
+            const M _m93 = lanes_both(rows, refining);
+            if (lanes_any(_m93)) {
+                const LANES(hoop_ring_refine_out) _o94 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o94.time;
+                V gap = _o94.gap;
+                rate = lanes_select(_m93, _o94.rate, rate);
+                const LANES(hoop_polished_out) _o95 =
+                    LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m93, _o95.arrival, arrival);
+                refining = lanes_choose(_m93, _o95.refining, refining);
+            }
+            lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             lanes_store(lists->open_leaving + i, leaving);
             lanes_store(lists->open_rate + i, rate);
@@ -3159,15 +3227,15 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o88 =
+                const LANES(hoop_ring_refine_out) _o96 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o88.time;
-                V gap = _o88.gap;
-                V rate = _o88.rate;
-                const LANES(hoop_polished_out) _o89 =
+                V refined = _o96.time;
+                V gap = _o96.gap;
+                V rate = _o96.rate;
+                const LANES(hoop_polished_out) _o97 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o89.arrival;
-                refining = _o89.refining;
+                arrival = _o97.arrival;
+                refining = _o97.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -3209,33 +3277,33 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_ring_margins_out) _o90 =
+            const LANES(hoop_ring_margins_out) _o98 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o90.margin;
-            V tilt = _o90.leaving_margin;
-            V rate_margin = _o90.rate_margin;
-            const LANES(hoop_own_margin_out) _o91 =
+            V flat = _o98.margin;
+            V tilt = _o98.leaving_margin;
+            V rate_margin = _o98.rate_margin;
+            const LANES(hoop_own_margin_out) _o99 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o91.margin;
-            const LANES(hoop_crossing_out) _o92 =
+            V margin = _o99.margin;
+            const LANES(hoop_crossing_out) _o100 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o92.clearance;
-            V delay = _o92.delay;
-            const LANES(hoop_landed_out) _o93 =
+            V clearance = _o100.clearance;
+            V delay = _o100.delay;
+            const LANES(hoop_landed_out) _o101 =
                 LANES(hoop_landed)(arrival);
-            V time = _o93.time;
-            const LANES(hoop_landed_surely_out) _o94 =
+            V time = _o101.time;
+            const LANES(hoop_landed_surely_out) _o102 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o94.delay;
-            doubt = _o94.doubt;
-            const LANES(hoop_tied_out) _o95 =
+            delay = _o102.delay;
+            doubt = _o102.doubt;
+            const LANES(hoop_tied_out) _o103 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o95.doubt;
-            late = _o95.late;
-            const LANES(hoop_sooner_out) _o96 =
+            doubt = _o103.doubt;
+            late = _o103.late;
+            const LANES(hoop_sooner_out) _o104 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o96.when;
-            which = _o96.which;
+            when = _o104.when;
+            which = _o104.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -3303,81 +3371,81 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m97 = lanes_both(rows, limited);
-            if (lanes_any(_m97)) {
-                const LANES(hoop_expiry_out) _o98 =
+            const M _m105 = lanes_both(rows, limited);
+            if (lanes_any(_m105)) {
+                const LANES(hoop_expiry_out) _o106 =
                     LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o98.time;
-                V delay = _o98.delay;
-                M arrives = _o98.arrives;
-                doubt = lanes_select(_m97, _o98.doubt, doubt);
-                const LANES(hoop_tied_out) _o99 =
+                V time = _o106.time;
+                V delay = _o106.delay;
+                M arrives = _o106.arrives;
+                doubt = lanes_select(_m105, _o106.doubt, doubt);
+                const LANES(hoop_tied_out) _o107 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m97, _o99.doubt, doubt);
-                late = lanes_select(_m97, _o99.late, late);
-                const LANES(hoop_sooner_out) _o100 =
+                doubt = lanes_select(_m105, _o107.doubt, doubt);
+                late = lanes_select(_m105, _o107.late, late);
+                const LANES(hoop_sooner_out) _o108 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m97, _o100.when, when);
-                which = lanes_select(_m97, _o100.which, which);
+                when = lanes_select(_m105, _o108.when, when);
+                which = lanes_select(_m105, _o108.which, which);
             }
-            const LANES(hoop_departed_out) _o101 =
+            const LANES(hoop_departed_out) _o109 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o101.moves;
-            M ends = _o101.ends;
-            M touches = _o101.touches;
-            V reached = _o101.reached;
-            M edge = _o101.edge;
-            const LANES(hoop_body_of_out) _o102 =
+            M moves = _o109.moves;
+            M ends = _o109.ends;
+            M touches = _o109.touches;
+            V reached = _o109.reached;
+            M edge = _o109.edge;
+            const LANES(hoop_body_of_out) _o110 =
                 LANES(hoop_body_of)(which);
-            V body = _o102.body;
-            const M _m103 = lanes_both(rows, moves);
+            V body = _o110.body;
+            const M _m111 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o104 =
+                const LANES(hoop_flight_out) _o112 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m103, _o104.x, x);
-                y = lanes_select(_m103, _o104.y, y);
-                z = lanes_select(_m103, _o104.z, z);
-                vx = lanes_select(_m103, _o104.vx, vx);
-                vy = lanes_select(_m103, _o104.vy, vy);
-                vz = lanes_select(_m103, _o104.vz, vz);
-                const LANES(hoop_ticked_out) _o105 =
+                x = lanes_select(_m111, _o112.x, x);
+                y = lanes_select(_m111, _o112.y, y);
+                z = lanes_select(_m111, _o112.z, z);
+                vx = lanes_select(_m111, _o112.vx, vx);
+                vy = lanes_select(_m111, _o112.vy, vy);
+                vz = lanes_select(_m111, _o112.vz, vz);
+                const LANES(hoop_ticked_out) _o113 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m103, _o105.clock, clock);
+                clock = lanes_select(_m111, _o113.clock, clock);
             }
-            const M _m106 = lanes_both(rows, limited);
-            if (lanes_any(_m106)) {
-                const LANES(hoop_expired_out) _o107 =
+            const M _m114 = lanes_both(rows, limited);
+            if (lanes_any(_m114)) {
+                const LANES(hoop_expired_out) _o115 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m106, _o107.clock, clock);
-                body = lanes_select(_m106, _o107.body, body);
-                reached = lanes_select(_m106, _o107.reached, reached);
-                ends = lanes_choose(_m106, _o107.ends, ends);
+                clock = lanes_select(_m114, _o115.clock, clock);
+                body = lanes_select(_m114, _o115.body, body);
+                reached = lanes_select(_m114, _o115.reached, reached);
+                ends = lanes_choose(_m114, _o115.ends, ends);
             }
-            const LANES(hoop_displacement_out) _o108 =
+            const LANES(hoop_displacement_out) _o116 =
                 LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o108.margin;
-            const LANES(hoop_here_out) _o109 =
+            V slack = _o116.margin;
+            const LANES(hoop_here_out) _o117 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o109.here;
-            const M _m110 = lanes_both(rows, here);
+            M here = _o117.here;
+            const M _m118 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o111 =
+                const LANES(hoop_end_bounds_out) _o119 =
                     LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o111.g0;
-                const LANES(hoop_end_reached_out) _o112 =
+                V g0 = _o119.g0;
+                const LANES(hoop_end_reached_out) _o120 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m110, _o112.reached, reached);
-                const LANES(hoop_end_edge_out) _o113 =
+                reached = lanes_select(_m118, _o120.reached, reached);
+                const LANES(hoop_end_edge_out) _o121 =
                     LANES(hoop_end_edge)(g0, slack);
-                edge = lanes_choose(_m110, _o113.edge, edge);
+                edge = lanes_choose(_m118, _o121.edge, edge);
             }
-            const LANES(hoop_doubted_out) _o114 =
+            const LANES(hoop_doubted_out) _o122 =
                 LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
-            uncertain = _o114.uncertain;
-            const LANES(hoop_accounted_out) _o115 =
+            uncertain = _o122.uncertain;
+            const LANES(hoop_accounted_out) _o123 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o115.contacts;
-            V outcome = _o115.outcome;
+            contacts = _o123.contacts;
+            V outcome = _o123.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -3390,205 +3458,205 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o116 =
+            const LANES(hoop_meeting_out) _o124 =
                 LANES(hoop_meeting)(claims, ends, touches);
-            M meeting = _o116.meeting;
-            const M _m117 = lanes_both(rows, meeting);
-            if (lanes_any(_m117)) {
-                const LANES(hoop_end_normal_out) _o118 =
+            M meeting = _o124.meeting;
+            const M _m125 = lanes_both(rows, meeting);
+            if (lanes_any(_m125)) {
+                const LANES(hoop_end_normal_out) _o126 =
                     LANES(hoop_end_normal)();
-                V nx = _o118.nx;
-                V ny = _o118.ny;
-                V nz = _o118.nz;
-                const LANES(hoop_here_out) _o119 =
-                    LANES(hoop_here)(K(0.0), which);
-                M here = _o119.here;
-                const M _m120 = lanes_both(_m117, here);
-                {
-                    const LANES(hoop_ring_normal_out) _o121 =
-                        LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m120, _o121.nx, nx);
-                    ny = lanes_select(_m120, _o121.ny, ny);
-                    nz = lanes_select(_m120, _o121.nz, nz);
-                    const LANES(hoop_counted_out) _o122 =
-                        LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m120, _o122.count, count_0);
-                }
-                const LANES(hoop_here_out) _o123 =
-                    LANES(hoop_here)(K(1.0), which);
-                here = _o123.here;
-                const M _m124 = lanes_both(_m117, here);
-                {
-                    const LANES(hoop_backboard_normal_out) _o125 =
-                        LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m124, _o125.nx, nx);
-                    ny = lanes_select(_m124, _o125.ny, ny);
-                    nz = lanes_select(_m124, _o125.nz, nz);
-                    const LANES(hoop_counted_out) _o126 =
-                        LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m124, _o126.count, count_1);
-                }
+                V nx = _o126.nx;
+                V ny = _o126.ny;
+                V nz = _o126.nz;
                 const LANES(hoop_here_out) _o127 =
-                    LANES(hoop_here)(K(2.0), which);
-                here = _o127.here;
-                const M _m128 = lanes_both(_m117, here);
+                    LANES(hoop_here)(K(0.0), which);
+                M here = _o127.here;
+                const M _m128 = lanes_both(_m125, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o129 =
-                        LANES(hoop_bridge_normal)();
+                    const LANES(hoop_ring_normal_out) _o129 =
+                        LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
                     nx = lanes_select(_m128, _o129.nx, nx);
                     ny = lanes_select(_m128, _o129.ny, ny);
                     nz = lanes_select(_m128, _o129.nz, nz);
                     const LANES(hoop_counted_out) _o130 =
-                        LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m128, _o130.count, count_2);
+                        LANES(hoop_counted)(count_0);
+                    count_0 = lanes_select(_m128, _o130.count, count_0);
                 }
-                const LANES(hoop_elsewhere_out) _o131 =
-                    LANES(hoop_elsewhere)();
-                V curving = _o131.curving;
-                const LANES(hoop_again_out) _o132 =
-                    LANES(hoop_again)(K(0.0), last, which);
-                M again = _o132.again;
-                const M _m133 = lanes_both(_m117, again);
-                {
-                    const LANES(hoop_ring_curvature_out) _o134 =
-                        LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m133, _o134.curvature, curving);
-                }
-                const LANES(hoop_again_out) _o135 =
-                    LANES(hoop_again)(K(1.0), last, which);
-                again = _o135.again;
-                const M _m136 = lanes_both(_m117, again);
-                {
-                    const LANES(hoop_backboard_curvature_out) _o137 =
-                        LANES(hoop_backboard_curvature)();
-                    curving = lanes_select(_m136, _o137.curvature, curving);
-                }
-                const LANES(hoop_again_out) _o138 =
-                    LANES(hoop_again)(K(2.0), last, which);
-                again = _o138.again;
-                const M _m139 = lanes_both(_m117, again);
-                {
-                    const LANES(hoop_bridge_curvature_out) _o140 =
-                        LANES(hoop_bridge_curvature)();
-                    curving = lanes_select(_m139, _o140.curvature, curving);
-                }
-                const LANES(hoop_carry_flight_out) _o141 =
-                    LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m117, _o141.dx, dx);
-                dy = lanes_select(_m117, _o141.dy, dy);
-                dz = lanes_select(_m117, _o141.dz, dz);
-                dvx = lanes_select(_m117, _o141.dvx, dvx);
-                dvy = lanes_select(_m117, _o141.dvy, dvy);
-                dvz = lanes_select(_m117, _o141.dvz, dvz);
-                V delay = _o141.delay;
-                V shift = _o141.shift;
-                const LANES(hoop_delayed_out) _o142 =
-                    LANES(hoop_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m117, _o142.clock_error, clock_error);
-                const M _m143 = lanes_both(_m117, ends);
-                {
-                    const LANES(hoop_floored_out) _o144 =
-                        LANES(hoop_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m143, _o144.dx, dx);
-                    dy = lanes_select(_m143, _o144.dy, dy);
-                    dz = lanes_select(_m143, _o144.dz, dz);
-                }
-                const LANES(hoop_unturned_out) _o145 =
-                    LANES(hoop_unturned)();
-                V dnx = _o145.dnx;
-                V dny = _o145.dny;
-                V dnz = _o145.dnz;
-                V turn = _o145.turn;
-                const LANES(hoop_here_out) _o146 =
-                    LANES(hoop_here)(K(0.0), which);
-                here = _o146.here;
-                const M _m147 = lanes_both(_m117, here);
-                if (lanes_any(_m147)) {
-                    const LANES(hoop_ring_carry_normal_out) _o148 =
-                        LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m147, _o148.dnx, dnx);
-                    dny = lanes_select(_m147, _o148.dny, dny);
-                    dnz = lanes_select(_m147, _o148.dnz, dnz);
-                    turn = lanes_select(_m147, _o148.turn, turn);
-                }
-                const M _m149 = lanes_both(_m117, touches);
-                if (lanes_any(_m149)) {
-                    const LANES(hoop_carry_impact_out) _o150 =
-                        LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                    dvx = lanes_select(_m149, _o150.dvx, dvx);
-                    dvy = lanes_select(_m149, _o150.dvy, dvy);
-                    dvz = lanes_select(_m149, _o150.dvz, dvz);
-                    dwx = lanes_select(_m149, _o150.dwx, dwx);
-                    dwy = lanes_select(_m149, _o150.dwy, dwy);
-                    dwz = lanes_select(_m149, _o150.dwz, dwz);
-                    const LANES(hoop_impact_out) _o151 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m149, _o151.vx, vx);
-                    vy = lanes_select(_m149, _o151.vy, vy);
-                    vz = lanes_select(_m149, _o151.vz, vz);
-                    wx = lanes_select(_m149, _o151.wx, wx);
-                    wy = lanes_select(_m149, _o151.wy, wy);
-                    wz = lanes_select(_m149, _o151.wz, wz);
-                }
-                const LANES(hoop_here_out) _o152 =
+                const LANES(hoop_here_out) _o131 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o152.here;
-                const M _m153 = lanes_both(_m117, here);
+                here = _o131.here;
+                const M _m132 = lanes_both(_m125, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o154 =
-                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m153, _o154.x, x);
-                    y = lanes_select(_m153, _o154.y, y);
-                    z = lanes_select(_m153, _o154.z, z);
+                    const LANES(hoop_backboard_normal_out) _o133 =
+                        LANES(hoop_backboard_normal)();
+                    nx = lanes_select(_m132, _o133.nx, nx);
+                    ny = lanes_select(_m132, _o133.ny, ny);
+                    nz = lanes_select(_m132, _o133.nz, nz);
+                    const LANES(hoop_counted_out) _o134 =
+                        LANES(hoop_counted)(count_1);
+                    count_1 = lanes_select(_m132, _o134.count, count_1);
                 }
-                const LANES(hoop_here_out) _o155 =
+                const LANES(hoop_here_out) _o135 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o155.here;
-                const M _m156 = lanes_both(_m117, here);
+                here = _o135.here;
+                const M _m136 = lanes_both(_m125, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o157 =
+                    const LANES(hoop_bridge_normal_out) _o137 =
+                        LANES(hoop_bridge_normal)();
+                    nx = lanes_select(_m136, _o137.nx, nx);
+                    ny = lanes_select(_m136, _o137.ny, ny);
+                    nz = lanes_select(_m136, _o137.nz, nz);
+                    const LANES(hoop_counted_out) _o138 =
+                        LANES(hoop_counted)(count_2);
+                    count_2 = lanes_select(_m136, _o138.count, count_2);
+                }
+                const LANES(hoop_elsewhere_out) _o139 =
+                    LANES(hoop_elsewhere)();
+                V curving = _o139.curving;
+                const LANES(hoop_again_out) _o140 =
+                    LANES(hoop_again)(K(0.0), last, which);
+                M again = _o140.again;
+                const M _m141 = lanes_both(_m125, again);
+                {
+                    const LANES(hoop_ring_curvature_out) _o142 =
+                        LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
+                    curving = lanes_select(_m141, _o142.curvature, curving);
+                }
+                const LANES(hoop_again_out) _o143 =
+                    LANES(hoop_again)(K(1.0), last, which);
+                again = _o143.again;
+                const M _m144 = lanes_both(_m125, again);
+                {
+                    const LANES(hoop_backboard_curvature_out) _o145 =
+                        LANES(hoop_backboard_curvature)();
+                    curving = lanes_select(_m144, _o145.curvature, curving);
+                }
+                const LANES(hoop_again_out) _o146 =
+                    LANES(hoop_again)(K(2.0), last, which);
+                again = _o146.again;
+                const M _m147 = lanes_both(_m125, again);
+                {
+                    const LANES(hoop_bridge_curvature_out) _o148 =
+                        LANES(hoop_bridge_curvature)();
+                    curving = lanes_select(_m147, _o148.curvature, curving);
+                }
+                const LANES(hoop_carry_flight_out) _o149 =
+                    LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
+                dx = lanes_select(_m125, _o149.dx, dx);
+                dy = lanes_select(_m125, _o149.dy, dy);
+                dz = lanes_select(_m125, _o149.dz, dz);
+                dvx = lanes_select(_m125, _o149.dvx, dvx);
+                dvy = lanes_select(_m125, _o149.dvy, dvy);
+                dvz = lanes_select(_m125, _o149.dvz, dvz);
+                V delay = _o149.delay;
+                V shift = _o149.shift;
+                const LANES(hoop_delayed_out) _o150 =
+                    LANES(hoop_delayed)(clock_error, delay);
+                clock_error = lanes_select(_m125, _o150.clock_error, clock_error);
+                const M _m151 = lanes_both(_m125, ends);
+                {
+                    const LANES(hoop_floored_out) _o152 =
+                        LANES(hoop_floored)(dx, dy, dz, shift);
+                    dx = lanes_select(_m151, _o152.dx, dx);
+                    dy = lanes_select(_m151, _o152.dy, dy);
+                    dz = lanes_select(_m151, _o152.dz, dz);
+                }
+                const LANES(hoop_unturned_out) _o153 =
+                    LANES(hoop_unturned)();
+                V dnx = _o153.dnx;
+                V dny = _o153.dny;
+                V dnz = _o153.dnz;
+                V turn = _o153.turn;
+                const LANES(hoop_here_out) _o154 =
+                    LANES(hoop_here)(K(0.0), which);
+                here = _o154.here;
+                const M _m155 = lanes_both(_m125, here);
+                if (lanes_any(_m155)) {
+                    const LANES(hoop_ring_carry_normal_out) _o156 =
+                        LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                    dnx = lanes_select(_m155, _o156.dnx, dnx);
+                    dny = lanes_select(_m155, _o156.dny, dny);
+                    dnz = lanes_select(_m155, _o156.dnz, dnz);
+                    turn = lanes_select(_m155, _o156.turn, turn);
+                }
+                const M _m157 = lanes_both(_m125, touches);
+                if (lanes_any(_m157)) {
+                    const LANES(hoop_carry_impact_out) _o158 =
+                        LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
+                    dvx = lanes_select(_m157, _o158.dvx, dvx);
+                    dvy = lanes_select(_m157, _o158.dvy, dvy);
+                    dvz = lanes_select(_m157, _o158.dvz, dvz);
+                    dwx = lanes_select(_m157, _o158.dwx, dwx);
+                    dwy = lanes_select(_m157, _o158.dwy, dwy);
+                    dwz = lanes_select(_m157, _o158.dwz, dwz);
+                    const LANES(hoop_impact_out) _o159 =
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                    vx = lanes_select(_m157, _o159.vx, vx);
+                    vy = lanes_select(_m157, _o159.vy, vy);
+                    vz = lanes_select(_m157, _o159.vz, vz);
+                    wx = lanes_select(_m157, _o159.wx, wx);
+                    wy = lanes_select(_m157, _o159.wy, wy);
+                    wz = lanes_select(_m157, _o159.wz, wz);
+                }
+                const LANES(hoop_here_out) _o160 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o160.here;
+                const M _m161 = lanes_both(_m125, here);
+                {
+                    const LANES(hoop_backboard_place_out) _o162 =
+                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                    x = lanes_select(_m161, _o162.x, x);
+                    y = lanes_select(_m161, _o162.y, y);
+                    z = lanes_select(_m161, _o162.z, z);
+                }
+                const LANES(hoop_here_out) _o163 =
+                    LANES(hoop_here)(K(2.0), which);
+                here = _o163.here;
+                const M _m164 = lanes_both(_m125, here);
+                {
+                    const LANES(hoop_bridge_place_out) _o165 =
                         LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m156, _o157.x, x);
-                    y = lanes_select(_m156, _o157.y, y);
-                    z = lanes_select(_m156, _o157.z, z);
+                    x = lanes_select(_m164, _o165.x, x);
+                    y = lanes_select(_m164, _o165.y, y);
+                    z = lanes_select(_m164, _o165.z, z);
                 }
-                const M _m158 = lanes_both(_m117, touches);
+                const M _m166 = lanes_both(_m125, touches);
                 {
-                    const LANES(hoop_touched_out) _o159 =
+                    const LANES(hoop_touched_out) _o167 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m158, _o159.first, first);
-                    last = lanes_select(_m158, _o159.last, last);
+                    first = lanes_select(_m166, _o167.first, first);
+                    last = lanes_select(_m166, _o167.last, last);
                 }
             }
-            const M _m160 = lanes_both(rows, limited);
-            if (lanes_any(_m160)) {
-                const LANES(hoop_timed_out) _o161 =
+            const M _m168 = lanes_both(rows, limited);
+            if (lanes_any(_m168)) {
+                const LANES(hoop_timed_out) _o169 =
                     LANES(hoop_timed)(claims, K(4.0), which);
-                M timed = _o161.timed;
-                const M _m162 = lanes_both(_m160, timed);
-                if (lanes_any(_m162)) {
-                    const LANES(hoop_carry_time_out) _o163 =
+                M timed = _o169.timed;
+                const M _m170 = lanes_both(_m168, timed);
+                if (lanes_any(_m170)) {
+                    const LANES(hoop_carry_time_out) _o171 =
                         LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m162, _o163.dx, dx);
-                    dy = lanes_select(_m162, _o163.dy, dy);
-                    dz = lanes_select(_m162, _o163.dz, dz);
-                    dvx = lanes_select(_m162, _o163.dvx, dvx);
-                    dvy = lanes_select(_m162, _o163.dvy, dvy);
-                    dvz = lanes_select(_m162, _o163.dvz, dvz);
-                    clock_error = lanes_select(_m162, _o163.clock_error, clock_error);
+                    dx = lanes_select(_m170, _o171.dx, dx);
+                    dy = lanes_select(_m170, _o171.dy, dy);
+                    dz = lanes_select(_m170, _o171.dz, dz);
+                    dvx = lanes_select(_m170, _o171.dvx, dvx);
+                    dvy = lanes_select(_m170, _o171.dvy, dvy);
+                    dvz = lanes_select(_m170, _o171.dvz, dvz);
+                    clock_error = lanes_select(_m170, _o171.clock_error, clock_error);
                 }
             }
-            const LANES(hoop_closing_out) _o164 =
+            const LANES(hoop_closing_out) _o172 =
                 LANES(hoop_closing)(claims, outcome);
-            M closed = _o164.closed;
-            const M _m165 = lanes_both(rows, closed);
+            M closed = _o172.closed;
+            const M _m173 = lanes_both(rows, closed);
             {
-                const LANES(hoop_claimed_errors_out) _o166 =
+                const LANES(hoop_claimed_errors_out) _o174 =
                     LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m165, _o166.position_error, position_claim);
-                velocity_claim = lanes_select(_m165, _o166.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m165, _o166.spin_error, spin_claim);
-                time_claim = lanes_select(_m165, _o166.time_error, time_claim);
+                position_claim = lanes_select(_m173, _o174.position_error, position_claim);
+                velocity_claim = lanes_select(_m173, _o174.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m173, _o174.spin_error, spin_claim);
+                time_claim = lanes_select(_m173, _o174.time_error, time_claim);
             }
             lanes_store(lists->clock + i, clock);
             lanes_store(lists->clock_error + i, clock_error);
