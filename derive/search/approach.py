@@ -144,7 +144,7 @@ class Approach(ABC):
             gap, rate, bend = hold(side * gap), hold(side * rate), hold(side * bend)
         low_gap = hold(largest(hold(gap - self.allowed), 0))
         slope = hold(hold(rate, "" if turned else "F'") - rate_margin)
-        numerator = IfLess(slope, 0, 2 * low_gap, 4 * slope)
+        numerator = IfLess(slope, 0, 2 * self.beyond(low_gap), 4 * slope)
         denominator = IfLess(slope, 0, -slope, _positive(hold(-bend)))
         rising = IfAtMost(0, slope, low_gap, 0)
         guess = IfLess(0, rising, sp.oo, numerator / hold(denominator))
@@ -155,7 +155,8 @@ class Approach(ABC):
         step = first_root(low_gap, slope, hold(curvature, "M"))
         stride = smallest(width, step)
         least_fall = hold(-rate - rate_margin)
-        enough = least_fall**2 - 8 * ceiling * hold(self.headroom(low_gap, turned))
+        reach = hold(self.headroom(low_gap, turned))
+        enough = least_fall**2 - 8 * self.steepest(width, curvature, least_fall, reach) * reach
         return {
             "gap": gap,
             "rate": rate,
@@ -165,6 +166,17 @@ class Approach(ABC):
             **({"root": t - gap / rate} if turned else {}),
             "clearance": IfLess(0, least_fall, enough, least_fall),
         }
+
+    def beyond(self, low_gap: sp.Expr) -> sp.Expr:
+        """Return the gap whose local line says how wide a window bounds the curvature."""
+        return low_gap
+
+    def steepest(
+        self, width: sp.Expr, curvature: sp.Expr, fall: sp.Expr, reach: sp.Expr
+    ) -> sp.Expr:
+        """Return C, given the window and M on it, -F' at least, and what that must reach over."""
+        del width, curvature, fall, reach
+        return ceiling
 
     def headroom(self, low_gap: sp.Expr, turned: bool) -> sp.Expr:
         """Return k (F - m) + m, of which a root that follows needs so much slope.

@@ -47,8 +47,8 @@ from ..ground.choice import (
 from ..ground.rounding import SAFETY, extent, speed
 from ..ground.symbols import POSITION, VELOCITY, t
 from .decisions import flat, tilt
-from .events import SHARES, end, horizon, leaving
-from .polar import rho_start
+from .events import SHARES, ceiling, end, horizon, leaving
+from .polar import rho_start, steady, swing
 from .ring import RingApproach
 from .windows import enter, opening
 
@@ -89,6 +89,34 @@ class CoarseRing(RingApproach):
         """Return 2 (F - m + 2 m), half of which F itself is at most."""
         return 2 * hold(low_gap + 2 * self.allowed)
 
+    def beyond(self, low_gap: sp.Expr) -> sp.Expr:
+        """Return more than F itself can be: the window is to have the root."""
+        return low_gap + 4 * self.allowed
+
+    def steepest(
+        self, width: sp.Expr, curvature: sp.Expr, fall: sp.Expr, reach: sp.Expr
+    ) -> sp.Expr:
+        """Return C on that window, where it is twice as long as the first step of Newton's method.
+
+        -F'' <= M there; and F'' grows by no more than z sinks and rho grows.
+        """
+        _, moving, rho = self._here()
+        inverse = self._inverses(rho)[0]
+        there = self._here()[0]
+        moved = self._moved(width)
+        turn = hold(swing * inverse**3)
+        weight = 6 * self.gravity * there[2]
+        sinking = hold(hold(largest(-moving[2], 0) + self.gravity * width) * width)
+        growing = hold(6 * self.gravity * sinking + 3 * hold(turn * inverse) * moved)
+        slack = sp.Rational(1, 2**12) * hold(size(steady) + size(weight) + turn)
+        upper = hold(self.bend + hold(growing + slack))
+        return Choose(AtMost(reach, hold(width * fall)), largest(curvature, upper), ceiling)
+
+    def _moved(self, width: sp.Expr) -> sp.Expr:
+        """At least how far the ball moves sideways in that time."""
+        vx, vy, _ = VELOCITY
+        return hold(hold(sp.Abs(vx) + sp.Abs(vy)) * width)
+
     @property
     def allowed(self) -> sp.Expr:
         """The margin of the form that F is known better in."""
@@ -127,9 +155,7 @@ class CoarseRing(RingApproach):
     def blur(self, width: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Return the same of single precision, as in the head of this file."""
         _, outermost = self.radii()
-        vx, vy, _ = VELOCITY
-        moved = hold(hold(sp.Abs(vx) + sp.Abs(vy)) * width)
-        around = sp.Rational(1, 2**20) * outermost + sp.Rational(1, 2**13) * moved
+        around = sp.Rational(1, 2**20) * outermost + sp.Rational(1, 2**13) * self._moved(width)
         return around, sp.Rational(1, 2**15) * self.ring.reach
 
     @property
@@ -176,17 +202,23 @@ class CoarseRing(RingApproach):
             AtMost(leaving * t, 0),
         )
         furthest = hold(extent + horizon * fastest)
-        place = SAFETY * hold(SHARES[0] * furthest + sp.Rational(1, 2**20) * hold(outermost + dropped))
-        motion = (SHARES[0] + sp.Rational(1, 2**22)) * fastest
         reach = hold(self.ring.reach, "R")
-        stretch = largest(1, reach / innermost)
+        stretch = hold(largest(1, reach / innermost))
+        whole = hold(5 * hold(reach * fastest + hold(stretch * fastest) * furthest))
+        finer = smallest(SHARES[0], hold(sp.Rational(1, 2**8) * hold(largest(parting, 0)) / whole))
+        allowing = hold(Choose(Less(0, leaving), finer, SHARES[0]))
+        place = SAFETY * hold(
+            allowing * furthest + sp.Rational(1, 2**20) * hold(outermost + dropped)
+        )
+        motion = (allowing + sp.Rational(1, 2**22)) * fastest
         slope = hold(5 * hold(reach * motion + hold(stretch * fastest) * place))
-        carried = hold(5 * SHARES[0] * hold(reach * fastest + hold(stretch * fastest) * furthest))
+        carried = hold(hold(allowing + sp.Rational(1, 2**44)) * whole)
         constants = {name: hold(value) for name, value in self.constants.items()}
         turn = constants["swing"] * hold(1 / innermost) ** 3
         bend = hold(size(constants["steady"]) + 6 * self.gravity * self.reach + turn)
         windows = {edge.name: edge - t for window in self._later() for edge in window}
         return {
+            "share": allowing,
             "t": sp.Integer(0),
             "end": end - t,
             **{s.name: s for s in (*POSITION, *VELOCITY, leaving)},

@@ -168,17 +168,16 @@ def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     wide = {name: f"wide_{name}" for name in windows if name in opened.kernel.output_names}
     yield Do(opened.kernel, opened.inputs, {**wide, "t": "onset", "latest": "ended"})
     yield Do(KERNELS["opened"], {"time": "onset", "horizon": "ended"}, {"time": "since"})
-    yield Do(common["allowance"], {"horizon": "latest"})
-    yield given(own["lost"], horizon="latest")
-    yield Do(KERNELS["beyond"])
     yield Do(own["started"])
     there = {name: f"near_{name}" for name in ("x", "y", "z", "vz")}
     yield Do(common["flight"], {"t": "since"}, there, frozenset(there))
     grain = given(own["grain"], t="onset", horizon="ended", **wide, **there)
-    given_away = ("ceiling", "flat", "rate_margin")
+    given_away = ("ceiling", "flat", "rate_margin", "share")
     short = {name: f"short_{name}" for name in grain.kernel.output_names if name != "fits"}
     yield Do(grain.kernel, grain.inputs, short)
     yield Do(KERNELS["coarse"], {name: short[name] for name in given_away})
+    allowance = Do(common["allowance"], {"horizon": "latest", "share": "allowing"})
+    yield from (allowance, given(own["lost"], horizon="latest"), Do(KERNELS["beyond"]))
     leap = own["leap"]
     kept = {name: short[name] for name in map(variable, leap.arguments) if name in short}
     step = Do(leap, kept, {"t": "short_t", "end": "short_end"})

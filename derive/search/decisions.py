@@ -156,6 +156,7 @@ KERNELS = {
                 "ceiling": ceiling,
                 "flat": flat,
                 "tilt": rate_margin,
+                "allowing": share,
             },
             "Whether a search begins in single precision, and what it is known by.",
         ),

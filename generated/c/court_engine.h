@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 1d4de2563d5a3b0a,
+   Generated from templates/c/engine.h.j2, scene court, derivation c6d78c8cd29a7ef9,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -2422,6 +2422,7 @@ static void LANES(court_plain)(const court_job *job)
             V near_vz = _o24.vz;
             const LANES(court_ring_grain_out) _o25 =
                 LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S short_share = _o25.share;
             S short_t = _o25.t;
             S short_end = _o25.end;
             S short_x = _o25.x;
@@ -2447,7 +2448,7 @@ static void LANES(court_plain)(const court_job *job)
             S short_high2 = _o25.high2;
             M fits = _o25.fits;
             const LANES(court_coarse_out) _o26 =
-                LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, sound);
+                LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
             M leaping = _o26.leaping;
             searching = _o26.searching;
             M served = _o26.served;
@@ -8176,60 +8177,62 @@ static void LANES(court_bounded)(const court_job *job)
                 LANES(court_opened)(lanes_wide(ended), lanes_wide(onset));
             V since = _o28.time;
             V latest = _o28.latest;
-            const LANES(court_allowance_out) _o29 =
-                LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V excess = _o29.excess;
-            const LANES(court_ring_lost_out) _o30 =
-                LANES(court_ring_lost)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V lost = _o30.lost;
-            const LANES(court_beyond_out) _o31 =
-                LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o31.doubt;
-            const LANES(court_ring_started_out) _o32 =
+            const LANES(court_ring_started_out) _o29 =
                 LANES(court_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
-            V rho_start = _o32.rho_start;
-            V parting = _o32.parting;
-            V drift = _o32.drift;
-            const LANES(court_flight_out) _o33 =
+            V rho_start = _o29.rho_start;
+            V parting = _o29.parting;
+            V drift = _o29.drift;
+            const LANES(court_flight_out) _o30 =
                 LANES(court_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o33.x;
-            V near_y = _o33.y;
-            V near_z = _o33.z;
-            V near_vz = _o33.vz;
-            const LANES(court_ring_grain_out) _o34 =
+            V near_x = _o30.x;
+            V near_y = _o30.y;
+            V near_z = _o30.z;
+            V near_vz = _o30.vz;
+            const LANES(court_ring_grain_out) _o31 =
                 LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_t = _o34.t;
-            S short_end = _o34.end;
-            S short_x = _o34.x;
-            S short_y = _o34.y;
-            S short_z = _o34.z;
-            S short_vx = _o34.vx;
-            S short_vy = _o34.vy;
-            S short_vz = _o34.vz;
-            S short_leaving = _o34.leaving;
-            S short_steady = _o34.steady;
-            S short_swing = _o34.swing;
-            S short_rho_start = _o34.rho_start;
-            S short_ceiling = _o34.ceiling;
-            S short_flat = _o34.flat;
-            S short_tilt = _o34.tilt;
-            S short_grit = _o34.grit;
-            S short_parting = _o34.parting;
-            S short_drift = _o34.drift;
-            S short_rate_margin = _o34.rate_margin;
-            S short_low1 = _o34.low1;
-            S short_high1 = _o34.high1;
-            S short_low2 = _o34.low2;
-            S short_high2 = _o34.high2;
-            M fits = _o34.fits;
-            const LANES(court_coarse_out) _o35 =
-                LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, sound);
-            M leaping = _o35.leaping;
-            searching = _o35.searching;
-            M served = _o35.served;
-            V ceiling = _o35.ceiling;
-            V flat = _o35.flat;
-            V tilt = _o35.tilt;
+            S short_share = _o31.share;
+            S short_t = _o31.t;
+            S short_end = _o31.end;
+            S short_x = _o31.x;
+            S short_y = _o31.y;
+            S short_z = _o31.z;
+            S short_vx = _o31.vx;
+            S short_vy = _o31.vy;
+            S short_vz = _o31.vz;
+            S short_leaving = _o31.leaving;
+            S short_steady = _o31.steady;
+            S short_swing = _o31.swing;
+            S short_rho_start = _o31.rho_start;
+            S short_ceiling = _o31.ceiling;
+            S short_flat = _o31.flat;
+            S short_tilt = _o31.tilt;
+            S short_grit = _o31.grit;
+            S short_parting = _o31.parting;
+            S short_drift = _o31.drift;
+            S short_rate_margin = _o31.rate_margin;
+            S short_low1 = _o31.low1;
+            S short_high1 = _o31.high1;
+            S short_low2 = _o31.low2;
+            S short_high2 = _o31.high2;
+            M fits = _o31.fits;
+            const LANES(court_coarse_out) _o32 =
+                LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
+            M leaping = _o32.leaping;
+            searching = _o32.searching;
+            M served = _o32.served;
+            V ceiling = _o32.ceiling;
+            V flat = _o32.flat;
+            V tilt = _o32.tilt;
+            V allowing = _o32.allowing;
+            const LANES(court_allowance_out) _o33 =
+                LANES(court_allowance)(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
+            V excess = _o33.excess;
+            const LANES(court_ring_lost_out) _o34 =
+                LANES(court_ring_lost)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V lost = _o34.lost;
+            const LANES(court_beyond_out) _o35 =
+                LANES(court_beyond)(doubt, excess, late, lost, pad);
+            doubt = _o35.doubt;
             const M _m36 = lanes_both(rows, leaping);
             if (lanes_any(_m36)) {
                 const LANES(court_ring_leap_out) _o37 =

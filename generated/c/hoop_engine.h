@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 4e5e9605adf14d3b,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 75f7e5038e6a5c44,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -722,6 +722,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V near_vz = _o40.vz;
             const LANES(hoop_ring_grain_out) _o41 =
                 LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+            S short_share = _o41.share;
             S short_t = _o41.t;
             S short_end = _o41.end;
             S short_x = _o41.x;
@@ -747,7 +748,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             S short_high2 = _o41.high2;
             M fits = _o41.fits;
             const LANES(hoop_coarse_out) _o42 =
-                LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, sound);
+                LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
             M leaping = _o42.leaping;
             searching = _o42.searching;
             M served = _o42.served;
@@ -2515,60 +2516,62 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 LANES(hoop_opened)(lanes_wide(ended), lanes_wide(onset));
             V since = _o60.time;
             V latest = _o60.latest;
-            const LANES(hoop_allowance_out) _o61 =
-                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V excess = _o61.excess;
-            const LANES(hoop_ring_lost_out) _o62 =
-                LANES(hoop_ring_lost)(latest, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius);
-            V lost = _o62.lost;
-            const LANES(hoop_beyond_out) _o63 =
-                LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o63.doubt;
-            const LANES(hoop_ring_started_out) _o64 =
+            const LANES(hoop_ring_started_out) _o61 =
                 LANES(hoop_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
-            V rho_start = _o64.rho_start;
-            V parting = _o64.parting;
-            V drift = _o64.drift;
-            const LANES(hoop_flight_out) _o65 =
+            V rho_start = _o61.rho_start;
+            V parting = _o61.parting;
+            V drift = _o61.drift;
+            const LANES(hoop_flight_out) _o62 =
                 LANES(hoop_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o65.x;
-            V near_y = _o65.y;
-            V near_z = _o65.z;
-            V near_vz = _o65.vz;
-            const LANES(hoop_ring_grain_out) _o66 =
+            V near_x = _o62.x;
+            V near_y = _o62.y;
+            V near_z = _o62.z;
+            V near_vz = _o62.vz;
+            const LANES(hoop_ring_grain_out) _o63 =
                 LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_t = _o66.t;
-            S short_end = _o66.end;
-            S short_x = _o66.x;
-            S short_y = _o66.y;
-            S short_z = _o66.z;
-            S short_vx = _o66.vx;
-            S short_vy = _o66.vy;
-            S short_vz = _o66.vz;
-            S short_leaving = _o66.leaving;
-            S short_steady = _o66.steady;
-            S short_swing = _o66.swing;
-            S short_rho_start = _o66.rho_start;
-            S short_ceiling = _o66.ceiling;
-            S short_flat = _o66.flat;
-            S short_tilt = _o66.tilt;
-            S short_grit = _o66.grit;
-            S short_parting = _o66.parting;
-            S short_drift = _o66.drift;
-            S short_rate_margin = _o66.rate_margin;
-            S short_low1 = _o66.low1;
-            S short_high1 = _o66.high1;
-            S short_low2 = _o66.low2;
-            S short_high2 = _o66.high2;
-            M fits = _o66.fits;
-            const LANES(hoop_coarse_out) _o67 =
-                LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, sound);
-            M leaping = _o67.leaping;
-            searching = _o67.searching;
-            M served = _o67.served;
-            V ceiling = _o67.ceiling;
-            V flat = _o67.flat;
-            V tilt = _o67.tilt;
+            S short_share = _o63.share;
+            S short_t = _o63.t;
+            S short_end = _o63.end;
+            S short_x = _o63.x;
+            S short_y = _o63.y;
+            S short_z = _o63.z;
+            S short_vx = _o63.vx;
+            S short_vy = _o63.vy;
+            S short_vz = _o63.vz;
+            S short_leaving = _o63.leaving;
+            S short_steady = _o63.steady;
+            S short_swing = _o63.swing;
+            S short_rho_start = _o63.rho_start;
+            S short_ceiling = _o63.ceiling;
+            S short_flat = _o63.flat;
+            S short_tilt = _o63.tilt;
+            S short_grit = _o63.grit;
+            S short_parting = _o63.parting;
+            S short_drift = _o63.drift;
+            S short_rate_margin = _o63.rate_margin;
+            S short_low1 = _o63.low1;
+            S short_high1 = _o63.high1;
+            S short_low2 = _o63.low2;
+            S short_high2 = _o63.high2;
+            M fits = _o63.fits;
+            const LANES(hoop_coarse_out) _o64 =
+                LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
+            M leaping = _o64.leaping;
+            searching = _o64.searching;
+            M served = _o64.served;
+            V ceiling = _o64.ceiling;
+            V flat = _o64.flat;
+            V tilt = _o64.tilt;
+            V allowing = _o64.allowing;
+            const LANES(hoop_allowance_out) _o65 =
+                LANES(hoop_allowance)(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
+            V excess = _o65.excess;
+            const LANES(hoop_ring_lost_out) _o66 =
+                LANES(hoop_ring_lost)(latest, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius);
+            V lost = _o66.lost;
+            const LANES(hoop_beyond_out) _o67 =
+                LANES(hoop_beyond)(doubt, excess, late, lost, pad);
+            doubt = _o67.doubt;
             const M _m68 = lanes_both(rows, leaping);
             if (lanes_any(_m68)) {
                 const LANES(hoop_ring_leap_out) _o69 =

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 4e5e9605adf14d3b,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 75f7e5038e6a5c44,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -522,13 +522,14 @@ typedef struct {
     V ceiling;
     V flat;
     V tilt;
+    V allowing;
 } LANES(hoop_coarse_out);
 
 LANES_INLINE LANES(hoop_coarse_out)
-LANES(hoop_coarse)(V ceiling, M fits, V flat, V rate_margin, M searching, M sound)
+LANES(hoop_coarse)(V ceiling, M fits, V flat, V rate_margin, M searching, V share, M sound)
 {
     const M _s0 = lanes_both(lanes_both(searching, sound), fits);
-    return (LANES(hoop_coarse_out)){ _s0, lanes_either(searching, lanes_not(sound)), _s0, ceiling, flat, rate_margin };
+    return (LANES(hoop_coarse_out)){ _s0, lanes_either(searching, lanes_not(sound)), _s0, ceiling, flat, rate_margin, share };
 }
 
 /* What a search in single precision found, and whether it goes on, and from when.
@@ -1447,8 +1448,9 @@ LANES(hoop_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S 
 }
 
 /* What a search in single precision is given, from where it begins.
-   running error analysis. 82 operations: 16 additions, 8 subtractions, 46 multiplications, 2 divisions, 1 square root, 2 absolute values, 4 comparisons, 1 conjunction, 2 selections. */
+   running error analysis. 93 operations: 18 additions, 8 subtractions, 48 multiplications, 3 divisions, 1 square root, 2 absolute values, 7 comparisons, 1 conjunction, 5 selections. */
 typedef struct {
+    S share;
     S t;
     S end;
     S x;
@@ -1478,29 +1480,32 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_grain_out)
 LANES(hoop_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S parting, S drift, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
 {
-    const S _s0 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(singles_mul(KS(4.0), p_gravity), z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
-    const S _s1 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
-    const S _s2 = singles_mul(singles_mul(KS(2.0), p_ring_radius), singles_mul(_s1, _s1));
-    const S _s3 = singles_add(p_ball_radius, p_wire_radius);
-    const S _s4 = singles_mul(KS(1.00006103515625), _s3);
-    const S _s5 = singles_sub(p_ring_radius, _s4);
-    const S _s6 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s7 = singles_max(_s5, _s6);
-    const S _s8 = singles_div(KS(1.0), _s7);
-    const S _s9 = singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s3), singles_mul(_s2, singles_mul(_s8, singles_mul(_s8, _s8)))), singles_abs(_s0));
-    const S _s10 = singles_add(speed, singles_mul(p_gravity, horizon));
-    const S _s11 = singles_add(extent, singles_mul(horizon, _s10));
-    const S _s12 = singles_sub(horizon, t);
-    const S _s13 = singles_mul(p_gravity, singles_mul(_s12, _s12));
-    const S _s14 = singles_add(singles_mul(KS(2.9802322387695312e-08), _s11), singles_mul(KS(9.5367431640625e-07), singles_add(_s13, singles_add(p_ring_radius, _s4))));
-    const S _s15 = singles_div(_s3, _s7);
-    const S _s16 = singles_max(KS(1.0), _s15);
-    const S _s17 = singles_mul(_s10, _s16);
-    return (LANES(hoop_ring_grain_out)){ KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, leaving, _s0, _s2, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s9), singles_mul(singles_mul(KS(5.0048828125), _s3), _s14), singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(KS(1.4901161193847656e-07), singles_add(singles_mul(_s17, _s11), singles_mul(_s3, _s10))))), singles_mul(KS(1.9073486328125e-06), singles_mul(_s9, _s16)), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s17), _s14), singles_mul(singles_mul(KS(2.682209014892578e-07), _s3), _s10))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s13, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
+    const S _s0 = singles_add(speed, singles_mul(p_gravity, horizon));
+    const S _s1 = singles_add(p_ball_radius, p_wire_radius);
+    const S _s2 = singles_mul(KS(1.00006103515625), _s1);
+    const S _s3 = singles_sub(p_ring_radius, _s2);
+    const S _s4 = singles_mul(KS(0.0001220703125), p_ring_radius);
+    const S _s5 = singles_max(_s3, _s4);
+    const S _s6 = singles_div(_s1, _s5);
+    const S _s7 = singles_max(KS(1.0), _s6);
+    const S _s8 = singles_mul(_s0, _s7);
+    const S _s9 = singles_add(extent, singles_mul(horizon, _s0));
+    const S _s10 = singles_mul(KS(5.0), singles_add(singles_mul(_s8, _s9), singles_mul(_s1, _s0)));
+    const S _s11 = singles_div(singles_mul(KS(0.00390625), singles_max(parting, KS(0.0))), _s10);
+    const S _s12 = singles_select(singles_less(KS(0.0), leaving), singles_min(_s11, KS(2.9802322387695312e-08)), KS(2.9802322387695312e-08));
+    const S _s13 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(singles_mul(KS(4.0), p_gravity), z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
+    const S _s14 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s15 = singles_mul(singles_mul(KS(2.0), p_ring_radius), singles_mul(_s14, _s14));
+    const S _s16 = singles_div(KS(1.0), _s5);
+    const S _s17 = singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s1), singles_mul(_s15, singles_mul(_s16, singles_mul(_s16, _s16)))), singles_abs(_s13));
+    const S _s18 = singles_sub(horizon, t);
+    const S _s19 = singles_mul(p_gravity, singles_mul(_s18, _s18));
+    const S _s20 = singles_add(singles_mul(_s9, _s12), singles_mul(KS(9.5367431640625e-07), singles_add(_s19, singles_add(p_ring_radius, _s2))));
+    return (LANES(hoop_ring_grain_out)){ _s12, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, leaving, _s13, _s15, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s17), singles_mul(singles_mul(KS(5.0048828125), _s1), _s20), singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s12), _s10))), singles_mul(KS(1.9073486328125e-06), singles_mul(_s17, _s7)), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s8), _s20), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s12), _s1), _s0))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s19, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
 }
 
 /* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
-   Newton from the left under a curvature bound. 199 operations: 32 additions, 17 subtractions, 67 multiplications, 4 divisions, 2 square roots, 2 negations, 4 absolute values, 27 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 29 selections. */
+   Newton from the left under a curvature bound. 225 operations: 39 additions, 19 subtractions, 76 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 32 selections. */
 typedef struct {
     S t;
     S end;
@@ -1535,39 +1540,47 @@ LANES(hoop_ring_leap)(S t, S end, S leaving, S rate_margin, S ceiling, S x, S y,
     const S _s21 = singles_select(_s14, singles_mul(t, singles_add(parting, singles_mul(t, singles_sub(_s19, singles_mul(p_gravity, z))))), singles_sub(singles_add(singles_mul(_s7, _s7), singles_mul(_s10, _s10)), singles_mul(_s20, _s20)));
     const S _s22 = singles_sub(_s21, _s15);
     const S _s23 = singles_max(_s22, KS(0.0));
-    const S _s24 = singles_select(singles_less(KS(0.0), _s12), singles_sub(singles_mul(_s12, _s12), singles_mul(singles_mul(KS(8.0), ceiling), singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s15), _s23)))), _s12);
-    const Q _s25 = singles_less(KS(0.0), _s24);
-    const S _s26 = singles_mul(KS(1.00006103515625), _s20);
-    const S _s27 = singles_sub(_s11, rate_margin);
-    const S _s28 = singles_mul(KS(6.0), p_gravity);
-    const S _s29 = singles_sub(singles_add(singles_mul(_s28, _s10), singles_mul(swing, singles_mul(_s5, singles_mul(_s5, _s5)))), steady);
-    const Q _s30 = singles_less(_s27, KS(0.0));
+    const S _s24 = singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s15), _s23));
+    const S _s25 = singles_sub(_s11, rate_margin);
+    const S _s26 = singles_mul(KS(6.0), p_gravity);
+    const S _s27 = singles_mul(_s26, _s10);
+    const S _s28 = singles_mul(swing, singles_mul(_s5, singles_mul(_s5, _s5)));
+    const S _s29 = singles_sub(singles_add(_s27, _s28), steady);
+    const Q _s30 = singles_less(_s25, KS(0.0));
     const S _s31 = singles_mul(KS(2.0), _s23);
-    const S _s32 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s27), _s23, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s30, _s31, singles_mul(KS(4.0), _s27)), singles_select(_s30, singles_neg(_s27), singles_max(KS(0.0), _s29))));
+    const S _s32 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s25), _s23, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s30, singles_add(singles_mul(KS(8.0), _s15), _s31), singles_mul(KS(4.0), _s25)), singles_select(_s30, singles_neg(_s25), singles_max(KS(0.0), _s29))));
     const S _s33 = singles_sub(end, t);
     const S _s34 = singles_min(_s32, _s33);
-    const S _s35 = singles_add(singles_add(singles_mul(KS(3.0517578125e-05), p_ball_radius), singles_mul(KS(3.0517578125e-05), p_wire_radius)), singles_add(singles_mul(_s34, singles_max(_s8, KS(0.0))), _s10));
-    const S _s36 = singles_mul(_s28, singles_min(_s26, _s35));
-    const S _s37 = singles_sub(singles_sub(singles_add(singles_mul(_s34, singles_min(KS(0.0), _s6)), _s2), singles_mul(KS(0.0001220703125), singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s34))), singles_mul(KS(9.5367431640625e-07), singles_add(p_ring_radius, _s26)));
-    const S _s38 = singles_sub(p_ring_radius, _s26);
-    const S _s39 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s40 = singles_max(_s38, _s39);
-    const S _s41 = singles_div(KS(1.0), singles_max(_s37, _s40));
-    const S _s42 = singles_mul(swing, singles_mul(_s41, singles_mul(_s41, _s41)));
-    const S _s43 = singles_sub(singles_add(singles_add(_s36, _s42), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s42, singles_abs(steady)), singles_abs(_s36)))), steady);
-    const S _s44 = singles_add(singles_mul(singles_mul(KS(2.0), _s43), _s23), singles_mul(_s27, _s27));
-    const S _s45 = singles_sqrt(_s44);
-    const S _s46 = singles_select(singles_at_most(KS(0.0), _s44), singles_div(singles_select(_s30, _s31, singles_add(_s27, _s45)), singles_select(_s30, singles_sub(_s45, _s27), singles_max(KS(0.0), _s43))), KS(INFINITY));
-    const S _s47 = singles_min(_s46, _s34);
-    const S _s48 = singles_add(t, _s47);
-    const Q _s49 = singles_both(singles_not(_s25), singles_either(singles_both(singles_less(_s11, KS(0.0)), singles_at_most(_s22, _s15)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s48)))));
-    const Q _s50 = singles_not(singles_either(_s25, _s49));
-    const Q _s51 = singles_both(_s50, singles_at_most(_s33, _s47));
-    const S _s52 = singles_max(end, low1);
-    const Q _s53 = singles_less(_s52, high1);
-    const S _s54 = singles_max(end, low2);
-    const Q _s55 = singles_less(_s54, high2);
-    return (LANES(hoop_ring_leap_out)){ singles_select(_s51, singles_select(_s53, _s52, singles_select(_s55, _s54, KS(INFINITY))), singles_select(_s49, t, _s48)), singles_select(_s51, singles_select(_s53, high1, singles_select(_s55, high2, end)), end), singles_truth(_s25), singles_truth(singles_both(_s50, singles_either(singles_not(_s51), singles_either(singles_either(singles_nowhere(), _s55), _s53)))) };
+    const S _s35 = singles_mul(KS(1.00006103515625), _s20);
+    const S _s36 = singles_add(singles_add(singles_mul(KS(3.0517578125e-05), p_ball_radius), singles_mul(KS(3.0517578125e-05), p_wire_radius)), singles_add(singles_mul(_s34, singles_max(_s8, KS(0.0))), _s10));
+    const S _s37 = singles_mul(_s26, singles_min(_s35, _s36));
+    const S _s38 = singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s34);
+    const S _s39 = singles_sub(singles_sub(singles_add(singles_mul(_s34, singles_min(KS(0.0), _s6)), _s2), singles_mul(KS(0.0001220703125), _s38)), singles_mul(KS(9.5367431640625e-07), singles_add(p_ring_radius, _s35)));
+    const S _s40 = singles_sub(p_ring_radius, _s35);
+    const S _s41 = singles_mul(KS(0.0001220703125), p_ring_radius);
+    const S _s42 = singles_max(_s40, _s41);
+    const S _s43 = singles_div(KS(1.0), singles_max(_s39, _s42));
+    const S _s44 = singles_mul(swing, singles_mul(_s43, singles_mul(_s43, _s43)));
+    const S _s45 = singles_abs(steady);
+    const S _s46 = singles_sub(singles_add(singles_add(_s37, _s44), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s44, _s45), singles_abs(_s37)))), steady);
+    const S _s47 = singles_neg(_s8);
+    const S _s48 = singles_add(singles_add(singles_mul(_s26, singles_mul(singles_add(singles_mul(p_gravity, _s34), singles_max(_s47, KS(0.0))), _s34)), singles_mul(singles_mul(KS(3.0), singles_mul(_s28, _s5)), _s38)), singles_mul(KS(0.000244140625), singles_add(singles_add(_s45, singles_abs(_s27)), _s28)));
+    const S _s49 = singles_sub(singles_sub(singles_add(steady, _s48), _s27), _s28);
+    const S _s50 = singles_sub(singles_mul(_s12, _s12), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s24, singles_mul(_s12, _s34)), singles_max(_s46, _s49), ceiling)), _s24));
+    const Q _s51 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s12), _s50, _s12));
+    const S _s52 = singles_add(singles_mul(singles_mul(KS(2.0), _s46), _s23), singles_mul(_s25, _s25));
+    const S _s53 = singles_sqrt(_s52);
+    const S _s54 = singles_select(singles_at_most(KS(0.0), _s52), singles_div(singles_select(_s30, _s31, singles_add(_s25, _s53)), singles_select(_s30, singles_sub(_s53, _s25), singles_max(KS(0.0), _s46))), KS(INFINITY));
+    const S _s55 = singles_min(_s54, _s34);
+    const S _s56 = singles_add(t, _s55);
+    const Q _s57 = singles_both(singles_not(_s51), singles_either(singles_both(singles_less(_s11, KS(0.0)), singles_at_most(_s22, _s15)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s56)))));
+    const Q _s58 = singles_not(singles_either(_s51, _s57));
+    const Q _s59 = singles_both(_s58, singles_at_most(_s33, _s55));
+    const S _s60 = singles_max(end, low1);
+    const Q _s61 = singles_less(_s60, high1);
+    const S _s62 = singles_max(end, low2);
+    const Q _s63 = singles_less(_s62, high2);
+    return (LANES(hoop_ring_leap_out)){ singles_select(_s59, singles_select(_s61, _s60, singles_select(_s63, _s62, KS(INFINITY))), singles_select(_s57, t, _s56)), singles_select(_s59, singles_select(_s61, high1, singles_select(_s63, high2, end)), end), singles_truth(_s51), singles_truth(singles_both(_s58, singles_either(singles_not(_s59), singles_either(singles_either(singles_nowhere(), _s63), _s61)))) };
 }
 
 /* Distance from the axis, rate of the gap and of that distance, at the start of the flight.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 1d4de2563d5a3b0a,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation c6d78c8cd29a7ef9,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -263,7 +263,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "beyond": ("doubt", "excess", "late", "lost", "pad",),
     "nearby": ("flat", "index", "last", "t", "tilt",),
     "opened": ("horizon", "time",),
-    "coarse": ("ceiling", "fits", "flat", "rate_margin", "searching", "sound",),
+    "coarse": ("ceiling", "fits", "flat", "rate_margin", "searching", "share", "sound",),
     "leapt": ("arrival", "certain", "lasting", "searching", "served", "since",),
     "struck": ("bend", "clearance", "gap", "margin", "rate", "rate_margin", "share",),
     "finer": ("share",),
@@ -499,7 +499,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "beyond": ("doubt",),
     "nearby": ("leaving", "margin",),
     "opened": ("time", "latest",),
-    "coarse": ("leaping", "searching", "served", "ceiling", "flat", "tilt",),
+    "coarse": ("leaping", "searching", "served", "ceiling", "flat", "tilt", "allowing",),
     "leapt": ("arrival", "certain", "t", "searching",),
     "struck": ("hit", "sure", "vague",),
     "finer": ("share",),
@@ -601,7 +601,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_refine": ("time", "gap", "rate",),
     "ring_advance": ("gap", "rate", "bend", "step", "next", "clearance",),
     "ring_opened": ("t", "end", "searching", "low1", "high1", "low2", "high2", "latest", "sound",),
-    "ring_grain": ("t", "end", "x", "y", "z", "vx", "vy", "vz", "leaving", "steady", "swing", "rho_start", "ceiling", "flat", "tilt", "grit", "parting", "drift", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
+    "ring_grain": ("share", "t", "end", "x", "y", "z", "vx", "vy", "vz", "leaving", "steady", "swing", "rho_start", "ceiling", "flat", "tilt", "grit", "parting", "drift", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
     "ring_leap": ("t", "end", "certain", "leaping",),
     "ring_started": ("rho_start", "parting", "drift",),
     "ring_lost": ("lost",),
@@ -1312,14 +1312,14 @@ def opened(horizon: Any, time: Any) -> tuple[Any, ...]:
     return time, horizon
 
 
-def coarse(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, sound: Any) -> tuple[Any, ...]:
+def coarse(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
     """Whether a search begins in single precision, and what it is known by.
 
     Table 1. 4 operations: 2 conjunctions, 1 disjunction, 1 complement.
-    Returns leaping, searching, served, ceiling, flat, tilt.
+    Returns leaping, searching, served, ceiling, flat, tilt, allowing.
     """
     _s0 = _logical_and(_logical_and(searching, sound), fits)
-    return _s0, _logical_or(searching, _logical_not(sound)), _s0, ceiling, flat, rate_margin
+    return _s0, _logical_or(searching, _logical_not(sound)), _s0, ceiling, flat, rate_margin, share
 
 
 def leapt(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
@@ -3169,8 +3169,8 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """What a search in single precision is given, from where it begins.
 
-    running error analysis. 82 operations: 16 additions, 8 subtractions, 46 multiplications, 2 divisions, 1 square root, 2 absolute values, 4 comparisons, 1 conjunction, 2 selections.
-    Returns t, end, x, y, z, vx, vy, vz, leaving, steady, swing, rho_start, ceiling, flat, tilt, grit, parting, drift, rate_margin, low1, high1, low2, high2, fits.
+    running error analysis. 93 operations: 18 additions, 8 subtractions, 48 multiplications, 3 divisions, 1 square root, 2 absolute values, 7 comparisons, 1 conjunction, 5 selections.
+    Returns share, t, end, x, y, z, vx, vy, vz, leaving, steady, swing, rho_start, ceiling, flat, tilt, grit, parting, drift, rate_margin, low1, high1, low2, high2, fits.
     """
     t = _single(t)
     end = _single(end)
@@ -3194,32 +3194,35 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _halves(_room)
-    _s0 = _add(_multiply(2.0, _multiply(vz, vz, _r0), _r0), _multiply(4.0 * p_gravity, z, _r1), _r1) + _multiply(2.0, _add(_multiply(vx, vx, _r0), _multiply(vy, vy, _r2), _r2), _r2)
-    _s1 = _subtract(_multiply(vy, x, _r2), _multiply(vx, y, _r1), _r1)
-    _s2 = (2.0 * p_ring_radius) * _multiply(_s1, _s1, _r1)
-    _s3 = p_ball_radius + p_wire_radius
-    _s4 = 1.00006103515625 * _s3
-    _s5 = p_ring_radius - _s4
-    _s6 = 0.0001220703125 * p_ring_radius
-    _s7 = _where(_s5 < _s6, _s6, _s5)
-    _s8 = 1.0 / _s7
-    _s9 = _add(_add((6.0003662109375 * p_gravity) * _s3, _multiply(_s2, _s8 * (_s8 * _s8), _r1), _r1), _absolute(_s0, _r2), _r2)
-    _s10 = _add(speed, _multiply(p_gravity, horizon, _r1), _r1)
-    _s11 = _add(extent, _multiply(horizon, _s10, _r0), _r0)
-    _s12 = _subtract(horizon, t, _r3)
-    _s13 = _multiply(p_gravity, _multiply(_s12, _s12, _r3), _r3)
-    _s14 = _add(_multiply(2.9802322387695312e-08, _s11, _r4), _multiply(9.5367431640625e-07, _add(_s13, p_ring_radius + _s4, _r5), _r5), _r5)
-    _s15 = _s3 / _s7
-    _s16 = _where(1.0 < _s15, _s15, 1.0)
-    _s17 = _multiply(_s10, _s16, _r4)
-    return 0.0, end - t, x, y, z, vx, vy, vz, leaving, _s0, _s2, _sqrt(_add(_multiply(x, x, _r6), _multiply(y, y, _r7), _r7)), 1.0009765625 * _s9, (5.0048828125 * _s3) * _s14, 1.0009765625 * _add(_multiply(4.76837158203125e-07, _absolute(parting, _r7), _r7), _multiply(1.4901161193847656e-07, _add(_multiply(_s17, _s11, _r0), _multiply(_s3, _s10, _r6), _r6), _r6), _r6), 1.9073486328125e-06 * _multiply(_s9, _s16, _r2), parting, drift, 5.0 * _add(_multiply(_multiply(1.0009765625, _s17, _r4), _s14, _r4), _multiply(2.682209014892578e-07 * _s3, _s10, _r1), _r1), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s13 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r3) <= 0.0))
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _halves(_room)
+    _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s1 = p_ball_radius + p_wire_radius
+    _s2 = 1.00006103515625 * _s1
+    _s3 = p_ring_radius - _s2
+    _s4 = 0.0001220703125 * p_ring_radius
+    _s5 = _where(_s3 < _s4, _s4, _s3)
+    _s6 = _s1 / _s5
+    _s7 = _where(1.0 < _s6, _s6, 1.0)
+    _s8 = _multiply(_s0, _s7, _r1)
+    _s9 = _add(extent, _multiply(horizon, _s0, _r2), _r2)
+    _s10 = _multiply(5.0, _add(_multiply(_s8, _s9, _r3), _multiply(_s1, _s0, _r4), _r4), _r4)
+    _s11 = _divide(_multiply(0.00390625, _select(parting < 0.0, 0.0, parting, _r3), _r3), _s10, _r3)
+    _s12 = _result(0.0 < leaving, _select(_s11 < 2.9802322387695312e-08, _s11, 2.9802322387695312e-08, _r5), 2.9802322387695312e-08, _r0)
+    _s13 = _add(_multiply(2.0, _multiply(vz, vz, _r6), _r6), _multiply(4.0 * p_gravity, z, _r7), _r7) + _multiply(2.0, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r8), _r8), _r8)
+    _s14 = _subtract(_multiply(vy, x, _r8), _multiply(vx, y, _r7), _r7)
+    _s15 = (2.0 * p_ring_radius) * _multiply(_s14, _s14, _r7)
+    _s16 = 1.0 / _s5
+    _s17 = _add(_add((6.0003662109375 * p_gravity) * _s1, _multiply(_s15, _s16 * (_s16 * _s16), _r7), _r7), _absolute(_s13, _r8), _r8)
+    _s18 = _subtract(horizon, t, _r7)
+    _s19 = _multiply(p_gravity, _multiply(_s18, _s18, _r7), _r7)
+    _s20 = _add(_multiply(_s9, _s12, _r2), _multiply(9.5367431640625e-07, _add(_s19, p_ring_radius + _s2, _r6), _r6), _r6)
+    return _s12, 0.0, end - t, x, y, z, vx, vy, vz, leaving, _s13, _s15, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r9), _r9)), 1.0009765625 * _s17, (5.0048828125 * _s1) * _s20, 1.0009765625 * _add(_multiply(4.76837158203125e-07, _absolute(parting, _r9), _r9), _multiply(_add(5.684341886080802e-14, _s12, _r2), _s10, _r2), _r2), 1.9073486328125e-06 * _multiply(_s17, _s7, _r8), parting, drift, 5.0 * _add(_multiply(_multiply(1.0009765625, _s8, _r1), _s20, _r1), _multiply(_multiply(_add(2.384185791015625e-07, _s12, _r5), _s1, _r5), _s0, _r5), _r5), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s19 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r7) <= 0.0))
 
 
 def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
 
-    Newton from the left under a curvature bound. 199 operations: 32 additions, 17 subtractions, 67 multiplications, 4 divisions, 2 square roots, 2 negations, 4 absolute values, 27 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 29 selections.
+    Newton from the left under a curvature bound. 225 operations: 39 additions, 19 subtractions, 76 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 32 selections.
     Returns t, end, certain, leaping.
     """
     t = _single(t)
@@ -3249,7 +3252,7 @@ def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x:
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, *_ = _halves(_room)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, *_ = _halves(_room)
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
@@ -3274,39 +3277,47 @@ def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x:
     _s21 = _select(_s14, _multiply(t, _add(parting, _multiply(t, _subtract(_s19, _multiply(p_gravity, z, _r15), _r15), _r15), _r15), _r15), _subtract(_add(_multiply(_s7, _s7, _r0), _multiply(_s10, _s10, _r6), _r6), _s20 * _s20, _r6), _r0)
     _s22 = _subtract(_s21, _s15, _r0)
     _s23 = _select(_s22 < 0.0, 0.0, _s22, _r6)
-    _s24 = _select(0.0 < _s12, _subtract(_multiply(_s12, _s12, _r15), _multiply(_multiply(8.0, ceiling, _r12), _multiply(2.0, _add(_multiply(2.0, _s15, _r4), _s23, _r4), _r4), _r12), _r12), _s12, _r15)
-    _s25 = 0.0 < _s24
-    _s26 = 1.00006103515625 * _s20
-    _s27 = _subtract(_s11, rate_margin, _r15)
-    _s28 = 6.0 * p_gravity
-    _s29 = _subtract(_add(_multiply(_s28, _s10, _r12), _multiply(swing, _multiply(_s5, _multiply(_s5, _s5, _r8), _r8), _r8), _r8), steady, _r8)
-    _s30 = _s27 < 0.0
-    _s31 = _multiply(2.0, _s23, _r12)
-    _s32 = _select(0.0 < _select(0.0 <= _s27, _s23, 0.0, _r2), _inf, _divide(_select(_s30, _s31, _multiply(4.0, _s27, _r2), _r4), _select(_s30, _negative(_s27, _r14), _select(0.0 < _s29, _s29, 0.0, _r13), _r16), _r4), _r2)
-    _s33 = _subtract(end, t, _r16)
-    _s34 = _select(_s32 < _s33, _s32, _s33, _r13)
-    _s35 = _add((3.0517578125e-05 * p_ball_radius) + (3.0517578125e-05 * p_wire_radius), _add(_multiply(_s34, _select(_s8 < 0.0, 0.0, _s8, _r8), _r8), _s10, _r8), _r8)
-    _s36 = _multiply(_s28, _select(_s26 < _s35, _s26, _s35, _r7), _r7)
-    _s37 = _subtract(_subtract(_add(_multiply(_s34, _select(0.0 < _s6, 0.0, _s6, _r8), _r8), _s2, _r8), _multiply(0.0001220703125, _multiply(_add(_absolute(vx, _r3), _absolute(vy, _r1), _r1), _s34, _r1), _r1), _r1), 9.5367431640625e-07 * (p_ring_radius + _s26), _r1)
-    _s38 = p_ring_radius - _s26
-    _s39 = 0.0001220703125 * p_ring_radius
-    _s40 = _where(_s38 < _s39, _s39, _s38)
-    _s41 = _divide(1.0, _select(_s37 < _s40, _s40, _s37, _r8), _r8)
-    _s42 = _multiply(swing, _multiply(_s41, _multiply(_s41, _s41, _r1), _r1), _r1)
-    _s43 = _subtract(_add(_add(_s36, _s42, _r8), _multiply(3.814697265625e-06, _add(_add(_s42, _absolute(steady, _r3), _r3), _absolute(_s36, _r7), _r7), _r7), _r7), steady, _r7)
-    _s44 = _add(_multiply(_multiply(2.0, _s43, _r8), _s23, _r8), _multiply(_s27, _s27, _r6), _r6)
-    _s45 = _sqrt(_s44, _r8)
-    _s46 = _select(0.0 <= _s44, _divide(_select(_s30, _s31, _add(_s27, _s45, _r6), _r3), _select(_s30, _subtract(_s45, _s27, _r8), _select(0.0 < _s43, _s43, 0.0, _r15), _r1), _r3), _inf, _r6)
-    _s47 = _select(_s46 < _s34, _s46, _s34, _r1)
-    _s48 = _add(t, _s47, _r15)
-    _s49 = _logical_and(_logical_not(_s25), _logical_or(_logical_and((_s11 < 0.0), (_s22 <= _s15)), _logical_and((t < end), _logical_not((t < _s48)))))
-    _s50 = _logical_not(_logical_or(_s25, _s49))
-    _s51 = _logical_and(_s50, (_s33 <= _s47))
-    _s52 = _select(end < low1, low1, end, _r1)
-    _s53 = _s52 < high1
-    _s54 = _select(end < low2, low2, end, _r6)
-    _s55 = _s54 < high2
-    return _result(_s51, _select(_s53, _s52, _select(_s55, _s54, _inf, _r3), _r13), _select(_s49, t, _s48, _r16), _r0), _result(_s51, _select(_s53, high1, _select(_s55, high2, end, _r16), _r13), end, _r0), _s25, _logical_and(_s50, _logical_or(_logical_not(_s51), _logical_or(_logical_or(False, _s55), _s53)))
+    _s24 = _multiply(2.0, _add(_multiply(2.0, _s15, _r15), _s23, _r15), _r15)
+    _s25 = _subtract(_s11, rate_margin, _r12)
+    _s26 = 6.0 * p_gravity
+    _s27 = _multiply(_s26, _s10, _r4)
+    _s28 = _multiply(swing, _multiply(_s5, _multiply(_s5, _s5, _r14), _r14), _r14)
+    _s29 = _subtract(_add(_s27, _s28, _r13), steady, _r13)
+    _s30 = _s25 < 0.0
+    _s31 = _multiply(2.0, _s23, _r16)
+    _s32 = _select(0.0 < _select(0.0 <= _s25, _s23, 0.0, _r17), _inf, _divide(_select(_s30, _add(_multiply(8.0, _s15, _r17), _s31, _r17), _multiply(4.0, _s25, _r18), _r19), _select(_s30, _negative(_s25, _r20), _select(0.0 < _s29, _s29, 0.0, _r21), _r22), _r19), _r18)
+    _s33 = _subtract(end, t, _r17)
+    _s34 = _select(_s32 < _s33, _s32, _s33, _r22)
+    _s35 = 1.00006103515625 * _s20
+    _s36 = _add((3.0517578125e-05 * p_ball_radius) + (3.0517578125e-05 * p_wire_radius), _add(_multiply(_s34, _select(_s8 < 0.0, 0.0, _s8, _r21), _r21), _s10, _r21), _r21)
+    _s37 = _multiply(_s26, _select(_s35 < _s36, _s35, _s36, _r7), _r7)
+    _s38 = _multiply(_add(_absolute(vx, _r21), _absolute(vy, _r13), _r13), _s34, _r13)
+    _s39 = _subtract(_subtract(_add(_multiply(_s34, _select(0.0 < _s6, 0.0, _s6, _r21), _r21), _s2, _r21), _multiply(0.0001220703125, _s38, _r3), _r3), 9.5367431640625e-07 * (p_ring_radius + _s35), _r3)
+    _s40 = p_ring_radius - _s35
+    _s41 = 0.0001220703125 * p_ring_radius
+    _s42 = _where(_s40 < _s41, _s41, _s40)
+    _s43 = _divide(1.0, _select(_s39 < _s42, _s42, _s39, _r21), _r21)
+    _s44 = _multiply(swing, _multiply(_s43, _multiply(_s43, _s43, _r3), _r3), _r3)
+    _s45 = _absolute(steady, _r21)
+    _s46 = _subtract(_add(_add(_s37, _s44, _r1), _multiply(3.814697265625e-06, _add(_add(_s44, _s45, _r3), _absolute(_s37, _r7), _r7), _r7), _r7), steady, _r7)
+    _s47 = _negative(_s8, _r5)
+    _s48 = _add(_add(_multiply(_s26, _multiply(_add(_multiply(p_gravity, _s34, _r1), _select(_s47 < 0.0, 0.0, _s47, _r3), _r3), _s34, _r3), _r3), _multiply(_multiply(3.0, _multiply(_s28, _s5, _r2), _r2), _s38, _r2), _r2), _multiply(0.000244140625, _add(_add(_s45, _absolute(_s27, _r3), _r3), _s28, _r3), _r3), _r3)
+    _s49 = _subtract(_subtract(_add(steady, _s48, _r3), _s27, _r3), _s28, _r3)
+    _s50 = _subtract(_multiply(_s12, _s12, _r14), _multiply(_multiply(8.0, _select(_s24 <= _multiply(_s12, _s34, _r4), _select(_s46 < _s49, _s49, _s46, _r4), ceiling, _r2), _r2), _s24, _r2), _r2)
+    _s51 = 0.0 < _select(0.0 < _s12, _s50, _s12, _r14)
+    _s52 = _add(_multiply(_multiply(2.0, _s46, _r14), _s23, _r14), _multiply(_s25, _s25, _r6), _r6)
+    _s53 = _sqrt(_s52, _r14)
+    _s54 = _select(0.0 <= _s52, _divide(_select(_s30, _s31, _add(_s25, _s53, _r6), _r2), _select(_s30, _subtract(_s53, _s25, _r14), _select(0.0 < _s46, _s46, 0.0, _r12), _r8), _r2), _inf, _r6)
+    _s55 = _select(_s54 < _s34, _s54, _s34, _r8)
+    _s56 = _add(t, _s55, _r12)
+    _s57 = _logical_and(_logical_not(_s51), _logical_or(_logical_and((_s11 < 0.0), (_s22 <= _s15)), _logical_and((t < end), _logical_not((t < _s56)))))
+    _s58 = _logical_not(_logical_or(_s51, _s57))
+    _s59 = _logical_and(_s58, (_s33 <= _s55))
+    _s60 = _select(end < low1, low1, end, _r8)
+    _s61 = _s60 < high1
+    _s62 = _select(end < low2, low2, end, _r6)
+    _s63 = _s62 < high2
+    return _result(_s59, _select(_s61, _s60, _select(_s63, _s62, _inf, _r2), _r22), _select(_s57, t, _s56, _r17), _r0), _result(_s59, _select(_s61, high1, _select(_s63, high2, end, _r17), _r22), end, _r0), _s51, _logical_and(_s58, _logical_or(_logical_not(_s59), _logical_or(_logical_or(False, _s63), _s61)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5561,8 +5572,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _since_1, *_ = opened(_double(_ended_1), _double(_onset_1))
         _rho_start_1, _parting_1, _drift_1 = ring_started(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _room_1)
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
-        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _sound_1)
+        _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1, *_ = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _double(_short_share_1), _sound_1)
         _rows3, _count4 = _rows(_leaping_1, _count2)
         if _count4:
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
@@ -7895,13 +7906,13 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _leaving_1, = left(0.0, _last_1)
         _onset_1, _wide_end_1, _searching_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _ended_1, _sound_1 = ring_opened(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _since_1, _latest_1 = opened(_double(_ended_1), _double(_onset_1))
-        _, _, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
-        _lost_1, = ring_lost(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
         _rho_start_1, _parting_1, _drift_1 = ring_started(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _room_1)
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
-        _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _sound_1)
+        _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _double(_short_share_1), _sound_1)
+        _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
+        _lost_1, = ring_lost(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
         _rows3, _count4 = _rows(_leaping_1, _count2)
         if _count4:
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
