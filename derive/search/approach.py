@@ -117,6 +117,11 @@ class Approach(ABC):
         """The margin m of F in that form."""
         return margin
 
+    @property
+    def rate_allowed(self) -> sp.Expr:
+        """The margin of F'."""
+        return rate_margin
+
     def _searched(self) -> sp.Expr:
         """F in the form that is known better."""
         return IfLess(0, leaving, hold(self.leaving_gap, r"F_\ell"), hold(self.gap, "F"))
@@ -143,7 +148,7 @@ class Approach(ABC):
         if turned:
             gap, rate, bend = hold(side * gap), hold(side * rate), hold(side * bend)
         low_gap = hold(largest(hold(gap - self.allowed), 0))
-        slope = hold(hold(rate, "" if turned else "F'") - rate_margin)
+        slope = hold(hold(rate, "" if turned else "F'") - self.rate_allowed)
         numerator = IfLess(slope, 0, 2 * self.beyond(low_gap), 4 * slope)
         denominator = IfLess(slope, 0, -slope, _positive(hold(-bend)))
         rising = IfAtMost(0, slope, low_gap, 0)
@@ -154,7 +159,7 @@ class Approach(ABC):
             curvature = IfLess(0, side, hold(curvature), ceiling)
         step = first_root(low_gap, slope, hold(curvature, "M"))
         stride = smallest(width, step)
-        least_fall = hold(-rate - rate_margin)
+        least_fall = hold(-rate - self.rate_allowed)
         reach = hold(self.headroom(low_gap, turned))
         enough = least_fall**2 - 8 * self.steepest(width, curvature, least_fall, reach) * reach
         return {

@@ -47,7 +47,7 @@ from ..ground.choice import (
 from ..ground.rounding import SAFETY, extent, speed
 from ..ground.symbols import POSITION, VELOCITY, t
 from .decisions import flat, tilt
-from .events import SHARES, ceiling, end, horizon, leaving
+from .events import SHARES, ceiling, end, horizon, leaving, rate_margin
 from .polar import rho_start, steady, swing
 from .ring import RingApproach
 from .windows import enter, opening
@@ -58,15 +58,23 @@ TURNS = 24
 parting, drift = sp.symbols("parting drift", real=True)
 """F' and rho' at the start of a flight, from the state in double precision."""
 
+jerk = sp.Symbol("jerk", nonnegative=True)
+"""A sixth of a bound on the third derivative of F."""
+
 grit = sp.Symbol("grit", nonnegative=True)
 """Bound on the error of what the deflated gap is bent by."""
 
 _LONGEST, _SHORTEST = sp.Integer(2) ** 12, sp.Rational(1, 2**12)
 """Between these lengths, speeds and accelerations, in SI units, nothing over- or underflows."""
 
-_TILTED = hold(t * hold(tilt + grit * t), r"m_\ell")
-_NEAR = every(Less(0, leaving), Less(_TILTED, flat))
-"""Near the surface that the ball left, where F/t is known better than F."""
+_TILTED = hold(tilt + grit * t)
+_NEAR = Less(hold(t * _TILTED, r"m_\ell"), flat)
+"""Near the surface that the ball left, where F/t is known better than F; without one `tilt` is
+infinite."""
+
+_JERKED = hold(jerk * t**2)
+_QUICK = every(_NEAR, Less(_JERKED, rate_margin))
+"""Where F' is better known from F/t."""
 
 
 class CoarseRing(RingApproach):
@@ -79,7 +87,7 @@ class CoarseRing(RingApproach):
     @property
     def passed(self) -> tuple[sp.Symbol, ...]:
         """What its kernels are given beside the constants of the flight: margins and windows."""
-        return (flat, tilt, grit, parting, drift, *(edge for window in self._later() for edge in window))
+        return (flat, tilt, grit, jerk, parting, drift, *(edge for window in self._later() for edge in window))
 
     def _later(self) -> list[tuple[sp.Symbol, sp.Symbol]]:
         """The windows after the first, which nothing is before."""
@@ -120,7 +128,7 @@ class CoarseRing(RingApproach):
     @property
     def allowed(self) -> sp.Expr:
         """The margin of the form that F is known better in."""
-        return hold(Choose(_NEAR, _TILTED, flat), "m")
+        return hold(Choose(_NEAR, hold(t * _TILTED, r"m_\ell"), flat), "m")
 
     def _searched(self) -> sp.Expr:
         return Choose(_NEAR, hold(self.leaving_gap, r"F_\ell"), hold(self.gap, "F"))
@@ -159,8 +167,22 @@ class CoarseRing(RingApproach):
         return around, sp.Rational(1, 2**15) * self.ring.reach
 
     @property
+    def rate(self) -> sp.Expr:
+        """F'; soon after the start 2 F/t - F'_0, off by K t²/6 and twice what F/t is off by."""
+        return Choose(_QUICK, hold(2 * self._mean_rate() - parting), hold(super().rate))
+
+    @property
+    def rate_allowed(self) -> sp.Expr:
+        """The margin of that."""
+        return hold(Choose(_QUICK, hold(2 * _TILTED + _JERKED), rate_margin), "m'")
+
+    @property
     def leaving_gap(self) -> sp.Expr:
-        """F = t (F'_0 + t H), H being half of F'' at the start and known to its own size.
+        """F = t F/t."""
+        return t * self._mean_rate()
+
+    def _mean_rate(self) -> sp.Expr:
+        """F/t = F'_0 + t H, H being half of F'' at the start and known to its own size.
 
         With w the mean of rho' since then,
 
@@ -175,7 +197,7 @@ class CoarseRing(RingApproach):
         inward = 2 * hold(rho_start - self.ring.ring_radius)
         turning = hold(inward * hold(speed_squared - drift * mean)) * per
         upward = hold(vz - self.gravity * t / 2)
-        return t * hold(parting + t * hold(turning + mean**2 + upward**2 - self.gravity * z0))
+        return hold(parting + t * hold(turning + mean**2 + upward**2 - self.gravity * z0))
 
     def started(self) -> dict[str, sp.Expr]:
         """Return rho, and F' and rho', at the start of the flight, in double precision."""
@@ -216,16 +238,21 @@ class CoarseRing(RingApproach):
         constants = {name: hold(value) for name, value in self.constants.items()}
         turn = constants["swing"] * hold(1 / innermost) ** 3
         bend = hold(size(constants["steady"]) + 6 * self.gravity * self.reach + turn)
+        tilting = carried + sp.Rational(1, 2**21) * size(parting)
+        # The third derivative is at most 6 g |z'| + 3 (2 R_H L²) |rho'| / rho^4.
+        vx, vy, vz = VELOCITY
+        sideways, upright = hold(sp.Abs(vx) + sp.Abs(vy)), hold(sp.Abs(vz) + self.gravity * lasting)
         windows = {edge.name: edge - t for window in self._later() for edge in window}
         return {
             "share": allowing,
             "t": sp.Integer(0),
             "end": end - t,
-            **{s.name: s for s in (*POSITION, *VELOCITY, leaving)},
+            **{s.name: s for s in (*POSITION, *VELOCITY)},
             **constants,
             "ceiling": SAFETY * bend,
             "flat": 5 * reach * place,
-            "tilt": SAFETY * hold(carried + sp.Rational(1, 2**21) * size(parting)),
+            "tilt": Choose(Less(0, leaving), SAFETY * hold(tilting), sp.oo),
+            "jerk": SAFETY * hold(self.gravity * upright + hold(turn * sideways) / (2 * innermost)),
             "grit": sp.Rational(1, 2**19) * hold(stretch * bend),
             "parting": parting,
             "drift": drift,
@@ -238,7 +265,7 @@ class CoarseRing(RingApproach):
         """Return where the search is after a step, in which window, and how it stands.
 
         `certain` where one simple root follows, to which Newton's method converges from `t`.
-        `t` is infinite where no window is left.
+        `t` is infinite where neither this window nor the second is left: a third one is rare.
         """
         said = self.advance()
         gap, rate, step, following = (said[name] for name in ("gap", "rate", "step", "next"))
@@ -248,7 +275,7 @@ class CoarseRing(RingApproach):
         still = every(Less(t, end), Not(Less(t, following)))
         stuck = every(Not(sure), some(closing, still))
         exhausted = every(Not(some(sure, stuck)), AtMost(end - t, step))
-        entered = enter(self._later(), end, sp.oo)
+        entered = enter(self._later()[:1], end, sp.oo)
         more = entered["searching"]
         return {
             "t": Choose(exhausted, entered["t"], Choose(stuck, t, following)),

@@ -184,7 +184,8 @@ def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     # Most searches end with the first step: it needs no list.
     yield Guard("leaping", (step,))
     yield Repeat("leaping", TURNS, (step,))
-    yield Do(KERNELS["leapt"], {"lasting": "short_t"})
+    edges = {"third": "short_low2", "past": "short_high2"}
+    yield Do(KERNELS["leapt"], {"lasting": "short_t", **edges})
 
 
 def _allowing(common: Parts, own: Parts) -> Iterator[Node]:

@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation 75f7e5038e6a5c44,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation e7c5960dc2b4f2b0,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this and the other files

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 75f7e5038e6a5c44,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation e7c5960dc2b4f2b0,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -533,7 +533,7 @@ LANES(hoop_coarse)(V ceiling, M fits, V flat, V rate_margin, M searching, V shar
 }
 
 /* What a search in single precision found, and whether it goes on, and from when.
-   Table 1. 8 operations: 1 addition, 1 comparison, 3 conjunctions, 1 complement, 2 selections. */
+   Table 1. 19 operations: 2 additions, 3 comparisons, 6 conjunctions, 2 disjunctions, 3 complements, 3 selections. */
 typedef struct {
     V arrival;
     M certain;
@@ -542,11 +542,12 @@ typedef struct {
 } LANES(hoop_leapt_out);
 
 LANES_INLINE LANES(hoop_leapt_out)
-LANES(hoop_leapt)(V arrival, M certain, V lasting, M searching, M served, V since)
+LANES(hoop_leapt)(V arrival, M certain, V lasting, V past, M searching, M served, V since, V third)
 {
     const M _s0 = lanes_both(certain, served);
-    const V _s1 = lanes_add(lasting, since);
-    return (LANES(hoop_leapt_out)){ lanes_select(_s0, _s1, arrival), _s0, lanes_select(served, _s1, K(0.0)), lanes_both(lanes_both(searching, lanes_not(_s0)), lanes_less(lasting, K(INFINITY))) };
+    const M _s1 = lanes_less(lasting, K(INFINITY));
+    const M _s2 = lanes_both(lanes_both(lanes_both(served, lanes_not(_s1)), lanes_less(K(0.0), third)), lanes_less(third, past));
+    return (LANES(hoop_leapt_out)){ lanes_select(_s0, lanes_add(lasting, since), arrival), _s0, lanes_select(served, lanes_add(since, lanes_select(_s2, third, lasting)), K(0.0)), lanes_both(lanes_both(searching, lanes_not(_s0)), lanes_either(lanes_either(lanes_not(served), _s1), _s2)) };
 }
 
 /* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
@@ -1448,7 +1449,7 @@ LANES(hoop_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S 
 }
 
 /* What a search in single precision is given, from where it begins.
-   running error analysis. 93 operations: 18 additions, 8 subtractions, 48 multiplications, 3 divisions, 1 square root, 2 absolute values, 7 comparisons, 1 conjunction, 5 selections. */
+   running error analysis. 107 operations: 21 additions, 8 subtractions, 54 multiplications, 4 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections. */
 typedef struct {
     S share;
     S t;
@@ -1459,13 +1460,13 @@ typedef struct {
     S vx;
     S vy;
     S vz;
-    S leaving;
     S steady;
     S swing;
     S rho_start;
     S ceiling;
     S flat;
     S tilt;
+    S jerk;
     S grit;
     S parting;
     S drift;
@@ -1480,32 +1481,35 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_grain_out)
 LANES(hoop_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S parting, S drift, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
 {
-    const S _s0 = singles_add(speed, singles_mul(p_gravity, horizon));
-    const S _s1 = singles_add(p_ball_radius, p_wire_radius);
-    const S _s2 = singles_mul(KS(1.00006103515625), _s1);
-    const S _s3 = singles_sub(p_ring_radius, _s2);
-    const S _s4 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s5 = singles_max(_s3, _s4);
-    const S _s6 = singles_div(_s1, _s5);
-    const S _s7 = singles_max(KS(1.0), _s6);
-    const S _s8 = singles_mul(_s0, _s7);
-    const S _s9 = singles_add(extent, singles_mul(horizon, _s0));
-    const S _s10 = singles_mul(KS(5.0), singles_add(singles_mul(_s8, _s9), singles_mul(_s1, _s0)));
-    const S _s11 = singles_div(singles_mul(KS(0.00390625), singles_max(parting, KS(0.0))), _s10);
-    const S _s12 = singles_select(singles_less(KS(0.0), leaving), singles_min(_s11, KS(2.9802322387695312e-08)), KS(2.9802322387695312e-08));
-    const S _s13 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(singles_mul(KS(4.0), p_gravity), z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
-    const S _s14 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
-    const S _s15 = singles_mul(singles_mul(KS(2.0), p_ring_radius), singles_mul(_s14, _s14));
-    const S _s16 = singles_div(KS(1.0), _s5);
-    const S _s17 = singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s1), singles_mul(_s15, singles_mul(_s16, singles_mul(_s16, _s16)))), singles_abs(_s13));
-    const S _s18 = singles_sub(horizon, t);
-    const S _s19 = singles_mul(p_gravity, singles_mul(_s18, _s18));
-    const S _s20 = singles_add(singles_mul(_s9, _s12), singles_mul(KS(9.5367431640625e-07), singles_add(_s19, singles_add(p_ring_radius, _s2))));
-    return (LANES(hoop_ring_grain_out)){ _s12, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, leaving, _s13, _s15, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s17), singles_mul(singles_mul(KS(5.0048828125), _s1), _s20), singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s12), _s10))), singles_mul(KS(1.9073486328125e-06), singles_mul(_s17, _s7)), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s8), _s20), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s12), _s1), _s0))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s19, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
+    const Q _s0 = singles_less(KS(0.0), leaving);
+    const S _s1 = singles_add(speed, singles_mul(p_gravity, horizon));
+    const S _s2 = singles_add(p_ball_radius, p_wire_radius);
+    const S _s3 = singles_mul(KS(1.00006103515625), _s2);
+    const S _s4 = singles_sub(p_ring_radius, _s3);
+    const S _s5 = singles_mul(KS(0.0001220703125), p_ring_radius);
+    const S _s6 = singles_max(_s4, _s5);
+    const S _s7 = singles_div(_s2, _s6);
+    const S _s8 = singles_max(KS(1.0), _s7);
+    const S _s9 = singles_mul(_s1, _s8);
+    const S _s10 = singles_add(extent, singles_mul(horizon, _s1));
+    const S _s11 = singles_mul(KS(5.0), singles_add(singles_mul(_s9, _s10), singles_mul(_s2, _s1)));
+    const S _s12 = singles_div(singles_mul(KS(0.00390625), singles_max(parting, KS(0.0))), _s11);
+    const S _s13 = singles_select(_s0, singles_min(_s12, KS(2.9802322387695312e-08)), KS(2.9802322387695312e-08));
+    const S _s14 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(singles_mul(KS(4.0), p_gravity), z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
+    const S _s15 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s16 = singles_mul(singles_mul(KS(2.0), p_ring_radius), singles_mul(_s15, _s15));
+    const S _s17 = singles_div(KS(1.0), _s6);
+    const S _s18 = singles_mul(_s17, singles_mul(_s17, _s17));
+    const S _s19 = singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s2), singles_mul(_s16, _s18)), singles_abs(_s14));
+    const S _s20 = singles_sub(horizon, t);
+    const S _s21 = singles_mul(p_gravity, singles_mul(_s20, _s20));
+    const S _s22 = singles_add(singles_mul(_s10, _s13), singles_mul(KS(9.5367431640625e-07), singles_add(_s21, singles_add(p_ring_radius, _s3))));
+    const S _s23 = singles_div(singles_mul(KS(0.5), singles_mul(singles_mul(_s16, singles_add(singles_abs(vx), singles_abs(vy))), _s18)), _s6);
+    return (LANES(hoop_ring_grain_out)){ _s13, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s14, _s16, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s19), singles_mul(singles_mul(KS(5.0048828125), _s2), _s22), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s13), _s11))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(p_gravity, singles_add(singles_mul(p_gravity, _s20), singles_abs(vz))), _s23)), singles_mul(KS(1.9073486328125e-06), singles_mul(_s19, _s8)), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s9), _s22), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s13), _s2), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s21, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
 }
 
 /* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
-   Newton from the left under a curvature bound. 225 operations: 39 additions, 19 subtractions, 76 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 32 selections. */
+   Newton from the left under a curvature bound. 227 operations: 40 additions, 20 subtractions, 80 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 28 comparisons, 6 conjunctions, 4 disjunctions, 4 complements, 31 selections. */
 typedef struct {
     S t;
     S end;
@@ -1514,73 +1518,75 @@ typedef struct {
 } LANES(hoop_ring_leap_out);
 
 LANES_INLINE LANES(hoop_ring_leap_out)
-LANES(hoop_ring_leap)(S t, S end, S leaving, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S parting, S drift, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
+LANES(hoop_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S jerk, S parting, S drift, S low1, S high1, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
 {
-    const S _s0 = singles_add(x, singles_mul(t, vx));
-    const S _s1 = singles_add(y, singles_mul(t, vy));
-    const S _s2 = singles_sqrt(singles_add(singles_mul(_s0, _s0), singles_mul(_s1, _s1)));
-    const S _s3 = singles_add(rho_start, _s2);
-    const S _s4 = singles_div(KS(1.0), singles_mul(_s3, _s2));
-    const S _s5 = singles_mul(_s3, _s4);
-    const S _s6 = singles_mul(_s5, singles_add(singles_mul(vx, _s0), singles_mul(vy, _s1)));
-    const S _s7 = singles_sub(_s2, p_ring_radius);
-    const S _s8 = singles_sub(vz, singles_mul(p_gravity, t));
-    const S _s9 = singles_sub(vz, singles_mul(singles_mul(KS(0.5), p_gravity), t));
-    const S _s10 = singles_add(z, singles_mul(t, _s9));
-    const S _s11 = singles_mul(KS(2.0), singles_add(singles_mul(_s6, _s7), singles_mul(_s8, _s10)));
-    const S _s12 = singles_neg(singles_add(rate_margin, _s11));
-    const S _s13 = singles_mul(t, singles_add(tilt, singles_mul(grit, t)));
-    const Q _s14 = singles_both(singles_less(KS(0.0), leaving), singles_less(_s13, flat));
-    const S _s15 = singles_select(_s14, _s13, flat);
-    const S _s16 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
-    const S _s17 = singles_mul(_s2, _s4);
-    const S _s18 = singles_mul(_s17, singles_add(singles_mul(t, _s16), singles_mul(KS(2.0), singles_add(singles_mul(vx, x), singles_mul(vy, y)))));
-    const S _s19 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, p_ring_radius)), singles_sub(_s16, singles_mul(drift, _s18))), _s17), singles_mul(_s18, _s18)), singles_mul(_s9, _s9));
-    const S _s20 = singles_add(p_ball_radius, p_wire_radius);
-    const S _s21 = singles_select(_s14, singles_mul(t, singles_add(parting, singles_mul(t, singles_sub(_s19, singles_mul(p_gravity, z))))), singles_sub(singles_add(singles_mul(_s7, _s7), singles_mul(_s10, _s10)), singles_mul(_s20, _s20)));
-    const S _s22 = singles_sub(_s21, _s15);
-    const S _s23 = singles_max(_s22, KS(0.0));
-    const S _s24 = singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s15), _s23));
-    const S _s25 = singles_sub(_s11, rate_margin);
-    const S _s26 = singles_mul(KS(6.0), p_gravity);
-    const S _s27 = singles_mul(_s26, _s10);
-    const S _s28 = singles_mul(swing, singles_mul(_s5, singles_mul(_s5, _s5)));
-    const S _s29 = singles_sub(singles_add(_s27, _s28), steady);
-    const Q _s30 = singles_less(_s25, KS(0.0));
-    const S _s31 = singles_mul(KS(2.0), _s23);
-    const S _s32 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s25), _s23, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s30, singles_add(singles_mul(KS(8.0), _s15), _s31), singles_mul(KS(4.0), _s25)), singles_select(_s30, singles_neg(_s25), singles_max(KS(0.0), _s29))));
-    const S _s33 = singles_sub(end, t);
-    const S _s34 = singles_min(_s32, _s33);
-    const S _s35 = singles_mul(KS(1.00006103515625), _s20);
-    const S _s36 = singles_add(singles_add(singles_mul(KS(3.0517578125e-05), p_ball_radius), singles_mul(KS(3.0517578125e-05), p_wire_radius)), singles_add(singles_mul(_s34, singles_max(_s8, KS(0.0))), _s10));
-    const S _s37 = singles_mul(_s26, singles_min(_s35, _s36));
-    const S _s38 = singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s34);
-    const S _s39 = singles_sub(singles_sub(singles_add(singles_mul(_s34, singles_min(KS(0.0), _s6)), _s2), singles_mul(KS(0.0001220703125), _s38)), singles_mul(KS(9.5367431640625e-07), singles_add(p_ring_radius, _s35)));
-    const S _s40 = singles_sub(p_ring_radius, _s35);
-    const S _s41 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s42 = singles_max(_s40, _s41);
-    const S _s43 = singles_div(KS(1.0), singles_max(_s39, _s42));
-    const S _s44 = singles_mul(swing, singles_mul(_s43, singles_mul(_s43, _s43)));
-    const S _s45 = singles_abs(steady);
-    const S _s46 = singles_sub(singles_add(singles_add(_s37, _s44), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s44, _s45), singles_abs(_s37)))), steady);
-    const S _s47 = singles_neg(_s8);
-    const S _s48 = singles_add(singles_add(singles_mul(_s26, singles_mul(singles_add(singles_mul(p_gravity, _s34), singles_max(_s47, KS(0.0))), _s34)), singles_mul(singles_mul(KS(3.0), singles_mul(_s28, _s5)), _s38)), singles_mul(KS(0.000244140625), singles_add(singles_add(_s45, singles_abs(_s27)), _s28)));
-    const S _s49 = singles_sub(singles_sub(singles_add(steady, _s48), _s27), _s28);
-    const S _s50 = singles_sub(singles_mul(_s12, _s12), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s24, singles_mul(_s12, _s34)), singles_max(_s46, _s49), ceiling)), _s24));
-    const Q _s51 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s12), _s50, _s12));
-    const S _s52 = singles_add(singles_mul(singles_mul(KS(2.0), _s46), _s23), singles_mul(_s25, _s25));
-    const S _s53 = singles_sqrt(_s52);
-    const S _s54 = singles_select(singles_at_most(KS(0.0), _s52), singles_div(singles_select(_s30, _s31, singles_add(_s25, _s53)), singles_select(_s30, singles_sub(_s53, _s25), singles_max(KS(0.0), _s46))), KS(INFINITY));
-    const S _s55 = singles_min(_s54, _s34);
-    const S _s56 = singles_add(t, _s55);
-    const Q _s57 = singles_both(singles_not(_s51), singles_either(singles_both(singles_less(_s11, KS(0.0)), singles_at_most(_s22, _s15)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s56)))));
-    const Q _s58 = singles_not(singles_either(_s51, _s57));
-    const Q _s59 = singles_both(_s58, singles_at_most(_s33, _s55));
-    const S _s60 = singles_max(end, low1);
-    const Q _s61 = singles_less(_s60, high1);
-    const S _s62 = singles_max(end, low2);
-    const Q _s63 = singles_less(_s62, high2);
-    return (LANES(hoop_ring_leap_out)){ singles_select(_s59, singles_select(_s61, _s60, singles_select(_s63, _s62, KS(INFINITY))), singles_select(_s57, t, _s56)), singles_select(_s59, singles_select(_s61, high1, singles_select(_s63, high2, end)), end), singles_truth(_s51), singles_truth(singles_both(_s58, singles_either(singles_not(_s59), singles_either(singles_either(singles_nowhere(), _s63), _s61)))) };
+    const S _s0 = singles_add(tilt, singles_mul(grit, t));
+    const S _s1 = singles_mul(t, _s0);
+    const Q _s2 = singles_less(_s1, flat);
+    const S _s3 = singles_mul(jerk, singles_mul(t, t));
+    const Q _s4 = singles_both(_s2, singles_less(_s3, rate_margin));
+    const S _s5 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
+    const S _s6 = singles_add(x, singles_mul(t, vx));
+    const S _s7 = singles_add(y, singles_mul(t, vy));
+    const S _s8 = singles_sqrt(singles_add(singles_mul(_s6, _s6), singles_mul(_s7, _s7)));
+    const S _s9 = singles_add(rho_start, _s8);
+    const S _s10 = singles_div(KS(1.0), singles_mul(_s9, _s8));
+    const S _s11 = singles_mul(_s8, _s10);
+    const S _s12 = singles_mul(_s11, singles_add(singles_mul(t, _s5), singles_mul(KS(2.0), singles_add(singles_mul(vx, x), singles_mul(vy, y)))));
+    const S _s13 = singles_sub(vz, singles_mul(singles_mul(KS(0.5), p_gravity), t));
+    const S _s14 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, p_ring_radius)), singles_sub(_s5, singles_mul(drift, _s12))), _s11), singles_mul(_s12, _s12)), singles_mul(_s13, _s13));
+    const S _s15 = singles_add(parting, singles_mul(t, singles_sub(_s14, singles_mul(p_gravity, z))));
+    const S _s16 = singles_mul(_s9, _s10);
+    const S _s17 = singles_mul(_s16, singles_add(singles_mul(vx, _s6), singles_mul(vy, _s7)));
+    const S _s18 = singles_sub(_s8, p_ring_radius);
+    const S _s19 = singles_sub(vz, singles_mul(p_gravity, t));
+    const S _s20 = singles_add(z, singles_mul(t, _s13));
+    const S _s21 = singles_select(_s4, singles_sub(singles_mul(KS(2.0), _s15), parting), singles_mul(KS(2.0), singles_add(singles_mul(_s17, _s18), singles_mul(_s19, _s20))));
+    const S _s22 = singles_select(_s4, singles_add(_s3, singles_mul(KS(2.0), _s0)), rate_margin);
+    const S _s23 = singles_neg(singles_add(_s21, _s22));
+    const S _s24 = singles_select(_s2, _s1, flat);
+    const S _s25 = singles_add(p_ball_radius, p_wire_radius);
+    const S _s26 = singles_sub(singles_select(_s2, singles_mul(t, _s15), singles_sub(singles_add(singles_mul(_s18, _s18), singles_mul(_s20, _s20)), singles_mul(_s25, _s25))), _s24);
+    const S _s27 = singles_max(_s26, KS(0.0));
+    const S _s28 = singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s24), _s27));
+    const S _s29 = singles_sub(_s21, _s22);
+    const S _s30 = singles_mul(KS(6.0), p_gravity);
+    const S _s31 = singles_mul(_s30, _s20);
+    const S _s32 = singles_mul(swing, singles_mul(_s16, singles_mul(_s16, _s16)));
+    const S _s33 = singles_sub(singles_add(_s31, _s32), steady);
+    const Q _s34 = singles_less(_s29, KS(0.0));
+    const S _s35 = singles_mul(KS(2.0), _s27);
+    const S _s36 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s29), _s27, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s34, singles_add(singles_mul(KS(8.0), _s24), _s35), singles_mul(KS(4.0), _s29)), singles_select(_s34, singles_neg(_s29), singles_max(KS(0.0), _s33))));
+    const S _s37 = singles_sub(end, t);
+    const S _s38 = singles_min(_s36, _s37);
+    const S _s39 = singles_mul(KS(1.00006103515625), _s25);
+    const S _s40 = singles_add(singles_add(singles_mul(KS(3.0517578125e-05), p_ball_radius), singles_mul(KS(3.0517578125e-05), p_wire_radius)), singles_add(singles_mul(_s38, singles_max(_s19, KS(0.0))), _s20));
+    const S _s41 = singles_mul(_s30, singles_min(_s39, _s40));
+    const S _s42 = singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s38);
+    const S _s43 = singles_sub(singles_sub(singles_add(singles_mul(_s38, singles_min(KS(0.0), _s17)), _s8), singles_mul(KS(0.0001220703125), _s42)), singles_mul(KS(9.5367431640625e-07), singles_add(p_ring_radius, _s39)));
+    const S _s44 = singles_sub(p_ring_radius, _s39);
+    const S _s45 = singles_mul(KS(0.0001220703125), p_ring_radius);
+    const S _s46 = singles_max(_s44, _s45);
+    const S _s47 = singles_div(KS(1.0), singles_max(_s43, _s46));
+    const S _s48 = singles_mul(swing, singles_mul(_s47, singles_mul(_s47, _s47)));
+    const S _s49 = singles_abs(steady);
+    const S _s50 = singles_sub(singles_add(singles_add(_s41, _s48), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s48, _s49), singles_abs(_s41)))), steady);
+    const S _s51 = singles_neg(_s19);
+    const S _s52 = singles_add(singles_add(singles_mul(_s30, singles_mul(singles_add(singles_mul(p_gravity, _s38), singles_max(_s51, KS(0.0))), _s38)), singles_mul(singles_mul(KS(3.0), singles_mul(_s32, _s16)), _s42)), singles_mul(KS(0.000244140625), singles_add(singles_add(_s49, singles_abs(_s31)), _s32)));
+    const S _s53 = singles_sub(singles_sub(singles_add(steady, _s52), _s31), _s32);
+    const S _s54 = singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s28, singles_mul(_s23, _s38)), singles_max(_s50, _s53), ceiling)), _s28));
+    const Q _s55 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s23), _s54, _s23));
+    const S _s56 = singles_add(singles_mul(singles_mul(KS(2.0), _s50), _s27), singles_mul(_s29, _s29));
+    const S _s57 = singles_sqrt(_s56);
+    const S _s58 = singles_select(singles_at_most(KS(0.0), _s56), singles_div(singles_select(_s34, _s35, singles_add(_s57, _s29)), singles_select(_s34, singles_sub(_s57, _s29), singles_max(KS(0.0), _s50))), KS(INFINITY));
+    const S _s59 = singles_min(_s58, _s38);
+    const S _s60 = singles_add(t, _s59);
+    const Q _s61 = singles_both(singles_not(_s55), singles_either(singles_both(singles_less(_s21, KS(0.0)), singles_at_most(_s26, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s60)))));
+    const Q _s62 = singles_not(singles_either(_s55, _s61));
+    const Q _s63 = singles_both(_s62, singles_at_most(_s37, _s59));
+    const S _s64 = singles_max(end, low1);
+    const Q _s65 = singles_less(_s64, high1);
+    return (LANES(hoop_ring_leap_out)){ singles_select(_s63, singles_select(_s65, _s64, KS(INFINITY)), singles_select(_s61, t, _s60)), singles_select(_s63, singles_select(_s65, high1, end), end), singles_truth(_s55), singles_truth(singles_both(_s62, singles_either(singles_not(_s63), singles_either(singles_nowhere(), _s65)))) };
 }
 
 /* Distance from the axis, rate of the gap and of that distance, at the start of the flight.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 75f7e5038e6a5c44,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation e7c5960dc2b4f2b0,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -225,7 +225,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "nearby": ("flat", "index", "last", "t", "tilt",),
     "opened": ("horizon", "time",),
     "coarse": ("ceiling", "fits", "flat", "rate_margin", "searching", "share", "sound",),
-    "leapt": ("arrival", "certain", "lasting", "searching", "served", "since",),
+    "leapt": ("arrival", "certain", "lasting", "past", "searching", "served", "since", "third",),
     "struck": ("bend", "clearance", "gap", "margin", "rate", "rate_margin", "share",),
     "finer": ("share",),
     "exceeded": ("doubt", "excess", "t",),
@@ -271,7 +271,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_opened": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_grain": ("t", "end", "leaving", "horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "parting", "drift", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_leap": ("t", "end", "leaving", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "grit", "parting", "drift", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_leap": ("t", "end", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "grit", "jerk", "parting", "drift", "low1", "high1", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_started": ("x", "y", "z", "vx", "vy", "vz", "p_ring_radius",),
     "ring_lost": ("horizon", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
     "ring_enter": ("after", "end", "high0", "high1", "high2", "low0", "low1", "low2", "t",),
@@ -392,7 +392,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_refine": ("time", "gap", "rate",),
     "ring_advance": ("gap", "rate", "bend", "step", "next", "clearance",),
     "ring_opened": ("t", "end", "searching", "low1", "high1", "low2", "high2", "latest", "sound",),
-    "ring_grain": ("share", "t", "end", "x", "y", "z", "vx", "vy", "vz", "leaving", "steady", "swing", "rho_start", "ceiling", "flat", "tilt", "grit", "parting", "drift", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
+    "ring_grain": ("share", "t", "end", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "ceiling", "flat", "tilt", "jerk", "grit", "parting", "drift", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
     "ring_leap": ("t", "end", "certain", "leaping",),
     "ring_started": ("rho_start", "parting", "drift",),
     "ring_lost": ("lost",),
@@ -965,15 +965,16 @@ def coarse(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any,
     return _s0, _logical_or(searching, _logical_not(sound)), _s0, ceiling, flat, rate_margin, share
 
 
-def leapt(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
+def leapt(arrival: Any, certain: Any, lasting: Any, past: Any, searching: Any, served: Any, since: Any, third: Any) -> tuple[Any, ...]:
     """What a search in single precision found, and whether it goes on, and from when.
 
-    Table 1. 8 operations: 1 addition, 1 comparison, 3 conjunctions, 1 complement, 2 selections.
+    Table 1. 19 operations: 2 additions, 3 comparisons, 6 conjunctions, 2 disjunctions, 3 complements, 3 selections.
     Returns arrival, certain, t, searching.
     """
     _s0 = _logical_and(certain, served)
-    _s1 = lasting + since
-    return _where(_s0, _s1, arrival), _s0, _where(served, _s1, 0.0), _logical_and(_logical_and(searching, _logical_not(_s0)), (lasting < _inf))
+    _s1 = lasting < _inf
+    _s2 = _logical_and(_logical_and(_logical_and(served, _logical_not(_s1)), (0.0 < third)), (third < past))
+    return _where(_s0, (lasting + since), arrival), _s0, _where(served, (since + _where(_s2, third, lasting)), 0.0), _logical_and(_logical_and(searching, _logical_not(_s0)), _logical_or(_logical_or(_logical_not(served), _s1), _s2))
 
 
 def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
@@ -1746,8 +1747,8 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """What a search in single precision is given, from where it begins.
 
-    running error analysis. 93 operations: 18 additions, 8 subtractions, 48 multiplications, 3 divisions, 1 square root, 2 absolute values, 7 comparisons, 1 conjunction, 5 selections.
-    Returns share, t, end, x, y, z, vx, vy, vz, leaving, steady, swing, rho_start, ceiling, flat, tilt, grit, parting, drift, rate_margin, low1, high1, low2, high2, fits.
+    running error analysis. 107 operations: 21 additions, 8 subtractions, 54 multiplications, 4 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections.
+    Returns share, t, end, x, y, z, vx, vy, vz, steady, swing, rho_start, ceiling, flat, tilt, jerk, grit, parting, drift, rate_margin, low1, high1, low2, high2, fits.
     """
     t = _single(t)
     end = _single(end)
@@ -1771,40 +1772,42 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _halves(_room)
-    _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
-    _s1 = p_ball_radius + p_wire_radius
-    _s2 = 1.00006103515625 * _s1
-    _s3 = p_ring_radius - _s2
-    _s4 = 0.0001220703125 * p_ring_radius
-    _s5 = _where(_s3 < _s4, _s4, _s3)
-    _s6 = _s1 / _s5
-    _s7 = _where(1.0 < _s6, _s6, 1.0)
-    _s8 = _multiply(_s0, _s7, _r1)
-    _s9 = _add(extent, _multiply(horizon, _s0, _r2), _r2)
-    _s10 = _multiply(5.0, _add(_multiply(_s8, _s9, _r3), _multiply(_s1, _s0, _r4), _r4), _r4)
-    _s11 = _divide(_multiply(0.00390625, _select(parting < 0.0, 0.0, parting, _r3), _r3), _s10, _r3)
-    _s12 = _result(0.0 < leaving, _select(_s11 < 2.9802322387695312e-08, _s11, 2.9802322387695312e-08, _r5), 2.9802322387695312e-08, _r0)
-    _s13 = _add(_multiply(2.0, _multiply(vz, vz, _r6), _r6), _multiply(4.0 * p_gravity, z, _r7), _r7) + _multiply(2.0, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r8), _r8), _r8)
-    _s14 = _subtract(_multiply(vy, x, _r8), _multiply(vx, y, _r7), _r7)
-    _s15 = (2.0 * p_ring_radius) * _multiply(_s14, _s14, _r7)
-    _s16 = 1.0 / _s5
-    _s17 = _add(_add((6.0003662109375 * p_gravity) * _s1, _multiply(_s15, _s16 * (_s16 * _s16), _r7), _r7), _absolute(_s13, _r8), _r8)
-    _s18 = _subtract(horizon, t, _r7)
-    _s19 = _multiply(p_gravity, _multiply(_s18, _s18, _r7), _r7)
-    _s20 = _add(_multiply(_s9, _s12, _r2), _multiply(9.5367431640625e-07, _add(_s19, p_ring_radius + _s2, _r6), _r6), _r6)
-    return _s12, 0.0, end - t, x, y, z, vx, vy, vz, leaving, _s13, _s15, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r9), _r9)), 1.0009765625 * _s17, (5.0048828125 * _s1) * _s20, 1.0009765625 * _add(_multiply(4.76837158203125e-07, _absolute(parting, _r9), _r9), _multiply(_add(5.684341886080802e-14, _s12, _r2), _s10, _r2), _r2), 1.9073486328125e-06 * _multiply(_s17, _s7, _r8), parting, drift, 5.0 * _add(_multiply(_multiply(1.0009765625, _s8, _r1), _s20, _r1), _multiply(_multiply(_add(2.384185791015625e-07, _s12, _r5), _s1, _r5), _s0, _r5), _r5), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s19 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r7) <= 0.0))
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _halves(_room)
+    _s0 = 0.0 < leaving
+    _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s2 = p_ball_radius + p_wire_radius
+    _s3 = 1.00006103515625 * _s2
+    _s4 = p_ring_radius - _s3
+    _s5 = 0.0001220703125 * p_ring_radius
+    _s6 = _where(_s4 < _s5, _s5, _s4)
+    _s7 = _s2 / _s6
+    _s8 = _where(1.0 < _s7, _s7, 1.0)
+    _s9 = _multiply(_s1, _s8, _r1)
+    _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
+    _s11 = _multiply(5.0, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(0.00390625, _select(parting < 0.0, 0.0, parting, _r3), _r3), _s11, _r3)
+    _s13 = _result(_s0, _select(_s12 < 2.9802322387695312e-08, _s12, 2.9802322387695312e-08, _r5), 2.9802322387695312e-08, _r0)
+    _s14 = _add(_multiply(2.0, _multiply(vz, vz, _r6), _r6), _multiply(4.0 * p_gravity, z, _r7), _r7) + _multiply(2.0, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r8), _r8), _r8)
+    _s15 = _subtract(_multiply(vy, x, _r8), _multiply(vx, y, _r7), _r7)
+    _s16 = (2.0 * p_ring_radius) * _multiply(_s15, _s15, _r7)
+    _s17 = 1.0 / _s6
+    _s18 = _s17 * (_s17 * _s17)
+    _s19 = _add(_add((6.0003662109375 * p_gravity) * _s2, _multiply(_s16, _s18, _r7), _r7), _absolute(_s14, _r8), _r8)
+    _s20 = _subtract(horizon, t, _r7)
+    _s21 = _multiply(p_gravity, _multiply(_s20, _s20, _r6), _r6)
+    _s22 = _add(_multiply(_s10, _s13, _r2), _multiply(9.5367431640625e-07, _add(_s21, p_ring_radius + _s3, _r9), _r9), _r9)
+    _s23 = _divide(_multiply(0.5, _multiply(_multiply(_s16, _add(_absolute(vx, _r2), _absolute(vy, _r10), _r10), _r10), _s18, _r10), _r10), _s6, _r10)
+    return _s13, 0.0, end - t, x, y, z, vx, vy, vz, _s14, _s16, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r11), _r11)), 1.0009765625 * _s19, (5.0048828125 * _s2) * _s22, _result(_s0, _multiply(1.0009765625, _add(_multiply(4.76837158203125e-07, _absolute(parting, _r11), _r11), _multiply(_add(5.684341886080802e-14, _s13, _r2), _s11, _r2), _r2), _r2), _inf, _r0), 1.0009765625 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s20, _r7), _absolute(vz, _r2), _r2), _r2), _s23, _r10), 1.9073486328125e-06 * _multiply(_s19, _s8, _r8), parting, drift, 5.0 * _add(_multiply(_multiply(1.0009765625, _s9, _r1), _s22, _r1), _multiply(_multiply(_add(2.384185791015625e-07, _s13, _r5), _s2, _r5), _s1, _r5), _r5), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s21 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r6) <= 0.0))
 
 
-def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
 
-    Newton from the left under a curvature bound. 225 operations: 39 additions, 19 subtractions, 76 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 32 selections.
+    Newton from the left under a curvature bound. 227 operations: 40 additions, 20 subtractions, 80 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 28 comparisons, 6 conjunctions, 4 disjunctions, 4 complements, 31 selections.
     Returns t, end, certain, leaping.
     """
     t = _single(t)
     end = _single(end)
-    leaving = _single(leaving)
     rate_margin = _single(rate_margin)
     ceiling = _single(ceiling)
     x = _single(x)
@@ -1819,82 +1822,83 @@ def ring_leap(t: Any, end: Any, leaving: Any, rate_margin: Any, ceiling: Any, x:
     flat = _single(flat)
     tilt = _single(tilt)
     grit = _single(grit)
+    jerk = _single(jerk)
     parting = _single(parting)
     drift = _single(drift)
     low1 = _single(low1)
     high1 = _single(high1)
-    low2 = _single(low2)
-    high2 = _single(high2)
     p_ball_radius = _single(p_ball_radius)
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, *_ = _halves(_room)
-    _s0 = _add(x, _multiply(t, vx, _r0), _r0)
-    _s1 = _add(y, _multiply(t, vy, _r1), _r1)
-    _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
-    _s3 = _add(rho_start, _s2, _r2)
-    _s4 = _divide(1.0, _multiply(_s3, _s2, _r4), _r4)
-    _s5 = _multiply(_s3, _s4, _r2)
-    _s6 = _multiply(_s5, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
-    _s7 = _subtract(_s2, p_ring_radius, _r0)
-    _s8 = _subtract(vz, _multiply(p_gravity, t, _r5), _r5)
-    _s9 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
-    _s10 = _add(z, _multiply(t, _s9, _r7), _r7)
-    _s11 = _multiply(2.0, _add(_multiply(_s6, _s7, _r8), _multiply(_s8, _s10, _r9), _r9), _r9)
-    _s12 = _negative(_add(rate_margin, _s11, _r8), _r8)
-    _s13 = _multiply(t, _add(tilt, _multiply(grit, t, _r10), _r10), _r10)
-    _s14 = _logical_and((0.0 < leaving), (_s13 < flat))
-    _s15 = _select(_s14, _s13, flat, _r11)
-    _s16 = _add(_multiply(vx, vx, _r12), _multiply(vy, vy, _r13), _r13)
-    _s17 = _multiply(_s2, _s4, _r4)
-    _s18 = _multiply(_s17, _add(_multiply(t, _s16, _r12), _multiply(2.0, _add(_multiply(vx, x, _r14), _multiply(vy, y, _r15), _r15), _r15), _r15), _r15)
-    _s19 = _add(_add(_multiply(_multiply(_multiply(2.0, _subtract(rho_start, p_ring_radius, _r12), _r12), _subtract(_s16, _multiply(drift, _s18, _r14), _r14), _r12), _s17, _r12), _multiply(_s18, _s18, _r15), _r15), _multiply(_s9, _s9, _r6), _r6)
-    _s20 = p_ball_radius + p_wire_radius
-    _s21 = _select(_s14, _multiply(t, _add(parting, _multiply(t, _subtract(_s19, _multiply(p_gravity, z, _r15), _r15), _r15), _r15), _r15), _subtract(_add(_multiply(_s7, _s7, _r0), _multiply(_s10, _s10, _r6), _r6), _s20 * _s20, _r6), _r0)
-    _s22 = _subtract(_s21, _s15, _r0)
-    _s23 = _select(_s22 < 0.0, 0.0, _s22, _r6)
-    _s24 = _multiply(2.0, _add(_multiply(2.0, _s15, _r15), _s23, _r15), _r15)
-    _s25 = _subtract(_s11, rate_margin, _r12)
-    _s26 = 6.0 * p_gravity
-    _s27 = _multiply(_s26, _s10, _r4)
-    _s28 = _multiply(swing, _multiply(_s5, _multiply(_s5, _s5, _r14), _r14), _r14)
-    _s29 = _subtract(_add(_s27, _s28, _r13), steady, _r13)
-    _s30 = _s25 < 0.0
-    _s31 = _multiply(2.0, _s23, _r16)
-    _s32 = _select(0.0 < _select(0.0 <= _s25, _s23, 0.0, _r17), _inf, _divide(_select(_s30, _add(_multiply(8.0, _s15, _r17), _s31, _r17), _multiply(4.0, _s25, _r18), _r19), _select(_s30, _negative(_s25, _r20), _select(0.0 < _s29, _s29, 0.0, _r21), _r22), _r19), _r18)
-    _s33 = _subtract(end, t, _r17)
-    _s34 = _select(_s32 < _s33, _s32, _s33, _r22)
-    _s35 = 1.00006103515625 * _s20
-    _s36 = _add((3.0517578125e-05 * p_ball_radius) + (3.0517578125e-05 * p_wire_radius), _add(_multiply(_s34, _select(_s8 < 0.0, 0.0, _s8, _r21), _r21), _s10, _r21), _r21)
-    _s37 = _multiply(_s26, _select(_s35 < _s36, _s35, _s36, _r7), _r7)
-    _s38 = _multiply(_add(_absolute(vx, _r21), _absolute(vy, _r13), _r13), _s34, _r13)
-    _s39 = _subtract(_subtract(_add(_multiply(_s34, _select(0.0 < _s6, 0.0, _s6, _r21), _r21), _s2, _r21), _multiply(0.0001220703125, _s38, _r3), _r3), 9.5367431640625e-07 * (p_ring_radius + _s35), _r3)
-    _s40 = p_ring_radius - _s35
-    _s41 = 0.0001220703125 * p_ring_radius
-    _s42 = _where(_s40 < _s41, _s41, _s40)
-    _s43 = _divide(1.0, _select(_s39 < _s42, _s42, _s39, _r21), _r21)
-    _s44 = _multiply(swing, _multiply(_s43, _multiply(_s43, _s43, _r3), _r3), _r3)
-    _s45 = _absolute(steady, _r21)
-    _s46 = _subtract(_add(_add(_s37, _s44, _r1), _multiply(3.814697265625e-06, _add(_add(_s44, _s45, _r3), _absolute(_s37, _r7), _r7), _r7), _r7), steady, _r7)
-    _s47 = _negative(_s8, _r5)
-    _s48 = _add(_add(_multiply(_s26, _multiply(_add(_multiply(p_gravity, _s34, _r1), _select(_s47 < 0.0, 0.0, _s47, _r3), _r3), _s34, _r3), _r3), _multiply(_multiply(3.0, _multiply(_s28, _s5, _r2), _r2), _s38, _r2), _r2), _multiply(0.000244140625, _add(_add(_s45, _absolute(_s27, _r3), _r3), _s28, _r3), _r3), _r3)
-    _s49 = _subtract(_subtract(_add(steady, _s48, _r3), _s27, _r3), _s28, _r3)
-    _s50 = _subtract(_multiply(_s12, _s12, _r14), _multiply(_multiply(8.0, _select(_s24 <= _multiply(_s12, _s34, _r4), _select(_s46 < _s49, _s49, _s46, _r4), ceiling, _r2), _r2), _s24, _r2), _r2)
-    _s51 = 0.0 < _select(0.0 < _s12, _s50, _s12, _r14)
-    _s52 = _add(_multiply(_multiply(2.0, _s46, _r14), _s23, _r14), _multiply(_s25, _s25, _r6), _r6)
-    _s53 = _sqrt(_s52, _r14)
-    _s54 = _select(0.0 <= _s52, _divide(_select(_s30, _s31, _add(_s25, _s53, _r6), _r2), _select(_s30, _subtract(_s53, _s25, _r14), _select(0.0 < _s46, _s46, 0.0, _r12), _r8), _r2), _inf, _r6)
-    _s55 = _select(_s54 < _s34, _s54, _s34, _r8)
-    _s56 = _add(t, _s55, _r12)
-    _s57 = _logical_and(_logical_not(_s51), _logical_or(_logical_and((_s11 < 0.0), (_s22 <= _s15)), _logical_and((t < end), _logical_not((t < _s56)))))
-    _s58 = _logical_not(_logical_or(_s51, _s57))
-    _s59 = _logical_and(_s58, (_s33 <= _s55))
-    _s60 = _select(end < low1, low1, end, _r8)
-    _s61 = _s60 < high1
-    _s62 = _select(end < low2, low2, end, _r6)
-    _s63 = _s62 < high2
-    return _result(_s59, _select(_s61, _s60, _select(_s63, _s62, _inf, _r2), _r22), _select(_s57, t, _s56, _r17), _r0), _result(_s59, _select(_s61, high1, _select(_s63, high2, end, _r17), _r22), end, _r0), _s51, _logical_and(_s58, _logical_or(_logical_not(_s59), _logical_or(_logical_or(False, _s63), _s61)))
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, *_ = _halves(_room)
+    _s0 = _add(tilt, _multiply(grit, t, _r0), _r0)
+    _s1 = _multiply(t, _s0, _r1)
+    _s2 = _s1 < flat
+    _s3 = _multiply(jerk, _multiply(t, t, _r2), _r2)
+    _s4 = _logical_and(_s2, (_s3 < rate_margin))
+    _s5 = _add(_multiply(vx, vx, _r3), _multiply(vy, vy, _r4), _r4)
+    _s6 = _add(x, _multiply(t, vx, _r3), _r3)
+    _s7 = _add(y, _multiply(t, vy, _r5), _r5)
+    _s8 = _sqrt(_add(_multiply(_s6, _s6, _r6), _multiply(_s7, _s7, _r7), _r7), _r7)
+    _s9 = _add(rho_start, _s8, _r6)
+    _s10 = _divide(1.0, _multiply(_s9, _s8, _r8), _r8)
+    _s11 = _multiply(_s8, _s10, _r9)
+    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(2.0, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
+    _s13 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r10), _r10)
+    _s14 = _add(_add(_multiply(_multiply(_multiply(2.0, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
+    _s15 = _add(parting, _multiply(t, _subtract(_s14, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
+    _s16 = _multiply(_s9, _s10, _r8)
+    _s17 = _multiply(_s16, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r5), _r5), _r5)
+    _s18 = _subtract(_s8, p_ring_radius, _r3)
+    _s19 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
+    _s20 = _add(z, _multiply(t, _s13, _r10), _r10)
+    _s21 = _select(_s4, _subtract(_multiply(2.0, _s15, _r11), parting, _r11), _multiply(2.0, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
+    _s22 = _select(_s4, _add(_s3, _multiply(2.0, _s0, _r0), _r0), rate_margin, _r2)
+    _s23 = _negative(_add(_s21, _s22, _r4), _r4)
+    _s24 = _select(_s2, _s1, flat, _r14)
+    _s25 = p_ball_radius + p_wire_radius
+    _s26 = _subtract(_select(_s2, _multiply(t, _s15, _r12), _subtract(_add(_multiply(_s18, _s18, _r3), _multiply(_s20, _s20, _r15), _r15), _s25 * _s25, _r15), _r3), _s24, _r3)
+    _s27 = _select(_s26 < 0.0, 0.0, _s26, _r15)
+    _s28 = _multiply(2.0, _add(_multiply(2.0, _s24, _r12), _s27, _r12), _r12)
+    _s29 = _subtract(_s21, _s22, _r2)
+    _s30 = 6.0 * p_gravity
+    _s31 = _multiply(_s30, _s20, _r0)
+    _s32 = _multiply(swing, _multiply(_s16, _multiply(_s16, _s16, _r16), _r16), _r16)
+    _s33 = _subtract(_add(_s31, _s32, _r17), steady, _r17)
+    _s34 = _s29 < 0.0
+    _s35 = _multiply(2.0, _s27, _r18)
+    _s36 = _select(0.0 < _select(0.0 <= _s29, _s27, 0.0, _r19), _inf, _divide(_select(_s34, _add(_multiply(8.0, _s24, _r19), _s35, _r19), _multiply(4.0, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(0.0 < _s33, _s33, 0.0, _r23), _r24), _r21), _r20)
+    _s37 = _subtract(end, t, _r19)
+    _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
+    _s39 = 1.00006103515625 * _s25
+    _s40 = _add((3.0517578125e-05 * p_ball_radius) + (3.0517578125e-05 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < 0.0, 0.0, _s19, _r23), _r23), _s20, _r23), _r23)
+    _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
+    _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(0.0 < _s17, 0.0, _s17, _r23), _r23), _s8, _r23), _multiply(0.0001220703125, _s42, _r7), _r7), 9.5367431640625e-07 * (p_ring_radius + _s39), _r7)
+    _s44 = p_ring_radius - _s39
+    _s45 = 0.0001220703125 * p_ring_radius
+    _s46 = _where(_s44 < _s45, _s45, _s44)
+    _s47 = _divide(1.0, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s48 = _multiply(swing, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
+    _s49 = _absolute(steady, _r23)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(3.814697265625e-06, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
+    _s51 = _negative(_s19, _r6)
+    _s52 = _add(_add(_multiply(_s30, _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < 0.0, 0.0, _s51, _r7), _r7), _s38, _r7), _r7), _multiply(_multiply(3.0, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8), _multiply(0.000244140625, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7)
+    _s53 = _subtract(_subtract(_add(steady, _s52, _r7), _s31, _r7), _s32, _r7)
+    _s54 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(8.0, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s53, _s53, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
+    _s55 = 0.0 < _select(0.0 < _s23, _s54, _s23, _r16)
+    _s56 = _add(_multiply(_multiply(2.0, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s57 = _sqrt(_s56, _r16)
+    _s58 = _select(0.0 <= _s56, _divide(_select(_s34, _s35, _add(_s57, _s29, _r15), _r8), _select(_s34, _subtract(_s57, _s29, _r16), _select(0.0 < _s50, _s50, 0.0, _r2), _r4), _r8), _inf, _r15)
+    _s59 = _select(_s58 < _s38, _s58, _s38, _r4)
+    _s60 = _add(t, _s59, _r2)
+    _s61 = _logical_and(_logical_not(_s55), _logical_or(_logical_and((_s21 < 0.0), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s60)))))
+    _s62 = _logical_not(_logical_or(_s55, _s61))
+    _s63 = _logical_and(_s62, (_s37 <= _s59))
+    _s64 = _select(end < low1, low1, end, _r4)
+    _s65 = _s64 < high1
+    return _result(_s63, _select(_s65, _s64, _inf, _r15), _select(_s61, t, _s60, _r8), _r0), _result(_s63, _select(_s65, high1, end, _r8), end, _r0), _s55, _logical_and(_s62, _logical_or(_logical_not(_s63), _logical_or(False, _s65)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2585,7 +2589,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _since_1, *_ = opened(_double(_ended_1), _double(_onset_1))
         _rho_start_1, _parting_1, _drift_1 = ring_started(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _room_1)
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
-        _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1, *_ = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _double(_short_share_1), _sound_1)
         _rows5, _count6 = _rows(_leaping_1, _count4)
         if _count6:
@@ -2599,10 +2603,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_flat_2 = _take(_short_flat_1, _rows5)
             _short_grit_2 = _take(_short_grit_1, _rows5)
             _short_high1_2 = _take(_short_high1_1, _rows5)
-            _short_high2_2 = _take(_short_high2_1, _rows5)
-            _short_leaving_2 = _take(_short_leaving_1, _rows5)
+            _short_jerk_2 = _take(_short_jerk_1, _rows5)
             _short_low1_2 = _take(_short_low1_1, _rows5)
-            _short_low2_2 = _take(_short_low2_1, _rows5)
             _short_parting_2 = _take(_short_parting_1, _rows5)
             _short_rate_margin_2 = _take(_short_rate_margin_1, _rows5)
             _short_rho_start_2 = _take(_short_rho_start_1, _rows5)
@@ -2617,7 +2619,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_y_2 = _take(_short_y_1, _rows5)
             _short_z_2 = _take(_short_z_1, _rows5)
             _room_2 = room(_count6)
-            _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_leaving_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _certain_1 = _put(_certain_1, _rows5, _certain_2, _count4)
             _leaping_1 = _put(_leaping_1, _rows5, _leaping_2, _count4)
             _short_end_1 = _put(_short_end_1, _rows5, _short_end_2, _count4)
@@ -2635,10 +2637,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_flat_2 = _take(_short_flat_1, _rows7)
             _short_grit_2 = _take(_short_grit_1, _rows7)
             _short_high1_2 = _take(_short_high1_1, _rows7)
-            _short_high2_2 = _take(_short_high2_1, _rows7)
-            _short_leaving_2 = _take(_short_leaving_1, _rows7)
+            _short_jerk_2 = _take(_short_jerk_1, _rows7)
             _short_low1_2 = _take(_short_low1_1, _rows7)
-            _short_low2_2 = _take(_short_low2_1, _rows7)
             _short_parting_2 = _take(_short_parting_1, _rows7)
             _short_rate_margin_2 = _take(_short_rate_margin_1, _rows7)
             _short_rho_start_2 = _take(_short_rho_start_1, _rows7)
@@ -2656,7 +2656,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_t_1 = _copy(_short_t_1, _count4)
             for _ in range(24):
                 _room_2 = room(_count8)
-                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_leaving_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
                 _going9 = _where_true(_leaping_2)
                 if len(_going9) == _count8:
                     continue
@@ -2678,10 +2678,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _short_flat_2 = _take(_short_flat_2, _going9)
                 _short_grit_2 = _take(_short_grit_2, _going9)
                 _short_high1_2 = _take(_short_high1_2, _going9)
-                _short_high2_2 = _take(_short_high2_2, _going9)
-                _short_leaving_2 = _take(_short_leaving_2, _going9)
+                _short_jerk_2 = _take(_short_jerk_2, _going9)
                 _short_low1_2 = _take(_short_low1_2, _going9)
-                _short_low2_2 = _take(_short_low2_2, _going9)
                 _short_parting_2 = _take(_short_parting_2, _going9)
                 _short_rate_margin_2 = _take(_short_rate_margin_2, _going9)
                 _short_rho_start_2 = _take(_short_rho_start_2, _going9)
@@ -2698,7 +2696,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_certain_1, _rows7, _certain_2, None)
                 _store(_short_t_1, _rows7, _short_t_2, None)
-        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
+        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _double(_short_high2_1), _searching_1, _served_1, _since_1, _double(_short_low2_1))
         _rows10, _count11 = _rows(_searching_1, _count4)
         if _count11:
             _arrival_2 = _take(_arrival_1, _rows10)
@@ -3367,7 +3365,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _since_1, _latest_1 = opened(_double(_ended_1), _double(_onset_1))
         _rho_start_1, _parting_1, _drift_1 = ring_started(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _room_1)
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
-        _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_leaving_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _ended_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _double(_short_share_1), _sound_1)
         _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
         _lost_1, = ring_lost(_latest_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
@@ -3384,10 +3382,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_flat_2 = _take(_short_flat_1, _rows7)
             _short_grit_2 = _take(_short_grit_1, _rows7)
             _short_high1_2 = _take(_short_high1_1, _rows7)
-            _short_high2_2 = _take(_short_high2_1, _rows7)
-            _short_leaving_2 = _take(_short_leaving_1, _rows7)
+            _short_jerk_2 = _take(_short_jerk_1, _rows7)
             _short_low1_2 = _take(_short_low1_1, _rows7)
-            _short_low2_2 = _take(_short_low2_1, _rows7)
             _short_parting_2 = _take(_short_parting_1, _rows7)
             _short_rate_margin_2 = _take(_short_rate_margin_1, _rows7)
             _short_rho_start_2 = _take(_short_rho_start_1, _rows7)
@@ -3402,7 +3398,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_y_2 = _take(_short_y_1, _rows7)
             _short_z_2 = _take(_short_z_1, _rows7)
             _room_2 = room(_count8)
-            _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_leaving_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _certain_1 = _put(_certain_1, _rows7, _certain_2, _count6)
             _leaping_1 = _put(_leaping_1, _rows7, _leaping_2, _count6)
             _short_end_1 = _put(_short_end_1, _rows7, _short_end_2, _count6)
@@ -3420,10 +3416,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_flat_2 = _take(_short_flat_1, _rows9)
             _short_grit_2 = _take(_short_grit_1, _rows9)
             _short_high1_2 = _take(_short_high1_1, _rows9)
-            _short_high2_2 = _take(_short_high2_1, _rows9)
-            _short_leaving_2 = _take(_short_leaving_1, _rows9)
+            _short_jerk_2 = _take(_short_jerk_1, _rows9)
             _short_low1_2 = _take(_short_low1_1, _rows9)
-            _short_low2_2 = _take(_short_low2_1, _rows9)
             _short_parting_2 = _take(_short_parting_1, _rows9)
             _short_rate_margin_2 = _take(_short_rate_margin_1, _rows9)
             _short_rho_start_2 = _take(_short_rho_start_1, _rows9)
@@ -3441,7 +3435,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_t_1 = _copy(_short_t_1, _count6)
             for _ in range(24):
                 _room_2 = room(_count10)
-                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_leaving_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
                 _going11 = _where_true(_leaping_2)
                 if len(_going11) == _count10:
                     continue
@@ -3463,10 +3457,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _short_flat_2 = _take(_short_flat_2, _going11)
                 _short_grit_2 = _take(_short_grit_2, _going11)
                 _short_high1_2 = _take(_short_high1_2, _going11)
-                _short_high2_2 = _take(_short_high2_2, _going11)
-                _short_leaving_2 = _take(_short_leaving_2, _going11)
+                _short_jerk_2 = _take(_short_jerk_2, _going11)
                 _short_low1_2 = _take(_short_low1_2, _going11)
-                _short_low2_2 = _take(_short_low2_2, _going11)
                 _short_parting_2 = _take(_short_parting_2, _going11)
                 _short_rate_margin_2 = _take(_short_rate_margin_2, _going11)
                 _short_rho_start_2 = _take(_short_rho_start_2, _going11)
@@ -3483,7 +3475,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_certain_1, _rows9, _certain_2, None)
                 _store(_short_t_1, _rows9, _short_t_2, None)
-        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
+        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _double(_short_high2_1), _searching_1, _served_1, _since_1, _double(_short_low2_1))
         _rows12, _count13 = _rows(_searching_1, _count6)
         if _count13:
             _arrival_2 = _take(_arrival_1, _rows12)
