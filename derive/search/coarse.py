@@ -265,7 +265,7 @@ class CoarseRing(RingApproach):
         """Return where the search is after a step, in which window, and how it stands.
 
         `certain` where one simple root follows, to which Newton's method converges from `t`.
-        `t` is infinite where neither this window nor the second is left: a third one is rare.
+        `t` is infinite where no window is left.
         """
         said = self.advance()
         gap, rate, step, following = (said[name] for name in ("gap", "rate", "step", "next"))
@@ -275,7 +275,7 @@ class CoarseRing(RingApproach):
         still = every(Less(t, end), Not(Less(t, following)))
         stuck = every(Not(sure), some(closing, still))
         exhausted = every(Not(some(sure, stuck)), AtMost(end - t, step))
-        entered = enter(self._later()[:1], end, sp.oo)
+        entered = enter(self._later(), end, sp.oo)
         more = entered["searching"]
         return {
             "t": Choose(exhausted, entered["t"], Choose(stuck, t, following)),

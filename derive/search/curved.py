@@ -184,8 +184,7 @@ def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     # Most searches end with the first step: it needs no list.
     yield Guard("leaping", (step,))
     yield Repeat("leaping", TURNS, (step,))
-    edges = {"third": "short_low2", "past": "short_high2"}
-    yield Do(KERNELS["leapt"], {"lasting": "short_t", **edges})
+    yield Do(KERNELS["leapt"], {"lasting": "short_t"})
 
 
 def _allowing(common: Parts, own: Parts) -> Iterator[Node]:

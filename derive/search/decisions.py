@@ -41,9 +41,9 @@ side, candidate = sp.symbols("side candidate", real=True)
 through = sp.Symbol("through", real=True)
 """1 for a ball that has fallen through the scene's passage, where it has one."""
 flat, tilt, arrival, t, end, refined = sp.symbols("flat tilt arrival t end refined", real=True)
-since, lasting, third, past = sp.symbols("since lasting third past", real=True)
-"""When a search in single precision began, and how long after that it is, infinite behind two
-windows; when after that a third one opens and ends."""
+since, lasting = sp.symbols("since lasting", real=True)
+"""When a search in single precision began, and how long after that it is; infinite behind all
+windows."""
 unsure, arrives, certain, hit, sure, vague, met, sunk = map(
     Truth, ("unsure", "arrives", "certain", "hit", "sure", "vague", "met", "sunk")
 )
@@ -55,7 +55,6 @@ def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
     return Choose(every(condition, Less(at, doubt)), at, doubt)
 
 
-_third = every(served, Not(Less(lasting, sp.oo)), Less(0, third), Less(third, past))
 CONVERGED = sp.Rational(1, 2**24)
 """Newton's method from where h is less ends with h below 2^-49."""
 
@@ -166,12 +165,8 @@ KERNELS = {
             {
                 "arrival": Choose(every(certain, served), since + lasting, arrival),
                 "certain": every(certain, served),
-                "t": Choose(served, since + Choose(_third, third, lasting), 0),
-                "searching": every(
-                    searching,
-                    Not(every(certain, served)),
-                    some(Not(served), Less(lasting, sp.oo), _third),
-                ),
+                "t": Choose(served, since + lasting, 0),
+                "searching": every(searching, Not(every(certain, served)), Less(lasting, sp.oo)),
             },
             "What a search in single precision found, and whether it goes on, and from when.",
         ),

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 2402650e2a6bb8e9,
+   Generated from templates/c/engine.h.j2, scene court, derivation 2607fe1f6b8b831b,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -168,8 +168,6 @@ typedef struct {
     LANES(court_column) open_searching;
     LANES(court_column) open_served;
     LANES(court_column) open_share;
-    LANES(court_singles) open_short_high2;
-    LANES(court_singles) open_short_low2;
     LANES(court_singles) open_short_t;
     LANES(court_column) open_since;
     LANES(court_column) open_tilt;
@@ -185,8 +183,10 @@ typedef struct {
     LANES(court_singles) open_leaping_short_flat;
     LANES(court_singles) open_leaping_short_grit;
     LANES(court_singles) open_leaping_short_high1;
+    LANES(court_singles) open_leaping_short_high2;
     LANES(court_singles) open_leaping_short_jerk;
     LANES(court_singles) open_leaping_short_low1;
+    LANES(court_singles) open_leaping_short_low2;
     LANES(court_singles) open_leaping_short_parting;
     LANES(court_singles) open_leaping_short_rate_margin;
     LANES(court_singles) open_leaping_short_rho_start;
@@ -2458,7 +2458,7 @@ static void LANES(court_plain)(const court_job *job)
             const M _m27 = lanes_both(rows, leaping);
             if (lanes_any(_m27)) {
                 const LANES(court_ring_leap_out) _o28 =
-                    LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                    LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
                 short_t = singles_select(singles_of(_m27), _o28.t, short_t);
                 short_end = singles_select(singles_of(_m27), _o28.end, short_end);
                 certain = lanes_choose(_m27, _o28.certain, certain);
@@ -2472,8 +2472,6 @@ static void LANES(court_plain)(const court_job *job)
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_served + i, lanes_select(served, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
-            singles_store(lists->open_short_high2 + i, short_high2);
-            singles_store(lists->open_short_low2 + i, short_low2);
             singles_store(lists->open_short_t + i, short_t);
             lanes_store(lists->open_since + i, since);
             lanes_store(lists->open_tilt + i, tilt);
@@ -2494,8 +2492,10 @@ static void LANES(court_plain)(const court_job *job)
                 singles_pack(lists->open_leaping_short_flat + open_leaping_shots, packed, short_flat);
                 singles_pack(lists->open_leaping_short_grit + open_leaping_shots, packed, short_grit);
                 singles_pack(lists->open_leaping_short_high1 + open_leaping_shots, packed, short_high1);
+                singles_pack(lists->open_leaping_short_high2 + open_leaping_shots, packed, short_high2);
                 singles_pack(lists->open_leaping_short_jerk + open_leaping_shots, packed, short_jerk);
                 singles_pack(lists->open_leaping_short_low1 + open_leaping_shots, packed, short_low1);
+                singles_pack(lists->open_leaping_short_low2 + open_leaping_shots, packed, short_low2);
                 singles_pack(lists->open_leaping_short_parting + open_leaping_shots, packed, short_parting);
                 singles_pack(lists->open_leaping_short_rate_margin + open_leaping_shots, packed, short_rate_margin);
                 singles_pack(lists->open_leaping_short_rho_start + open_leaping_shots, packed, short_rho_start);
@@ -2526,8 +2526,10 @@ static void LANES(court_plain)(const court_job *job)
             S short_flat = KS(0.0);
             S short_grit = KS(0.0);
             S short_high1 = KS(0.0);
+            S short_high2 = KS(0.0);
             S short_jerk = KS(0.0);
             S short_low1 = KS(0.0);
+            S short_low2 = KS(0.0);
             S short_parting = KS(0.0);
             S short_rate_margin = KS(0.0);
             S short_rho_start = KS(0.0);
@@ -2552,8 +2554,10 @@ static void LANES(court_plain)(const court_job *job)
                     short_flat = singles_expand(lists->open_leaping_short_flat + taken, idle, short_flat);
                     short_grit = singles_expand(lists->open_leaping_short_grit + taken, idle, short_grit);
                     short_high1 = singles_expand(lists->open_leaping_short_high1 + taken, idle, short_high1);
+                    short_high2 = singles_expand(lists->open_leaping_short_high2 + taken, idle, short_high2);
                     short_jerk = singles_expand(lists->open_leaping_short_jerk + taken, idle, short_jerk);
                     short_low1 = singles_expand(lists->open_leaping_short_low1 + taken, idle, short_low1);
+                    short_low2 = singles_expand(lists->open_leaping_short_low2 + taken, idle, short_low2);
                     short_parting = singles_expand(lists->open_leaping_short_parting + taken, idle, short_parting);
                     short_rate_margin = singles_expand(lists->open_leaping_short_rate_margin + taken, idle, short_rate_margin);
                     short_rho_start = singles_expand(lists->open_leaping_short_rho_start + taken, idle, short_rho_start);
@@ -2582,7 +2586,7 @@ static void LANES(court_plain)(const court_job *job)
                     break;
                 M leaping = active;
                 const LANES(court_ring_leap_out) _o29 =
-                    LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                    LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
                 short_t = _o29.t;
                 short_end = _o29.end;
                 M certain = _o29.certain;
@@ -2623,8 +2627,6 @@ static void LANES(court_plain)(const court_job *job)
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
-            S short_high2 = singles_load(lists->open_short_high2 + i);
-            S short_low2 = singles_load(lists->open_short_low2 + i);
             S short_t = singles_load(lists->open_short_t + i);
             V since = lanes_load(lists->open_since + i);
             V speed = lanes_load(lists->open_speed + i);
@@ -2636,7 +2638,7 @@ static void LANES(court_plain)(const court_job *job)
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(court_leapt_out) _o30 =
-                LANES(court_leapt)(arrival, certain, lanes_wide(short_t), lanes_wide(short_high2), searching, served, since, lanes_wide(short_low2));
+                LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
             arrival = _o30.arrival;
             certain = _o30.certain;
             V t = _o30.t;
@@ -4863,8 +4865,6 @@ typedef struct {
     LANES(court_column) open_searching;
     LANES(court_column) open_served;
     LANES(court_column) open_share;
-    LANES(court_singles) open_short_high2;
-    LANES(court_singles) open_short_low2;
     LANES(court_singles) open_short_t;
     LANES(court_column) open_since;
     LANES(court_column) open_tilt;
@@ -4880,8 +4880,10 @@ typedef struct {
     LANES(court_singles) open_leaping_short_flat;
     LANES(court_singles) open_leaping_short_grit;
     LANES(court_singles) open_leaping_short_high1;
+    LANES(court_singles) open_leaping_short_high2;
     LANES(court_singles) open_leaping_short_jerk;
     LANES(court_singles) open_leaping_short_low1;
+    LANES(court_singles) open_leaping_short_low2;
     LANES(court_singles) open_leaping_short_parting;
     LANES(court_singles) open_leaping_short_rate_margin;
     LANES(court_singles) open_leaping_short_rho_start;
@@ -8234,7 +8236,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M _m36 = lanes_both(rows, leaping);
             if (lanes_any(_m36)) {
                 const LANES(court_ring_leap_out) _o37 =
-                    LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                    LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
                 short_t = singles_select(singles_of(_m36), _o37.t, short_t);
                 short_end = singles_select(singles_of(_m36), _o37.end, short_end);
                 certain = lanes_choose(_m36, _o37.certain, certain);
@@ -8250,8 +8252,6 @@ static void LANES(court_bounded)(const court_job *job)
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_served + i, lanes_select(served, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
-            singles_store(lists->open_short_high2 + i, short_high2);
-            singles_store(lists->open_short_low2 + i, short_low2);
             singles_store(lists->open_short_t + i, short_t);
             lanes_store(lists->open_since + i, since);
             lanes_store(lists->open_tilt + i, tilt);
@@ -8272,8 +8272,10 @@ static void LANES(court_bounded)(const court_job *job)
                 singles_pack(lists->open_leaping_short_flat + open_leaping_shots, packed, short_flat);
                 singles_pack(lists->open_leaping_short_grit + open_leaping_shots, packed, short_grit);
                 singles_pack(lists->open_leaping_short_high1 + open_leaping_shots, packed, short_high1);
+                singles_pack(lists->open_leaping_short_high2 + open_leaping_shots, packed, short_high2);
                 singles_pack(lists->open_leaping_short_jerk + open_leaping_shots, packed, short_jerk);
                 singles_pack(lists->open_leaping_short_low1 + open_leaping_shots, packed, short_low1);
+                singles_pack(lists->open_leaping_short_low2 + open_leaping_shots, packed, short_low2);
                 singles_pack(lists->open_leaping_short_parting + open_leaping_shots, packed, short_parting);
                 singles_pack(lists->open_leaping_short_rate_margin + open_leaping_shots, packed, short_rate_margin);
                 singles_pack(lists->open_leaping_short_rho_start + open_leaping_shots, packed, short_rho_start);
@@ -8304,8 +8306,10 @@ static void LANES(court_bounded)(const court_job *job)
             S short_flat = KS(0.0);
             S short_grit = KS(0.0);
             S short_high1 = KS(0.0);
+            S short_high2 = KS(0.0);
             S short_jerk = KS(0.0);
             S short_low1 = KS(0.0);
+            S short_low2 = KS(0.0);
             S short_parting = KS(0.0);
             S short_rate_margin = KS(0.0);
             S short_rho_start = KS(0.0);
@@ -8330,8 +8334,10 @@ static void LANES(court_bounded)(const court_job *job)
                     short_flat = singles_expand(lists->open_leaping_short_flat + taken, idle, short_flat);
                     short_grit = singles_expand(lists->open_leaping_short_grit + taken, idle, short_grit);
                     short_high1 = singles_expand(lists->open_leaping_short_high1 + taken, idle, short_high1);
+                    short_high2 = singles_expand(lists->open_leaping_short_high2 + taken, idle, short_high2);
                     short_jerk = singles_expand(lists->open_leaping_short_jerk + taken, idle, short_jerk);
                     short_low1 = singles_expand(lists->open_leaping_short_low1 + taken, idle, short_low1);
+                    short_low2 = singles_expand(lists->open_leaping_short_low2 + taken, idle, short_low2);
                     short_parting = singles_expand(lists->open_leaping_short_parting + taken, idle, short_parting);
                     short_rate_margin = singles_expand(lists->open_leaping_short_rate_margin + taken, idle, short_rate_margin);
                     short_rho_start = singles_expand(lists->open_leaping_short_rho_start + taken, idle, short_rho_start);
@@ -8360,7 +8366,7 @@ static void LANES(court_bounded)(const court_job *job)
                     break;
                 M leaping = active;
                 const LANES(court_ring_leap_out) _o38 =
-                    LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                    LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
                 short_t = _o38.t;
                 short_end = _o38.end;
                 M certain = _o38.certain;
@@ -8403,8 +8409,6 @@ static void LANES(court_bounded)(const court_job *job)
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
-            S short_high2 = singles_load(lists->open_short_high2 + i);
-            S short_low2 = singles_load(lists->open_short_low2 + i);
             S short_t = singles_load(lists->open_short_t + i);
             V since = lanes_load(lists->open_since + i);
             V speed = lanes_load(lists->open_speed + i);
@@ -8417,7 +8421,7 @@ static void LANES(court_bounded)(const court_job *job)
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(court_leapt_out) _o39 =
-                LANES(court_leapt)(arrival, certain, lanes_wide(short_t), lanes_wide(short_high2), searching, served, since, lanes_wide(short_low2));
+                LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
             arrival = _o39.arrival;
             certain = _o39.certain;
             V t = _o39.t;

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation e7c5960dc2b4f2b0,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 89253060686c9eee,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -119,8 +119,6 @@ typedef struct {
     LANES(hoop_column) open_searching;
     LANES(hoop_column) open_served;
     LANES(hoop_column) open_share;
-    LANES(hoop_singles) open_short_high2;
-    LANES(hoop_singles) open_short_low2;
     LANES(hoop_singles) open_short_t;
     LANES(hoop_column) open_since;
     LANES(hoop_column) open_tilt;
@@ -136,8 +134,10 @@ typedef struct {
     LANES(hoop_singles) open_leaping_short_flat;
     LANES(hoop_singles) open_leaping_short_grit;
     LANES(hoop_singles) open_leaping_short_high1;
+    LANES(hoop_singles) open_leaping_short_high2;
     LANES(hoop_singles) open_leaping_short_jerk;
     LANES(hoop_singles) open_leaping_short_low1;
+    LANES(hoop_singles) open_leaping_short_low2;
     LANES(hoop_singles) open_leaping_short_parting;
     LANES(hoop_singles) open_leaping_short_rate_margin;
     LANES(hoop_singles) open_leaping_short_rho_start;
@@ -758,7 +758,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const M _m43 = lanes_both(rows, leaping);
             if (lanes_any(_m43)) {
                 const LANES(hoop_ring_leap_out) _o44 =
-                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
                 short_t = singles_select(singles_of(_m43), _o44.t, short_t);
                 short_end = singles_select(singles_of(_m43), _o44.end, short_end);
                 certain = lanes_choose(_m43, _o44.certain, certain);
@@ -772,8 +772,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_served + i, lanes_select(served, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
-            singles_store(lists->open_short_high2 + i, short_high2);
-            singles_store(lists->open_short_low2 + i, short_low2);
             singles_store(lists->open_short_t + i, short_t);
             lanes_store(lists->open_since + i, since);
             lanes_store(lists->open_tilt + i, tilt);
@@ -794,8 +792,10 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 singles_pack(lists->open_leaping_short_flat + open_leaping_shots, packed, short_flat);
                 singles_pack(lists->open_leaping_short_grit + open_leaping_shots, packed, short_grit);
                 singles_pack(lists->open_leaping_short_high1 + open_leaping_shots, packed, short_high1);
+                singles_pack(lists->open_leaping_short_high2 + open_leaping_shots, packed, short_high2);
                 singles_pack(lists->open_leaping_short_jerk + open_leaping_shots, packed, short_jerk);
                 singles_pack(lists->open_leaping_short_low1 + open_leaping_shots, packed, short_low1);
+                singles_pack(lists->open_leaping_short_low2 + open_leaping_shots, packed, short_low2);
                 singles_pack(lists->open_leaping_short_parting + open_leaping_shots, packed, short_parting);
                 singles_pack(lists->open_leaping_short_rate_margin + open_leaping_shots, packed, short_rate_margin);
                 singles_pack(lists->open_leaping_short_rho_start + open_leaping_shots, packed, short_rho_start);
@@ -826,8 +826,10 @@ static void LANES(hoop_plain)(const hoop_job *job)
             S short_flat = KS(0.0);
             S short_grit = KS(0.0);
             S short_high1 = KS(0.0);
+            S short_high2 = KS(0.0);
             S short_jerk = KS(0.0);
             S short_low1 = KS(0.0);
+            S short_low2 = KS(0.0);
             S short_parting = KS(0.0);
             S short_rate_margin = KS(0.0);
             S short_rho_start = KS(0.0);
@@ -852,8 +854,10 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     short_flat = singles_expand(lists->open_leaping_short_flat + taken, idle, short_flat);
                     short_grit = singles_expand(lists->open_leaping_short_grit + taken, idle, short_grit);
                     short_high1 = singles_expand(lists->open_leaping_short_high1 + taken, idle, short_high1);
+                    short_high2 = singles_expand(lists->open_leaping_short_high2 + taken, idle, short_high2);
                     short_jerk = singles_expand(lists->open_leaping_short_jerk + taken, idle, short_jerk);
                     short_low1 = singles_expand(lists->open_leaping_short_low1 + taken, idle, short_low1);
+                    short_low2 = singles_expand(lists->open_leaping_short_low2 + taken, idle, short_low2);
                     short_parting = singles_expand(lists->open_leaping_short_parting + taken, idle, short_parting);
                     short_rate_margin = singles_expand(lists->open_leaping_short_rate_margin + taken, idle, short_rate_margin);
                     short_rho_start = singles_expand(lists->open_leaping_short_rho_start + taken, idle, short_rho_start);
@@ -882,7 +886,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     break;
                 M leaping = active;
                 const LANES(hoop_ring_leap_out) _o45 =
-                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
                 short_t = _o45.t;
                 short_end = _o45.end;
                 M certain = _o45.certain;
@@ -923,8 +927,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
-            S short_high2 = singles_load(lists->open_short_high2 + i);
-            S short_low2 = singles_load(lists->open_short_low2 + i);
             S short_t = singles_load(lists->open_short_t + i);
             V since = lanes_load(lists->open_since + i);
             V speed = lanes_load(lists->open_speed + i);
@@ -936,7 +938,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(hoop_leapt_out) _o46 =
-                LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), lanes_wide(short_high2), searching, served, since, lanes_wide(short_low2));
+                LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
             arrival = _o46.arrival;
             certain = _o46.certain;
             V t = _o46.t;
@@ -1742,8 +1744,6 @@ typedef struct {
     LANES(hoop_column) open_searching;
     LANES(hoop_column) open_served;
     LANES(hoop_column) open_share;
-    LANES(hoop_singles) open_short_high2;
-    LANES(hoop_singles) open_short_low2;
     LANES(hoop_singles) open_short_t;
     LANES(hoop_column) open_since;
     LANES(hoop_column) open_tilt;
@@ -1759,8 +1759,10 @@ typedef struct {
     LANES(hoop_singles) open_leaping_short_flat;
     LANES(hoop_singles) open_leaping_short_grit;
     LANES(hoop_singles) open_leaping_short_high1;
+    LANES(hoop_singles) open_leaping_short_high2;
     LANES(hoop_singles) open_leaping_short_jerk;
     LANES(hoop_singles) open_leaping_short_low1;
+    LANES(hoop_singles) open_leaping_short_low2;
     LANES(hoop_singles) open_leaping_short_parting;
     LANES(hoop_singles) open_leaping_short_rate_margin;
     LANES(hoop_singles) open_leaping_short_rho_start;
@@ -2573,7 +2575,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const M _m68 = lanes_both(rows, leaping);
             if (lanes_any(_m68)) {
                 const LANES(hoop_ring_leap_out) _o69 =
-                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
                 short_t = singles_select(singles_of(_m68), _o69.t, short_t);
                 short_end = singles_select(singles_of(_m68), _o69.end, short_end);
                 certain = lanes_choose(_m68, _o69.certain, certain);
@@ -2589,8 +2591,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
             lanes_store(lists->open_served + i, lanes_select(served, K(1.0), K(0.0)));
             lanes_store(lists->open_share + i, share);
-            singles_store(lists->open_short_high2 + i, short_high2);
-            singles_store(lists->open_short_low2 + i, short_low2);
             singles_store(lists->open_short_t + i, short_t);
             lanes_store(lists->open_since + i, since);
             lanes_store(lists->open_tilt + i, tilt);
@@ -2611,8 +2611,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 singles_pack(lists->open_leaping_short_flat + open_leaping_shots, packed, short_flat);
                 singles_pack(lists->open_leaping_short_grit + open_leaping_shots, packed, short_grit);
                 singles_pack(lists->open_leaping_short_high1 + open_leaping_shots, packed, short_high1);
+                singles_pack(lists->open_leaping_short_high2 + open_leaping_shots, packed, short_high2);
                 singles_pack(lists->open_leaping_short_jerk + open_leaping_shots, packed, short_jerk);
                 singles_pack(lists->open_leaping_short_low1 + open_leaping_shots, packed, short_low1);
+                singles_pack(lists->open_leaping_short_low2 + open_leaping_shots, packed, short_low2);
                 singles_pack(lists->open_leaping_short_parting + open_leaping_shots, packed, short_parting);
                 singles_pack(lists->open_leaping_short_rate_margin + open_leaping_shots, packed, short_rate_margin);
                 singles_pack(lists->open_leaping_short_rho_start + open_leaping_shots, packed, short_rho_start);
@@ -2643,8 +2645,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             S short_flat = KS(0.0);
             S short_grit = KS(0.0);
             S short_high1 = KS(0.0);
+            S short_high2 = KS(0.0);
             S short_jerk = KS(0.0);
             S short_low1 = KS(0.0);
+            S short_low2 = KS(0.0);
             S short_parting = KS(0.0);
             S short_rate_margin = KS(0.0);
             S short_rho_start = KS(0.0);
@@ -2669,8 +2673,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     short_flat = singles_expand(lists->open_leaping_short_flat + taken, idle, short_flat);
                     short_grit = singles_expand(lists->open_leaping_short_grit + taken, idle, short_grit);
                     short_high1 = singles_expand(lists->open_leaping_short_high1 + taken, idle, short_high1);
+                    short_high2 = singles_expand(lists->open_leaping_short_high2 + taken, idle, short_high2);
                     short_jerk = singles_expand(lists->open_leaping_short_jerk + taken, idle, short_jerk);
                     short_low1 = singles_expand(lists->open_leaping_short_low1 + taken, idle, short_low1);
+                    short_low2 = singles_expand(lists->open_leaping_short_low2 + taken, idle, short_low2);
                     short_parting = singles_expand(lists->open_leaping_short_parting + taken, idle, short_parting);
                     short_rate_margin = singles_expand(lists->open_leaping_short_rate_margin + taken, idle, short_rate_margin);
                     short_rho_start = singles_expand(lists->open_leaping_short_rho_start + taken, idle, short_rho_start);
@@ -2699,7 +2705,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     break;
                 M leaping = active;
                 const LANES(hoop_ring_leap_out) _o70 =
-                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
                 short_t = _o70.t;
                 short_end = _o70.end;
                 M certain = _o70.certain;
@@ -2742,8 +2748,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
-            S short_high2 = singles_load(lists->open_short_high2 + i);
-            S short_low2 = singles_load(lists->open_short_low2 + i);
             S short_t = singles_load(lists->open_short_t + i);
             V since = lanes_load(lists->open_since + i);
             V speed = lanes_load(lists->open_speed + i);
@@ -2756,7 +2760,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(hoop_leapt_out) _o71 =
-                LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), lanes_wide(short_high2), searching, served, since, lanes_wide(short_low2));
+                LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
             arrival = _o71.arrival;
             certain = _o71.certain;
             V t = _o71.t;

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation e7c5960dc2b4f2b0,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 89253060686c9eee,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -533,7 +533,7 @@ LANES(hoop_coarse)(V ceiling, M fits, V flat, V rate_margin, M searching, V shar
 }
 
 /* What a search in single precision found, and whether it goes on, and from when.
-   Table 1. 19 operations: 2 additions, 3 comparisons, 6 conjunctions, 2 disjunctions, 3 complements, 3 selections. */
+   Table 1. 8 operations: 1 addition, 1 comparison, 3 conjunctions, 1 complement, 2 selections. */
 typedef struct {
     V arrival;
     M certain;
@@ -542,12 +542,11 @@ typedef struct {
 } LANES(hoop_leapt_out);
 
 LANES_INLINE LANES(hoop_leapt_out)
-LANES(hoop_leapt)(V arrival, M certain, V lasting, V past, M searching, M served, V since, V third)
+LANES(hoop_leapt)(V arrival, M certain, V lasting, M searching, M served, V since)
 {
     const M _s0 = lanes_both(certain, served);
-    const M _s1 = lanes_less(lasting, K(INFINITY));
-    const M _s2 = lanes_both(lanes_both(lanes_both(served, lanes_not(_s1)), lanes_less(K(0.0), third)), lanes_less(third, past));
-    return (LANES(hoop_leapt_out)){ lanes_select(_s0, lanes_add(lasting, since), arrival), _s0, lanes_select(served, lanes_add(since, lanes_select(_s2, third, lasting)), K(0.0)), lanes_both(lanes_both(searching, lanes_not(_s0)), lanes_either(lanes_either(lanes_not(served), _s1), _s2)) };
+    const V _s1 = lanes_add(lasting, since);
+    return (LANES(hoop_leapt_out)){ lanes_select(_s0, _s1, arrival), _s0, lanes_select(served, _s1, K(0.0)), lanes_both(lanes_both(searching, lanes_not(_s0)), lanes_less(lasting, K(INFINITY))) };
 }
 
 /* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
@@ -1509,7 +1508,7 @@ LANES(hoop_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S 
 }
 
 /* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
-   Newton from the left under a curvature bound. 227 operations: 40 additions, 20 subtractions, 80 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 28 comparisons, 6 conjunctions, 4 disjunctions, 4 complements, 31 selections. */
+   Newton from the left under a curvature bound. 233 operations: 40 additions, 20 subtractions, 80 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections. */
 typedef struct {
     S t;
     S end;
@@ -1518,7 +1517,7 @@ typedef struct {
 } LANES(hoop_ring_leap_out);
 
 LANES_INLINE LANES(hoop_ring_leap_out)
-LANES(hoop_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S jerk, S parting, S drift, S low1, S high1, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
+LANES(hoop_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S jerk, S parting, S drift, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
 {
     const S _s0 = singles_add(tilt, singles_mul(grit, t));
     const S _s1 = singles_mul(t, _s0);
@@ -1586,7 +1585,9 @@ LANES(hoop_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx,
     const Q _s63 = singles_both(_s62, singles_at_most(_s37, _s59));
     const S _s64 = singles_max(end, low1);
     const Q _s65 = singles_less(_s64, high1);
-    return (LANES(hoop_ring_leap_out)){ singles_select(_s63, singles_select(_s65, _s64, KS(INFINITY)), singles_select(_s61, t, _s60)), singles_select(_s63, singles_select(_s65, high1, end), end), singles_truth(_s55), singles_truth(singles_both(_s62, singles_either(singles_not(_s63), singles_either(singles_nowhere(), _s65)))) };
+    const S _s66 = singles_max(end, low2);
+    const Q _s67 = singles_less(_s66, high2);
+    return (LANES(hoop_ring_leap_out)){ singles_select(_s63, singles_select(_s65, _s64, singles_select(_s67, _s66, KS(INFINITY))), singles_select(_s61, t, _s60)), singles_select(_s63, singles_select(_s65, high1, singles_select(_s67, high2, end)), end), singles_truth(_s55), singles_truth(singles_both(_s62, singles_either(singles_not(_s63), singles_either(singles_either(singles_nowhere(), _s67), _s65)))) };
 }
 
 /* Distance from the axis, rate of the gap and of that distance, at the start of the flight.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation e7c5960dc2b4f2b0,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 89253060686c9eee,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -225,7 +225,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "nearby": ("flat", "index", "last", "t", "tilt",),
     "opened": ("horizon", "time",),
     "coarse": ("ceiling", "fits", "flat", "rate_margin", "searching", "share", "sound",),
-    "leapt": ("arrival", "certain", "lasting", "past", "searching", "served", "since", "third",),
+    "leapt": ("arrival", "certain", "lasting", "searching", "served", "since",),
     "struck": ("bend", "clearance", "gap", "margin", "rate", "rate_margin", "share",),
     "finer": ("share",),
     "exceeded": ("doubt", "excess", "t",),
@@ -271,7 +271,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_opened": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_grain": ("t", "end", "leaving", "horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "parting", "drift", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_leap": ("t", "end", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "grit", "jerk", "parting", "drift", "low1", "high1", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_leap": ("t", "end", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "grit", "jerk", "parting", "drift", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_started": ("x", "y", "z", "vx", "vy", "vz", "p_ring_radius",),
     "ring_lost": ("horizon", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
     "ring_enter": ("after", "end", "high0", "high1", "high2", "low0", "low1", "low2", "t",),
@@ -965,16 +965,15 @@ def coarse(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any,
     return _s0, _logical_or(searching, _logical_not(sound)), _s0, ceiling, flat, rate_margin, share
 
 
-def leapt(arrival: Any, certain: Any, lasting: Any, past: Any, searching: Any, served: Any, since: Any, third: Any) -> tuple[Any, ...]:
+def leapt(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
     """What a search in single precision found, and whether it goes on, and from when.
 
-    Table 1. 19 operations: 2 additions, 3 comparisons, 6 conjunctions, 2 disjunctions, 3 complements, 3 selections.
+    Table 1. 8 operations: 1 addition, 1 comparison, 3 conjunctions, 1 complement, 2 selections.
     Returns arrival, certain, t, searching.
     """
     _s0 = _logical_and(certain, served)
-    _s1 = lasting < _inf
-    _s2 = _logical_and(_logical_and(_logical_and(served, _logical_not(_s1)), (0.0 < third)), (third < past))
-    return _where(_s0, (lasting + since), arrival), _s0, _where(served, (since + _where(_s2, third, lasting)), 0.0), _logical_and(_logical_and(searching, _logical_not(_s0)), _logical_or(_logical_or(_logical_not(served), _s1), _s2))
+    _s1 = lasting + since
+    return _where(_s0, _s1, arrival), _s0, _where(served, _s1, 0.0), _logical_and(_logical_and(searching, _logical_not(_s0)), (lasting < _inf))
 
 
 def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
@@ -1800,10 +1799,10 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     return _s13, 0.0, end - t, x, y, z, vx, vy, vz, _s14, _s16, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r11), _r11)), 1.0009765625 * _s19, (5.0048828125 * _s2) * _s22, _result(_s0, _multiply(1.0009765625, _add(_multiply(4.76837158203125e-07, _absolute(parting, _r11), _r11), _multiply(_add(5.684341886080802e-14, _s13, _r2), _s11, _r2), _r2), _r2), _inf, _r0), 1.0009765625 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s20, _r7), _absolute(vz, _r2), _r2), _r2), _s23, _r10), 1.9073486328125e-06 * _multiply(_s19, _s8, _r8), parting, drift, 5.0 * _add(_multiply(_multiply(1.0009765625, _s9, _r1), _s22, _r1), _multiply(_multiply(_add(2.384185791015625e-07, _s13, _r5), _s2, _r5), _s1, _r5), _r5), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s21 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r6) <= 0.0))
 
 
-def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
 
-    Newton from the left under a curvature bound. 227 operations: 40 additions, 20 subtractions, 80 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 28 comparisons, 6 conjunctions, 4 disjunctions, 4 complements, 31 selections.
+    Newton from the left under a curvature bound. 233 operations: 40 additions, 20 subtractions, 80 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections.
     Returns t, end, certain, leaping.
     """
     t = _single(t)
@@ -1827,6 +1826,8 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     drift = _single(drift)
     low1 = _single(low1)
     high1 = _single(high1)
+    low2 = _single(low2)
+    high2 = _single(high2)
     p_ball_radius = _single(p_ball_radius)
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
@@ -1898,7 +1899,9 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s63 = _logical_and(_s62, (_s37 <= _s59))
     _s64 = _select(end < low1, low1, end, _r4)
     _s65 = _s64 < high1
-    return _result(_s63, _select(_s65, _s64, _inf, _r15), _select(_s61, t, _s60, _r8), _r0), _result(_s63, _select(_s65, high1, end, _r8), end, _r0), _s55, _logical_and(_s62, _logical_or(_logical_not(_s63), _logical_or(False, _s65)))
+    _s66 = _select(end < low2, low2, end, _r15)
+    _s67 = _s66 < high2
+    return _result(_s63, _select(_s65, _s64, _select(_s67, _s66, _inf, _r8), _r24), _select(_s61, t, _s60, _r19), _r0), _result(_s63, _select(_s65, high1, _select(_s67, high2, end, _r19), _r24), end, _r0), _s55, _logical_and(_s62, _logical_or(_logical_not(_s63), _logical_or(_logical_or(False, _s67), _s65)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2603,8 +2606,10 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_flat_2 = _take(_short_flat_1, _rows5)
             _short_grit_2 = _take(_short_grit_1, _rows5)
             _short_high1_2 = _take(_short_high1_1, _rows5)
+            _short_high2_2 = _take(_short_high2_1, _rows5)
             _short_jerk_2 = _take(_short_jerk_1, _rows5)
             _short_low1_2 = _take(_short_low1_1, _rows5)
+            _short_low2_2 = _take(_short_low2_1, _rows5)
             _short_parting_2 = _take(_short_parting_1, _rows5)
             _short_rate_margin_2 = _take(_short_rate_margin_1, _rows5)
             _short_rho_start_2 = _take(_short_rho_start_1, _rows5)
@@ -2619,7 +2624,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_y_2 = _take(_short_y_1, _rows5)
             _short_z_2 = _take(_short_z_1, _rows5)
             _room_2 = room(_count6)
-            _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _certain_1 = _put(_certain_1, _rows5, _certain_2, _count4)
             _leaping_1 = _put(_leaping_1, _rows5, _leaping_2, _count4)
             _short_end_1 = _put(_short_end_1, _rows5, _short_end_2, _count4)
@@ -2637,8 +2642,10 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_flat_2 = _take(_short_flat_1, _rows7)
             _short_grit_2 = _take(_short_grit_1, _rows7)
             _short_high1_2 = _take(_short_high1_1, _rows7)
+            _short_high2_2 = _take(_short_high2_1, _rows7)
             _short_jerk_2 = _take(_short_jerk_1, _rows7)
             _short_low1_2 = _take(_short_low1_1, _rows7)
+            _short_low2_2 = _take(_short_low2_1, _rows7)
             _short_parting_2 = _take(_short_parting_1, _rows7)
             _short_rate_margin_2 = _take(_short_rate_margin_1, _rows7)
             _short_rho_start_2 = _take(_short_rho_start_1, _rows7)
@@ -2656,7 +2663,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_t_1 = _copy(_short_t_1, _count4)
             for _ in range(24):
                 _room_2 = room(_count8)
-                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
                 _going9 = _where_true(_leaping_2)
                 if len(_going9) == _count8:
                     continue
@@ -2678,8 +2685,10 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _short_flat_2 = _take(_short_flat_2, _going9)
                 _short_grit_2 = _take(_short_grit_2, _going9)
                 _short_high1_2 = _take(_short_high1_2, _going9)
+                _short_high2_2 = _take(_short_high2_2, _going9)
                 _short_jerk_2 = _take(_short_jerk_2, _going9)
                 _short_low1_2 = _take(_short_low1_2, _going9)
+                _short_low2_2 = _take(_short_low2_2, _going9)
                 _short_parting_2 = _take(_short_parting_2, _going9)
                 _short_rate_margin_2 = _take(_short_rate_margin_2, _going9)
                 _short_rho_start_2 = _take(_short_rho_start_2, _going9)
@@ -2696,7 +2705,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_certain_1, _rows7, _certain_2, None)
                 _store(_short_t_1, _rows7, _short_t_2, None)
-        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _double(_short_high2_1), _searching_1, _served_1, _since_1, _double(_short_low2_1))
+        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
         _rows10, _count11 = _rows(_searching_1, _count4)
         if _count11:
             _arrival_2 = _take(_arrival_1, _rows10)
@@ -3382,8 +3391,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_flat_2 = _take(_short_flat_1, _rows7)
             _short_grit_2 = _take(_short_grit_1, _rows7)
             _short_high1_2 = _take(_short_high1_1, _rows7)
+            _short_high2_2 = _take(_short_high2_1, _rows7)
             _short_jerk_2 = _take(_short_jerk_1, _rows7)
             _short_low1_2 = _take(_short_low1_1, _rows7)
+            _short_low2_2 = _take(_short_low2_1, _rows7)
             _short_parting_2 = _take(_short_parting_1, _rows7)
             _short_rate_margin_2 = _take(_short_rate_margin_1, _rows7)
             _short_rho_start_2 = _take(_short_rho_start_1, _rows7)
@@ -3398,7 +3409,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_y_2 = _take(_short_y_1, _rows7)
             _short_z_2 = _take(_short_z_1, _rows7)
             _room_2 = room(_count8)
-            _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _certain_1 = _put(_certain_1, _rows7, _certain_2, _count6)
             _leaping_1 = _put(_leaping_1, _rows7, _leaping_2, _count6)
             _short_end_1 = _put(_short_end_1, _rows7, _short_end_2, _count6)
@@ -3416,8 +3427,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_flat_2 = _take(_short_flat_1, _rows9)
             _short_grit_2 = _take(_short_grit_1, _rows9)
             _short_high1_2 = _take(_short_high1_1, _rows9)
+            _short_high2_2 = _take(_short_high2_1, _rows9)
             _short_jerk_2 = _take(_short_jerk_1, _rows9)
             _short_low1_2 = _take(_short_low1_1, _rows9)
+            _short_low2_2 = _take(_short_low2_1, _rows9)
             _short_parting_2 = _take(_short_parting_1, _rows9)
             _short_rate_margin_2 = _take(_short_rate_margin_1, _rows9)
             _short_rho_start_2 = _take(_short_rho_start_1, _rows9)
@@ -3435,7 +3448,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_t_1 = _copy(_short_t_1, _count6)
             for _ in range(24):
                 _room_2 = room(_count10)
-                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
                 _going11 = _where_true(_leaping_2)
                 if len(_going11) == _count10:
                     continue
@@ -3457,8 +3470,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _short_flat_2 = _take(_short_flat_2, _going11)
                 _short_grit_2 = _take(_short_grit_2, _going11)
                 _short_high1_2 = _take(_short_high1_2, _going11)
+                _short_high2_2 = _take(_short_high2_2, _going11)
                 _short_jerk_2 = _take(_short_jerk_2, _going11)
                 _short_low1_2 = _take(_short_low1_2, _going11)
+                _short_low2_2 = _take(_short_low2_2, _going11)
                 _short_parting_2 = _take(_short_parting_2, _going11)
                 _short_rate_margin_2 = _take(_short_rate_margin_2, _going11)
                 _short_rho_start_2 = _take(_short_rho_start_2, _going11)
@@ -3475,7 +3490,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_certain_1, _rows9, _certain_2, None)
                 _store(_short_t_1, _rows9, _short_t_2, None)
-        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _double(_short_high2_1), _searching_1, _served_1, _since_1, _double(_short_low2_1))
+        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
         _rows12, _count13 = _rows(_searching_1, _count6)
         if _count13:
             _arrival_2 = _take(_arrival_1, _rows12)

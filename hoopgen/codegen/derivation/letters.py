@@ -151,8 +151,6 @@ LOOP = {
     "parting": Letter("F'_0", "rate of the gap at the start of the flight"),
     "drift": Letter(r"\rho'_0", "rate of the distance from the axis at the start of the flight"),
     "grit": Letter(r"m_H", "bound on the error of H"),
-    "third": Letter(r"\underline t_2", "when the third window opens"),
-    "past": Letter(r"\overline t_2", "when it ends"),
     "jerk": Letter(r"K/6", "bound on a sixth of the third derivative of the gap"),
     "fits": Letter(r"\text{fits}", "sizes are such that single precision serves"),
     "sunk": Letter(r"\text{sunk}", "the ball is on the other side than the search took it to be"),
