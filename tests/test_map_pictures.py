@@ -218,6 +218,36 @@ def test_hatched_cells_are_not_in_the_key() -> None:
     assert "invalid" not in texts
 
 
+def test_outcomes_alone_are_drawn_with_their_names() -> None:
+    data = single()
+    with pytest.raises(ValueError, match="flag_meanings, as .* gives them; got none"):
+        plot_map(data, of="outcome")
+    names = " ".join(one.name.lower() for one in hoopgen.Outcome)
+    data["outcome"].attrs["flag_meanings"] = names
+    figure = plot_map(data, of="outcome")
+    (key,) = figure.legends
+    assert [text.get_text() for text in key.get_texts()] == ["made"]
+    data["outcome"][0, 0] = 7
+    with pytest.raises(ValueError, match="outcome: expected codes from 0 to 6"):
+        plot_map(data, of="outcome")
+
+
+def test_a_key_of_many_long_names_stays_on_the_page() -> None:
+    data = single(4)
+    ends = [f"through_the_long_wall_number_{number}" for number in range(8)]
+    data["outcome"].attrs["flag_meanings"] = " ".join([*ends, "capped", "invalid"])
+    data["outcome"][:] = np.arange(16).reshape(4, 4) % 8
+    data = data.drop_vars("kind").assign_attrs(parameters="{}")
+    for width in (COLUMN, PAGE):
+        figure = plot_map(data, width=width)
+        FigureCanvasAgg(figure).draw()
+        (key,) = figure.legends
+        box = key.get_window_extent()
+        assert len(key.get_texts()) == 8
+        assert box.x1 <= figure.bbox.x1
+        assert box.y1 <= figure.axes[0].get_tightbbox().y0
+
+
 # ---------------------------------------------------------------------------------------- contours
 
 
