@@ -220,7 +220,7 @@ def test_hatched_cells_are_not_in_the_key() -> None:
 
 def test_outcomes_alone_are_drawn_with_their_names() -> None:
     data = single()
-    with pytest.raises(ValueError, match="flag_meanings, as .* gives them; got none"):
+    with pytest.raises(ValueError, match=r"flag_meanings, as hoopgen\.map gives them; got none"):
         plot_map(data, of="outcome")
     names = " ".join(one.name.lower() for one in hoopgen.Outcome)
     data["outcome"].attrs["flag_meanings"] = names
