@@ -736,7 +736,7 @@ def flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity:
     Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications.
     Returns x, y, z, vx, vy, vz.
     """
-    _r0, *_ = _room
+    _r0, = _room[:1]
     return x + _multiply(t, vx, _r0), y + _multiply(t, vy, _r0), z + _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), vx, vy, vz - _multiply(p_gravity, t, _r0)
 
 
@@ -799,7 +799,7 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any, _room: Any 
     Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections.
     Returns clearance, delay.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _negative(_add(rate, rate_margin, _r0), _r0)
     _s1 = 0.0 < _s0
     return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(6.0, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(6.0, margin, _r2), _s0, _r2), _inf, _r0)
@@ -811,7 +811,7 @@ def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error:
     a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection.
     Returns position_level, velocity_level, excess.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s1 = share * _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = share * _s0
@@ -836,7 +836,7 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _ro
     what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
     Returns extent, speed, excess.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _absolute(x, _r0)
     _s1 = _absolute(y, _r1)
     _s2 = _absolute(z, _r2)
@@ -858,7 +858,7 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     running error analysis. 27 operations: 17 additions, 8 multiplications, 2 absolute values.
     Returns margin.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s1 = _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_board_thickness) + p_bridge_depth) + p_bridge_half_width) + p_end_depth
@@ -872,7 +872,7 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _room[:25]
     _s0 = _add(dx, _multiply(dvx, t, _r0), _r0)
     _s1 = _absolute(vx, _r1)
     _s2 = _multiply(2.0, t, _r2)
@@ -919,7 +919,7 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _room[:17]
     _s0 = _absolute(vx, _r0)
     _s1 = _add(clock_error, _multiply(4.440892098500626e-16, _add(clock, t, _r1), _r1), _r1)
     _s2 = _absolute(dvx, _r2)
@@ -948,7 +948,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
@@ -970,7 +970,7 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
@@ -1020,7 +1020,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     Table 2. 133 operations: 27 additions, 19 subtractions, 15 multiplications, 3 square roots, 4 negations, 20 absolute values, 21 comparisons, 24 selections.
     Returns valid, doubt.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = _subtract(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _s1 * _s1, _r1)
@@ -1063,7 +1063,7 @@ def passing_start(last: Any, outcome: Any, uncertain: Any, x: Any, y: Any, z: An
     Table 2, success. 22 operations: 2 additions, 1 subtraction, 4 multiplications, 1 negation, 1 absolute value, 6 comparisons, 5 conjunctions, 2 selections.
     Returns through, uncertain.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _logical_and(_logical_and((0.0 <= last), (z < 0.0)), ((-p_end_depth) <= z))
     _s1 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s2 = p_ring_radius * p_ring_radius
@@ -1077,7 +1077,7 @@ def passing(through: Any, t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: 
     Eq. 3, its roots in the ring's plane. 66 operations: 9 additions, 2 subtractions, 18 multiplications, 1 division, 1 square root, 16 comparisons, 9 conjunctions, 2 disjunctions, 8 selections.
     Returns through.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = z < 0.0
     _s1 = _add(z, _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), _r0)
     _s2 = _s1 < 0.0
@@ -1107,7 +1107,7 @@ def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ext
     running error analysis. 107 operations: 18 additions, 4 subtractions, 31 multiplications, 1 division, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections.
     Returns unsure.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _add(z, _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), _r0)
     _s1 = _multiply(vz, vz, _r1)
     _s2 = 1.0 / p_gravity
@@ -1370,7 +1370,7 @@ def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
     Returns finite.
     """
-    _r0, *_ = _room
+    _r0, = _room[:1]
     _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _inf), (_absolute(y, _r0) < _inf)), (_absolute(z, _r0) < _inf)), (_absolute(vx, _r0) < _inf)), (_absolute(vy, _r0) < _inf))
     _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _inf)), (_absolute(wx, _r0) < _inf)), (_absolute(wy, _r0) < _inf)), (_absolute(wz, _r0) < _inf))
     return _s1,
@@ -1626,7 +1626,7 @@ def roll_0(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, nx_0: Any, ny_
     Newton, Euler and rolling without slip. 42 operations: 7 additions, 5 subtractions, 29 multiplications, 1 negation.
     Returns lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1, turn_rate_1.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = 0.6 * p_gravity
     _s1 = _multiply(bent_x, per_reach, _r0) * vx_0
     _s2 = _multiply(bent_y, per_reach, _r0) * vy_0
@@ -1644,7 +1644,7 @@ def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, n
     Newton, Euler and rolling without slip. 81 operations: 25 additions, 4 subtractions, 51 multiplications, 1 negation.
     Returns lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2, turn_rate_2.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = _multiply(_multiply(bent_x, per_reach, _r0), vx_1, _r0)
     _s1 = _multiply(_multiply(bent_y, per_reach, _r1), vy_1, _r1)
     _s2 = _multiply(_multiply(bent_z, per_reach, _r2), vz_1, _r2)
@@ -1665,7 +1665,7 @@ def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 125 operations: 43 additions, 4 subtractions, 77 multiplications, 1 negation.
     Returns lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3, turn_rate_3.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(_multiply(bent_x, per_reach, _r1), vx_2, _r1)
     _s2 = _multiply(2.0, ny_2, _r2)
@@ -1689,7 +1689,7 @@ def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 161 operations: 61 additions, 4 subtractions, 95 multiplications, 1 negation.
     Returns lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4, turn_rate_4.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(3.0, nx_3, _r1)
     _s2 = _multiply(_multiply(bent_x, per_reach, _r2), vx_3, _r2)
@@ -1719,7 +1719,7 @@ def roll_4(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 207 operations: 79 additions, 4 subtractions, 123 multiplications, 1 negation.
     Returns lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5, turn_rate_5.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(3.0, nx_3, _r1)
     _s2 = _multiply(4.0, nx_4, _r2)
@@ -1756,7 +1756,7 @@ def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 243 operations: 97 additions, 4 subtractions, 141 multiplications, 1 negation.
     Returns lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6, turn_rate_6.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(3.0, nx_3, _r1)
     _s2 = _multiply(4.0, nx_4, _r2)
@@ -1805,7 +1805,7 @@ def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 289 operations: 115 additions, 4 subtractions, 169 multiplications, 1 negation.
     Returns lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7, turn_rate_7.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(3.0, nx_3, _r1)
     _s2 = _multiply(4.0, nx_4, _r2)
@@ -1856,7 +1856,7 @@ def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 325 operations: 133 additions, 4 subtractions, 187 multiplications, 1 negation.
     Returns lift_7, tx_7, ty_7, tz_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(3.0, nx_3, _r1)
     _s2 = _multiply(4.0, nx_4, _r2)
@@ -1925,7 +1925,7 @@ def roll_moved(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tur
     its series. 140 operations: 59 additions, 81 multiplications.
     Returns x, vx, y, vy, z, vz, turn_rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = _multiply(0.1111111111111111, t, _r0)
     _s1 = _add(_multiply(0.16666666666666666, vx_5, _r1), _multiply(t, _add(_multiply(0.14285714285714285, vx_6, _r2), _multiply(t, _add(_multiply(0.125, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
     _s2 = _add(_multiply(0.3333333333333333, vx_2, _r1), _multiply(t, _add(_multiply(0.25, vx_3, _r2), _multiply(t, _add(_multiply(0.2, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
@@ -1953,7 +1953,7 @@ def roll_placed(p_ball_radius: Any, gap: Any, nx: Any, ny: Any, nz: Any, turn_ra
     v = R_B (w × n). 36 operations: 5 additions, 9 subtractions, 21 multiplications, 1 division.
     Returns x, y, z, vx, vy, vz, wx, wy, wz.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s1 = vx - _multiply(nx, _s0, _r1)
     _s2 = vy - _multiply(ny, _s0, _r1)
@@ -1968,7 +1968,7 @@ def roll_pace(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any
     the last terms of the series. 159 operations: 53 additions, 49 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections.
     Returns stride, strongest, fastest, force, force_rate, force_bend, brace.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
     _s0 = _add(_add(_add(_absolute(turn_rate_0, _r0), _absolute(vx_0, _r1), _r1), _absolute(vy_0, _r0), _r0), _absolute(vz_0, _r1), _r1)
     _s1 = _add(0.015625 * p_gravity, _s0, _r0)
     _s2 = _absolute(per_reach, _r2)
@@ -2012,7 +2012,7 @@ def pressed_on(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, ro
     N = -a·n - v·n', F = beta (-a_t + s n × n'). 54 operations: 13 additions, 5 subtractions, 33 multiplications, 1 square root, 2 negations.
     Returns press, weight, drag, thrust_x, thrust_y, thrust_z.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = -_multiply(p_gravity, nz, _r0)
     _s1 = _negative(_s0, _r0) - _add(_add(_multiply(rolled_x, turning_x, _r1), _multiply(rolled_y, turning_y, _r2), _r2), _multiply(rolled_z, turning_z, _r1), _r1)
     _s2 = _add(_add(_multiply(nx, wx, _r1), _multiply(ny, wy, _r0), _r0), _multiply(nz, wz, _r1), _r1)
@@ -2029,7 +2029,7 @@ def slowed(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: 
     a hop of less than a micrometre. 8 operations: 2 additions, 5 multiplications, 1 comparison.
     Returns slow, assured.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     return _multiply(_s0, _s0, _r0) < (1.1920928955078125e-07 * p_ball_radius), 0.0
 
@@ -2040,7 +2040,7 @@ def gripped(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz:
     the momenta that a contact keeps. 40 operations: 4 additions, 12 subtractions, 21 multiplications, 1 square root, 1 comparison, 1 selection.
     Returns rolled_x, rolled_y, rolled_z, slip, bounce.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s1 = _subtract(vx, _multiply(nx, _s0, _r1), _r1)
     _s2 = _subtract(_s1, _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r2), _multiply(ny, wz, _r3), _r3), _r3), _r3)
@@ -2066,7 +2066,7 @@ def neared_body(facing: Any, gap: Any, nearest: Any, nearing: Any, press: Any, s
     Table 1. 18 operations: 1 addition, 4 multiplications, 1 division, 2 absolute values, 5 comparisons, 1 conjunction, 4 selections.
     Returns nearest, wedge.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _absolute(gap, _r0)
     _s1 = _absolute(swerve, _r1)
     _s2 = _multiply(9.5367431640625e-07, press, _r2)
@@ -2090,7 +2090,7 @@ def begun_errors(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy
     its bound. 41 operations: 12 additions, 3 multiplications, 2 divisions, 3 negations, 3 absolute values, 9 comparisons, 9 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = 3.637978807091713e-12 * p_ball_radius
     _s1 = -_s0
     _s2 = _multiply(1.4551915228366852e-11 * p_ball_radius, _add(1.0, _divide(_add(_add(_absolute(vx, _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0), p_ball_radius, _r0), _r0), _r0)
@@ -2106,7 +2106,7 @@ def leaving_force(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, forc
     N = 0. 85 operations: 12 additions, 1 subtraction, 20 multiplications, 2 divisions, 2 square roots, 2 negations, 8 absolute values, 14 comparisons, 7 conjunctions, 3 disjunctions, 3 complements, 11 selections.
     Returns stride, which, rests, doubt.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _absolute(per_reach, _r0)
     _s1 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), _s0, _r1), _r1)
     _s2 = _multiply(5.684341886080802e-14, _s1, _r2)
@@ -2134,7 +2134,7 @@ def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 12 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections.
     Returns stride, which, doubt, late.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _multiply(7.105427357601002e-15, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = gap <= _s0
     _s2 = nearing < 0.0
@@ -2158,7 +2158,7 @@ def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections.
     Returns stride, which, doubt, late.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _multiply(7.105427357601002e-15, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = nearing < 0.0
     _s2 = _logical_and(_logical_and((gap <= _s0), _s1), (_negative(_s0, _r1) <= gap))
@@ -2181,7 +2181,7 @@ def beside_seam(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, st
     a parabola below the distance. 28 operations: 3 additions, 1 subtraction, 5 multiplications, 1 division, 1 square root, 1 negation, 2 absolute values, 6 comparisons, 8 selections.
     Returns stride.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _absolute(gap, _r0)
     _s1 = _s0 <= near
     _s2 = _select(_s1, 0.0, _s0, _r1)
@@ -2219,7 +2219,7 @@ def parted(doubt: Any, p_gravity: Any, lift: Any, nearest: Any, per_reach: Any, 
     Taylor's theorem of the gap. 67 operations: 10 additions, 21 multiplications, 6 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections.
     Returns when, doubt.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r0), _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0)
     _s1 = _divide(_multiply(0.25, nearest, _r1), _s0, _r1)
     _s2 = _absolute(per_reach, _r2)
@@ -2249,7 +2249,7 @@ def apart(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, 
     FAR. 29 operations: 3 additions, 4 multiplications, 1 division, 9 absolute values, 6 comparisons, 6 selections.
     Returns apart.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _absolute(dwx, _r0)
     _s1 = _absolute(dwy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
@@ -2272,7 +2272,7 @@ def neighbour(apart: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz:
     Table 1. 18 operations: 9 additions, 9 multiplications.
     Returns far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_nx, far_ny, far_nz, far_gap.
     """
-    _r0, *_ = _room
+    _r0, = _room[:1]
     return x + _multiply(apart, dx, _r0), y + _multiply(apart, dy, _r0), z + _multiply(apart, dz, _r0), vx + _multiply(apart, dvx, _r0), vy + _multiply(apart, dvy, _r0), vz + _multiply(apart, dvz, _r0), wx + _multiply(apart, dwx, _r0), wy + _multiply(apart, dwy, _r0), wz + _multiply(apart, dwz, _r0), 0.0, 0.0, 0.0, 0.0
 
 
@@ -2282,7 +2282,7 @@ def compared(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: A
     differences. 69 operations: 17 additions, 9 subtractions, 3 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = _divide(_subtract(far_x, x, _r0), apart, _r0)
     _s1 = _multiply(4.440892098500626e-16, _add(_add(_add(p_ball_radius, _absolute(x, _r1), _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1)
     _s2 = _negative(_s1, _r2)
@@ -2308,7 +2308,7 @@ def carry_hop(dvx: Any, dvy: Any, dvz: Any, dx: Any, dy: Any, dz: Any, vx: Any, 
     derivative of Eq. 3. 34 operations: 9 additions, 10 multiplications, 3 negations, 6 absolute values, 3 comparisons, 3 selections.
     Returns dx, dy, dz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(dx, _multiply(dvx, when, _r0), _r0)
     _s1 = _multiply(2.0, when, _r1)
     _s2 = _multiply(1.1102230246251565e-16, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
@@ -2408,7 +2408,7 @@ def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any,
     Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections.
     Returns body, reached, doubt, ends, hopped, last, mode, held, rolls.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = which == 5.0
     _s1 = _multiply(2.0, _select(held == 2.0, 2.0, _select(held == 1.0, 1.0, _select(held == 0.0, 0.0, -1.0, _r0), _r1), _r2), _r2)
     _s2 = which == 6.0
@@ -2434,7 +2434,7 @@ def pulled(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any
     F = beta (-a_t + s n × n'). 57 operations: 17 additions, 38 multiplications, 2 negations.
     Returns drag, drag_rate, strain, strain_rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _negative(_multiply(p_gravity, nz_0, _r0), _r0)
     _s1 = _multiply(0.4, nx_0, _r1)
     _s2 = _multiply(0.4, turn_rate_0, _r2)
@@ -2475,7 +2475,7 @@ def lost_grip(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_clock: 
     a cubic between the ends of a step. 97 operations: 22 additions, 9 subtractions, 28 multiplications, 5 divisions, 1 negation, 16 comparisons, 1 conjunction, 15 selections.
     Returns grip_lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _subtract(clock, taut_clock, _r0)
     _s1 = _subtract(strain, taut, _r1)
     _s2 = _negative(_divide(taut, _s1, _r2), _r2)
@@ -2524,7 +2524,7 @@ def ring_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
     Returns unsure.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = 0.4 + (0.4 * p_tangential_restitution)
     _s1 = _absolute(dwx, _r0)
     _s2 = _absolute(dwy, _r1)
@@ -2553,7 +2553,7 @@ def ring_impact_settling(p_ball_radius: Any, bounce: Any, drag: Any, lift: Any, 
     a geometric series of bounces. 149 operations: 20 additions, 4 subtractions, 47 multiplications, 8 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections.
     Returns settles, lodges, slides, parts, assured, unsure.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
     _s0 = 1.0 - p_ring_restitution
     _s1 = 0.0 < _s0
     _s2 = _divide(bounce, press, _r0)
@@ -2610,7 +2610,7 @@ def ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, n
     momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections.
     Returns vx, vy, vz, wx, wy, wz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s1 = _subtract(vx, _multiply(nx, _s0, _r1), _r1)
     _s2 = _subtract(_s1, _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r2), _multiply(ny, wz, _r3), _r3), _r3), _r3)
@@ -2633,7 +2633,7 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33 = _room[:34]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s1 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
     _s2 = _subtract(_subtract(dvx, _multiply(dnx, _s0, _r1), _r1), _multiply(nx, _s1, _r3), _r3)
@@ -2749,7 +2749,7 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root.
     Returns nx, ny, nz.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(1.0, _s1, _r1), _r0)
@@ -2773,7 +2773,7 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
     derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
     Returns dnx, dny, dnz, turn.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = 1.0 / _s0
     _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
@@ -2792,7 +2792,7 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     bounds of the event condition. 161 operations: 31 additions, 19 subtractions, 74 multiplications, 1 division, 4 square roots, 16 comparisons, 16 selections.
     Returns clear.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)
     _s2 = 1.0 / p_gravity
@@ -2844,7 +2844,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections.
     Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35 = _room[:36]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
     _s2 = _add(_multiply(2.0, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(2.0, _s1, _r1)
@@ -2916,7 +2916,7 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections.
     Returns margin, leaving_margin, rate_margin.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = 1.00006103515625 * _s0
@@ -2939,7 +2939,7 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection.
     Returns time, rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
@@ -2961,7 +2961,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
     Returns gap, rate, bend, step, next, root, clearance.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
@@ -3014,7 +3014,7 @@ def ring_beside(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: An
     Table 2. 33 operations: 5 additions, 5 subtractions, 15 multiplications, 4 divisions, 2 square roots, 1 comparison, 1 selection.
     Returns gap, nearing, dent.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _r0)
@@ -3030,7 +3030,7 @@ def ring_closing(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: A
     derivatives of Table 2's distance. 75 operations: 12 additions, 5 subtractions, 48 multiplications, 8 divisions, 2 square roots.
     Returns gap, nearing, swerve, facing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s1 = _sqrt(_s0, _r0)
     _s2 = _subtract(_s1, p_ring_radius, _r2)
@@ -3052,7 +3052,7 @@ def ring_off(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any,
     Table 2. 11 operations: 2 additions, 3 subtractions, 4 multiplications, 2 square roots.
     Returns gap.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
     return _subtract(_sqrt(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _r1), p_ball_radius, _r1) - p_wire_radius,
 
@@ -3072,7 +3072,7 @@ def ring_turning(p_ball_radius: Any, p_ring_radius: Any, rolled_x: Any, rolled_y
     derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation.
     Returns turning_x, turning_y, turning_z.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s2 = _subtract(_s1, p_ring_radius, _r0)
@@ -3089,7 +3089,7 @@ def ring_parting(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, 
     derivatives of Table 2's distance. 120 operations: 14 additions, 11 subtractions, 74 multiplications, 18 divisions, 2 square roots, 1 negation.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s1 = _sqrt(_s0, _r0)
     _s2 = _subtract(_s1, p_ring_radius, _r2)
@@ -3124,7 +3124,7 @@ def ring_round_start(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, v
     Routh's equations. 36 operations: 7 additions, 3 subtractions, 20 multiplications, 4 divisions, 2 square roots.
     Returns cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0, sin_0, near_0.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = _divide(1.0, _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r3), _r3), _r3), _r3)
@@ -3143,7 +3143,7 @@ def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, a
     Routh's equations. 214 operations: 91 additions, 3 subtractions, 114 multiplications, 3 divisions, 2 square roots, 1 negation.
     Returns x, y, z, vx, vy, vz, wx, wy, wz, climb.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _add(cos_9, _multiply(t, _add(cos_10, _multiply(t, _add(cos_11, _multiply(cos_12, t, _r0), _r0), _r0), _r0), _r0), _r0)
     _s1 = _add(cos_6, _multiply(t, _add(cos_7, _multiply(t, _add(cos_8, _multiply(t, _s0, _r0), _r0), _r0), _r0), _r0), _r0)
     _s2 = _add(cos_3, _multiply(t, _add(cos_4, _multiply(t, _add(cos_5, _multiply(t, _s1, _r0), _r0), _r0), _r0), _r0), _r0)
@@ -3193,7 +3193,7 @@ def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, al
     Routh's equations. 275 operations: 80 additions, 4 subtractions, 120 multiplications, 6 divisions, 7 square roots, 1 negation, 53 absolute values, 2 comparisons, 2 selections.
     Returns stride, strongest, fastest, sway, force, force_rate, force_bend, brace, vx_1, vy_1, vz_1.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
     _s0 = _absolute(climb_0, _r0)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = _absolute(along_0, _r1)
@@ -3258,7 +3258,7 @@ def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, 
     Routh's equations. 24 operations: 6 additions, 18 multiplications.
     Returns drag, drag_rate, strain, strain_rate.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _multiply(0.4, _multiply(climb_0, turn_rate_0, _r0), _r0)
     _s1 = _add(p_gravity, _multiply(omega_0, turn_rate_0, _r1), _r1)
     _s2 = _multiply(0.4, _multiply(cosine_0, _s1, _r2), _r2)
@@ -3273,7 +3273,7 @@ def ring_swung(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0
     Routh's equations. 49 operations: 4 additions, 3 subtractions, 21 multiplications, 1 division, 1 absolute value, 8 comparisons, 6 conjunctions, 1 complement, 4 selections.
     Returns circled, endless, doubt.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _multiply(stride, stride, _r0)
     _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(0.125, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < 0.0, force_rate, 0.0, _r1), _r1), _r1), _multiply(_multiply(0.5, force_bend, _r2), _s1, _r2), _r2)))
@@ -3291,7 +3291,7 @@ def ring_round_0(along_0: Any, p_ball_radius: Any, climb_0: Any, cos_0: Any, cos
     Routh's equations. 32 operations: 2 additions, 4 subtractions, 22 multiplications, 1 division, 3 negations.
     Returns omega_0, around_0, tilted_0, pressed_0, force_0, cosine_1, sine_1, climb_1, along_1, turn_rate_1, cos_1, sin_1.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = along_0 * near_0
     _s1 = climb_0 * _s0
     _s2 = _multiply(along_0, sine_0, _r0) - _multiply(0.4, _multiply(cosine_0, turn_rate_0, _r1), _r1)
@@ -3306,7 +3306,7 @@ def ring_round_1(along_0: Any, along_1: Any, around_0: Any, p_ball_radius: Any, 
     Routh's equations. 70 operations: 15 additions, 4 subtractions, 46 multiplications, 1 division, 4 negations.
     Returns near_1, omega_1, around_1, tilted_1, pressed_1, force_1, cosine_2, sine_2, climb_2, along_2, turn_rate_2, cos_2, sin_2.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = -_multiply(_multiply(near_0, _multiply(cosine_1, near_0, _r0), _r0), _s0, _r0)
     _s2 = _multiply(along_0, _s1, _r0) + _multiply(along_1, near_0, _r1)
@@ -3323,7 +3323,7 @@ def ring_round_2(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around
     Routh's equations. 100 operations: 30 additions, 4 subtractions, 61 multiplications, 1 division, 4 negations.
     Returns near_2, omega_2, around_2, tilted_2, pressed_2, force_2, cosine_3, sine_3, climb_3, along_3, turn_rate_3, cos_3, sin_3.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_multiply(cosine_1, near_1, _r1), _multiply(cosine_2, near_0, _r2), _r2), _r0)
     _s2 = _add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_1, _r2), _r2) + _multiply(along_2, near_0, _r0)
@@ -3342,7 +3342,7 @@ def ring_round_3(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_
     Routh's equations. 129 operations: 44 additions, 4 subtractions, 76 multiplications, 1 division, 4 negations.
     Returns near_3, omega_3, around_3, tilted_3, pressed_3, force_3, cosine_4, sine_4, climb_4, along_4, turn_rate_4, cos_4, sin_4.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_multiply(cosine_1, near_2, _r1), _multiply(cosine_2, near_1, _r2), _r2), _multiply(cosine_3, near_0, _r1), _r1), _r0)
     _s2 = _add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_2, _r1), _r1), _multiply(along_2, near_1, _r0), _r0) + _multiply(along_3, near_0, _r1)
@@ -3363,7 +3363,7 @@ def ring_round_4(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 159 operations: 59 additions, 4 subtractions, 91 multiplications, 1 division, 4 negations.
     Returns near_4, omega_4, around_4, tilted_4, pressed_4, force_4, cosine_5, sine_5, climb_5, along_5, turn_rate_5, cos_5, sin_5.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_multiply(cosine_1, near_3, _r1), _multiply(cosine_2, near_2, _r2), _r2), _multiply(cosine_3, near_1, _r1), _r1), _multiply(cosine_4, near_0, _r2), _r2), _r0)
     _s2 = _add(_add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_3, _r2), _r2), _multiply(along_2, near_2, _r0), _r0), _multiply(along_3, near_1, _r2), _r2) + _multiply(along_4, near_0, _r0)
@@ -3389,7 +3389,7 @@ def ring_round_5(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 188 operations: 73 additions, 4 subtractions, 106 multiplications, 1 division, 4 negations.
     Returns near_5, omega_5, around_5, tilted_5, pressed_5, force_5, cosine_6, sine_6, climb_6, along_6, turn_rate_6, cos_6, sin_6.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_add(_multiply(cosine_1, near_4, _r1), _multiply(cosine_2, near_3, _r2), _r2), _multiply(cosine_3, near_2, _r1), _r1), _multiply(cosine_4, near_1, _r2), _r2), _multiply(cosine_5, near_0, _r1), _r1), _r0)
     _s2 = -_s1
@@ -3418,7 +3418,7 @@ def ring_round_6(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 218 operations: 88 additions, 4 subtractions, 121 multiplications, 1 division, 4 negations.
     Returns near_6, omega_6, around_6, tilted_6, pressed_6, force_6, cosine_7, sine_7, climb_7, along_7, turn_rate_7, cos_7, sin_7.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_5, _r0), _multiply(cosine_2, near_4, _r1), _r1), _multiply(cosine_3, near_3, _r0), _r0), _multiply(cosine_4, near_2, _r1), _r1), _multiply(cosine_5, near_1, _r0), _r0), _multiply(cosine_6, near_0, _r1), _r1)
     _s2 = -_multiply(_multiply(near_0, _s0, _r0), _s1, _r0)
@@ -3450,7 +3450,7 @@ def ring_round_7(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 247 operations: 102 additions, 4 subtractions, 136 multiplications, 1 division, 4 negations.
     Returns near_7, omega_7, around_7, tilted_7, pressed_7, force_7, cosine_8, sine_8, climb_8, along_8, turn_rate_8, cos_8, sin_8.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_6, _r0), _multiply(cosine_2, near_5, _r1), _r1), _multiply(cosine_3, near_4, _r0), _r0), _multiply(cosine_4, near_3, _r1), _r1), _multiply(cosine_5, near_2, _r0), _r0), _multiply(cosine_6, near_1, _r1), _r1)
     _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_s1, _multiply(cosine_7, near_0, _r2), _r2), _r0)
@@ -3483,7 +3483,7 @@ def ring_round_8(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 277 operations: 117 additions, 4 subtractions, 151 multiplications, 1 division, 4 negations.
     Returns near_8, omega_8, around_8, tilted_8, pressed_8, force_8, cosine_9, sine_9, climb_9, along_9, turn_rate_9, cos_9, sin_9.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_7, _r0), _multiply(cosine_2, near_6, _r1), _r1), _multiply(cosine_3, near_5, _r0), _r0), _multiply(cosine_4, near_4, _r1), _r1), _multiply(cosine_5, near_3, _r0), _r0), _multiply(cosine_6, near_2, _r1), _r1)
     _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_s1, _multiply(cosine_7, near_1, _r2), _r2), _multiply(cosine_8, near_0, _r1), _r1), _r0)
@@ -3518,7 +3518,7 @@ def ring_round_9(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 306 operations: 131 additions, 4 subtractions, 166 multiplications, 1 division, 4 negations.
     Returns near_9, omega_9, around_9, tilted_9, pressed_9, force_9, cosine_10, sine_10, climb_10, along_10, turn_rate_10, cos_10, sin_10.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_8, _r0), _multiply(cosine_2, near_7, _r1), _r1), _multiply(cosine_3, near_6, _r0), _r0), _multiply(cosine_4, near_5, _r1), _r1), _multiply(cosine_5, near_4, _r0), _r0), _multiply(cosine_6, near_3, _r1), _r1)
     _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_s1, _multiply(cosine_7, near_2, _r2), _r2), _multiply(cosine_8, near_1, _r1), _r1), _multiply(cosine_9, near_0, _r2), _r2), _r0)
@@ -3558,7 +3558,7 @@ def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along
     Routh's equations. 336 operations: 146 additions, 4 subtractions, 181 multiplications, 1 division, 4 negations.
     Returns near_10, omega_10, around_10, tilted_10, pressed_10, force_10, cosine_11, sine_11, climb_11, along_11, turn_rate_11, cos_11, sin_11.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_9, _r0), _multiply(cosine_10, near_0, _r1), _r1), _multiply(cosine_2, near_8, _r0), _r0), _multiply(cosine_3, near_7, _r1), _r1), _multiply(cosine_4, near_6, _r0), _r0), _multiply(cosine_5, near_5, _r1), _r1)
     _s2 = _multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_add(_s1, _multiply(cosine_6, near_4, _r2), _r2), _multiply(cosine_7, near_3, _r1), _r1), _multiply(cosine_8, near_2, _r2), _r2), _multiply(cosine_9, near_1, _r1), _r1), _r0)
@@ -3602,7 +3602,7 @@ def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, alon
     Routh's equations. 365 operations: 160 additions, 4 subtractions, 196 multiplications, 1 division, 4 negations.
     Returns near_11, omega_11, around_11, tilted_11, pressed_11, force_11, cosine_12, sine_12, climb_12, along_12, turn_rate_12, cos_12, sin_12.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_10, _r0), _multiply(cosine_10, near_1, _r1), _r1), _multiply(cosine_11, near_0, _r0), _r0), _multiply(cosine_2, near_9, _r1), _r1), _multiply(cosine_3, near_8, _r0), _r0), _multiply(cosine_4, near_7, _r1), _r1)
     _s2 = _add(_add(_add(_add(_add(_s1, _multiply(cosine_5, near_6, _r0), _r0), _multiply(cosine_6, near_5, _r1), _r1), _multiply(cosine_7, near_4, _r0), _r0), _multiply(cosine_8, near_3, _r1), _r1), _multiply(cosine_9, near_2, _r0), _r0)
@@ -3661,7 +3661,7 @@ def backboard_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_board_distanc
     Table 2. 28 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections.
     Returns nx, ny, nz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = 1.0 / p_ball_radius
     _s1 = _add(p_board_distance, x, _r0)
     _s2 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
@@ -3687,7 +3687,7 @@ def backboard_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, sh
     derivative of Table 2's normal. 32 operations: 4 additions, 6 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
     Returns dnx, dny, dnz, turn.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = 1.0 / p_ball_radius
     _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < 0.0, 0.0, dx, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < 0.0, 0.0, _negative(dx, _r1), _r2), _r2)
     _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < 0.0, 0.0, dy, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < 0.0, 0.0, _negative(dy, _r0), _r3), _r3)
@@ -3700,7 +3700,7 @@ def backboard_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: 
     bounds of the event condition. 123 operations: 24 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections.
     Returns clear.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21 = _room[:22]
     _s0 = 1.0 / p_gravity
     _s1 = 0.5 * p_board_thickness
     _s2 = p_board_distance + _s1
@@ -3759,7 +3759,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections.
     Returns low0, high0, low1, high1, ceiling, latest, lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22 = _room[:23]
     _s0 = _absolute(vx, _r0)
     _s1 = 0.5 * p_board_thickness
     _s2 = p_ball_radius + _s1
@@ -3823,7 +3823,7 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     running error analysis. 83 operations: 31 additions, 1 subtraction, 45 multiplications, 2 absolute values, 2 comparisons, 2 selections.
     Returns margin, leaving_margin, rate_margin.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = (p_ball_radius + (0.5 * p_board_top)) - (0.5 * p_board_bottom)
     _s1 = p_ball_radius + p_board_half_width
     _s2 = p_ball_radius + (0.5 * p_board_thickness)
@@ -3851,7 +3851,7 @@ def backboard_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     Newton's method. 101 operations: 19 additions, 19 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections.
     Returns time, rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(p_board_distance, _s0, _r1)
     _s2 = p_board_distance + p_board_thickness
@@ -3890,7 +3890,7 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     Newton from the left under a curvature bound. 194 operations: 33 additions, 26 subtractions, 51 multiplications, 3 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections.
     Returns gap, rate, bend, step, next, root, clearance.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -3955,7 +3955,7 @@ def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     Table 2. 59 operations: 8 additions, 10 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections.
     Returns gap, nearing, dent.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -3977,7 +3977,7 @@ def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     derivatives of Table 2's distance. 117 operations: 15 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections.
     Returns gap, nearing, swerve, facing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4013,7 +4013,7 @@ def backboard_off(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any
     Table 2. 31 operations: 6 additions, 7 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections.
     Returns gap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4032,7 +4032,7 @@ def backboard_tube(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: An
     Table 2. 65 operations: 9 additions, 3 subtractions, 6 multiplications, 1 division, 8 negations, 2 absolute values, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections.
     Returns bent_x, bent_y, bent_z, per_reach.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = 1.4210854715202004e-14 * p_ball_radius
     _s1 = (_s0 + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness)
     _s2 = _add(p_board_distance, x, _r0)
@@ -4058,7 +4058,7 @@ def backboard_turning(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     derivative of Table 2's normal. 31 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
     Returns turning_x, turning_y, turning_z.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = 1.0 / p_ball_radius
     _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < 0.0, 0.0, rolled_x, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < 0.0, 0.0, _negative(rolled_x, _r1), _r2), _r2)
     _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < 0.0, 0.0, rolled_y, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < 0.0, 0.0, _negative(rolled_y, _r0), _r3), _r3)
@@ -4071,7 +4071,7 @@ def backboard_parting(p_board_bottom: Any, p_board_distance: Any, p_board_half_w
     derivatives of Table 2's distance. 112 operations: 13 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _s0 < 0.0
     _s2 = _subtract(p_board_bottom, z, _r1)
@@ -4160,7 +4160,7 @@ def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     Table 2. 57 operations: 6 additions, 6 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
     Returns gap, nearing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4196,7 +4196,7 @@ def bridge_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any
     Table 2. 28 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections.
     Returns nx, ny, nz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = 1.0 / p_ball_radius
     _s1 = _add(p_ring_radius, x, _r0)
     _s2 = _negative(_add(p_board_distance, x, _r1), _r1)
@@ -4222,7 +4222,7 @@ def bridge_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift
     derivative of Table 2's normal. 32 operations: 3 additions, 7 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
     Returns dnx, dny, dnz, turn.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = 1.0 / p_ball_radius
     _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < 0.0, 0.0, dx, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < 0.0, 0.0, _negative(dx, _r1), _r2), _r2)
     _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < 0.0, 0.0, dy, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < 0.0, 0.0, _negative(dy, _r1), _r0), _r0)
@@ -4236,7 +4236,7 @@ def bridge_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     bounds of the event condition. 124 operations: 25 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections.
     Returns clear.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21 = _room[:22]
     _s0 = 1.0 / p_gravity
     _s1 = 0.5 * p_board_distance
     _s2 = 0.5 * p_ring_radius
@@ -4294,7 +4294,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     bounds of the event condition. 136 operations: 28 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections.
     Returns low0, high0, low1, high1, ceiling, latest, lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22 = _room[:23]
     _s0 = _absolute(vx, _r0)
     _s1 = 0.5 * p_board_distance
     _s2 = p_ball_radius + _s1
@@ -4357,7 +4357,7 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     running error analysis. 81 operations: 31 additions, 1 subtraction, 45 multiplications, 2 comparisons, 2 selections.
     Returns margin, leaving_margin, rate_margin.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = p_ball_radius + (0.5 * p_bridge_depth)
     _s1 = p_ball_radius + p_bridge_half_width
     _s2 = (p_ball_radius + (0.5 * p_board_distance)) - (0.5 * p_ring_radius)
@@ -4385,7 +4385,7 @@ def bridge_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     Newton's method. 101 operations: 18 additions, 20 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections.
     Returns time, rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(p_ring_radius, _s0, _r1)
     _s2 = _negative(_add(p_board_distance, _s0, _r0), _r0)
@@ -4424,7 +4424,7 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     Newton from the left under a curvature bound. 194 operations: 32 additions, 27 subtractions, 51 multiplications, 3 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections.
     Returns gap, rate, bend, step, next, root, clearance.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4489,7 +4489,7 @@ def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     Table 2. 59 operations: 7 additions, 11 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections.
     Returns gap, nearing, dent.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4511,7 +4511,7 @@ def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     derivatives of Table 2's distance. 117 operations: 14 additions, 18 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections.
     Returns gap, nearing, swerve, facing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4547,7 +4547,7 @@ def bridge_off(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p
     Table 2. 31 operations: 5 additions, 8 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections.
     Returns gap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4566,7 +4566,7 @@ def bridge_tube(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, 
     Table 2. 65 operations: 8 additions, 5 subtractions, 6 multiplications, 1 division, 8 negations, 1 absolute value, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections.
     Returns bent_x, bent_y, bent_z, per_reach.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = 1.4210854715202004e-14 * p_ball_radius
     _s1 = (_s0 + (1.4210854715202004e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_ring_radius)
     _s2 = _add(p_ring_radius, x, _r0)
@@ -4592,7 +4592,7 @@ def bridge_turning(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     derivative of Table 2's normal. 31 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
     Returns turning_x, turning_y, turning_z.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = 1.0 / p_ball_radius
     _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < 0.0, 0.0, rolled_x, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < 0.0, 0.0, _negative(rolled_x, _r1), _r2), _r2)
     _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < 0.0, 0.0, rolled_y, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < 0.0, 0.0, _negative(rolled_y, _r1), _r0), _r0)
@@ -4606,7 +4606,7 @@ def bridge_parting(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_wid
     derivatives of Table 2's distance. 112 operations: 12 additions, 16 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(z, p_wire_radius, _r0)
     _s1 = _s0 < 0.0
     _s2 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
@@ -4695,7 +4695,7 @@ def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     Table 2. 57 operations: 5 additions, 7 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
     Returns gap, nearing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _subtract(z, p_wire_radius, _r0)
     _s1 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4767,7 +4767,7 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections.
     Returns time, rate, bend, apex, height.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = 0.0 < leaving
     _s1 = _select(_s0, 0.0, _subtract(z, -p_end_depth, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
@@ -4783,7 +4783,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     running error analysis. 13 operations: 6 additions, 7 multiplications.
     Returns margin.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
     return _add(6.667843360785852e-16 * p_end_depth, _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
 
