@@ -189,6 +189,18 @@ def test_a_map_of_the_command_line_is_on_the_court(tmp_path: Path) -> None:
     assert out.stat().st_size < 300_000
 
 
+@pytest.mark.parametrize("highest", [0, 1])
+def test_lines_on_axes_with_one_scale_are_all_seen(highest: int) -> None:
+    data = places().isel(y=20).drop_vars("y")
+    low = data.map(lambda values: values / 5.0, keep_attrs=True)
+    both = Figure().subplots(1, 2, sharey=True)
+    for axes, one in zip(both, (data, low) if highest == 0 else (low, data), strict=True):
+        plot_map(one, ax=axes)
+    top = float(data["high"].where(data["probability"].notnull()).max())
+    for axes in both:
+        assert axes.get_ylim() == (0.0, pytest.approx(1.08 * top, rel=1e-12, abs=0))
+
+
 # ---------------------------------------------------------------------------------- no such flight
 
 

@@ -145,6 +145,9 @@ def test_a_comparison_has_both_and_the_difference() -> None:
     assert whiskers(below) == {"difference": (found.low, found.high)}
     low, high = below.get_xlim()
     assert low == -high
+    words = [text.get_text() for text in below.texts]
+    assert words[0].startswith("−")
+    assert not any("-" in word for word in words)
     said = " ".join(text.get_text() for text in plot_estimate(found).texts)
     assert "backspin 3 Hz" in said
     assert "second speed 7.17 m/s, elevation 52°, backspin 0 Hz" in said

@@ -198,7 +198,9 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
     axes.set_xlabel(axis.quantity.label, parse_math=False)
     axes.set_ylabel(shown.label, parse_math=False)
     axes.yaxis.set_major_formatter(FuncFormatter(_in_percent))
-    axes.set_ylim(0.0, 1.08 * float(np.nanmax(top, initial=0.01)))
+    # Of axes that share a scale, all that is on them is seen.
+    others = [one.dataLim.y1 for one in axes.get_shared_y_axes().get_siblings(axes)]
+    axes.set_ylim(0.0, 1.08 * max(float(np.nanmax(top, initial=0.01)), *others))
     axes.margins(x=0.0)
     axes.grid(color=GRID, lw=0.5)
     axes.set_axisbelow(True)
