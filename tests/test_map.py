@@ -273,6 +273,59 @@ def test_a_folder_is_gone_on_from(tmp_path: Path, sd: Any, monkeypatch: pytest.M
         hoopgen.map(Scatter(REST | {"sidespin": 1.0}, sd or {}), OVER, **shots, folder=tmp_path)
 
 
+@pytest.fixture
+def thrown(monkeypatch: pytest.MonkeyPatch) -> list[tuple[int, int]]:
+    """Which shots of which cells were thrown, each as often as it was."""
+    found: list[tuple[int, int]] = []
+    counted = module._Work.counted
+
+    def noted(work: Any, chunk: int, start: int, stop: int, *before: Any) -> Any:
+        found.extend(itertools.product(range(*work.cells(chunk)), range(start, stop)))
+        return counted(work, chunk, start, stop, *before)
+
+    monkeypatch.setattr(module._Work, "counted", noted)
+    return found
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+@pytest.mark.parametrize("first", [1, 100, 256, 300])
+def test_a_folder_can_be_asked_for_more_shots_and_only_the_rest_is_thrown(
+    first: int, tmp_path: Path, thrown: list[tuple[int, int]]
+) -> None:
+    """Of every cell: in the chunks that there are, at their end, and in further ones."""
+    model, most = Scatter(REST, SD), 600  # more than two blocks
+    wanted = hoopgen.map(model, OVER, shots=most, folder=tmp_path / "at-once")
+    hoopgen.map(model, OVER, shots=first, folder=tmp_path / "more")
+    few = contents(tmp_path / "more")
+    thrown.clear()
+    found = hoopgen.map(model, OVER, shots=most, folder=tmp_path / "more", threads=2)
+    xr.testing.assert_identical(found, wanted)
+    assert sorted(thrown) == sorted(itertools.product(range(12), range(first, most)))
+    whole = contents(tmp_path / "more")
+    assert whole == contents(tmp_path / "at-once")
+    assert whole.keys() > few.keys() or first == 300
+    # And for fewer again, which costs nothing of it.
+    again = hoopgen.map(model, OVER, shots=first, folder=tmp_path / "more")
+    xr.testing.assert_identical(again, hoopgen.map(model, OVER, shots=first))
+    assert contents(tmp_path / "more") == whole
+
+
+def test_many_cells_are_in_chunks_of_many(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever the number of shots: not one file for a few hundred shots."""
+    works: list[Any] = []
+    monkeypatch.setattr(module, "run", lambda work, *_, **__: works.append(work) or iter(()))
+    monkeypatch.setattr(module, "dataset", lambda *_: None)
+    monkeypatch.setattr(module, "_CHUNK", 1 << 17)
+    monkeypatch.setattr(module, "BLOCK", 1 << 14)
+    for cells, shots, chunks in ((12, 100, 2), (5000, 100, 64), (5000, 20_000, 128)):
+        over = {"speed": np.linspace(7.0, 8.0, cells)}
+        hoopgen.map(Scatter(REST | {"elevation": 0.9}, SD), over, shots=shots)
+        assert works[-1].chunks == chunks
+
+
 def test_whole_numbers_may_be_numpy_s(tmp_path: Path) -> None:
     given = {"shots": np.int64(20), "seed": np.uint8(3), "max_contacts": np.int64(5)}
     plain = {name: int(value) for name, value in given.items()}

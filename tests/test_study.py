@@ -26,7 +26,7 @@ import xarray as xr  # noqa: E402
 
 import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
-from hoopgen.study import throws  # noqa: E402
+from hoopgen.study import maps, throws  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.chunks import versions  # noqa: E402
 from hoopgen.study.named import in_units, named  # noqa: E402
@@ -973,6 +973,29 @@ def test_a_question_may_be_asked_for_less_and_what_was_thrown_stays(
         patch.setattr(throws.Work, "counted", None)
         run_study(file, results)
     assert contents(results) == before
+
+
+def test_a_map_may_be_asked_for_other_shots_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(maps, "BLOCK", 256)
+    monkeypatch.setattr(maps, "_CHUNK", 600)
+    text = HEAD + "[[question]]\nname = 'q'\nkind = 'map'\nfigures = ['map']\n"
+    text += "over.elevation = { from = '48 deg', to = '56 deg', count = 5 }\n"
+    few, many = text + "shots = 300", text + "shots = 700"
+    run_study(written(tmp_path / "at-once", many), tmp_path / "whole")
+    file, results = written(tmp_path / "study", few), tmp_path / "results"
+    (first,) = run_study(file, results).values()
+    written(file.parent, many)
+    run_study(file, results)
+    whole = contents(results)
+    assert whole == contents(tmp_path / "whole")
+    written(file.parent, few)
+    assert run_study(file, results) == {"q": first}
+    chunks = {name: content for name, content in whole.items() if "chunks/" in name}
+    assert chunks.items() <= contents(results).items()
+    with pytest.raises(ValueError, match="over"):  # other cells are another question
+        run_study(written(file.parent, few.replace("count = 5", "count = 6")), results)
 
 
 def _stopped(*_: Any) -> Any:

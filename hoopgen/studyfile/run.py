@@ -1,10 +1,10 @@
 """`run_study`: a study file in, a folder with its answers out.
 
 A question is worked on in ``<name>.unfinished``, where its finished chunks are kept too. The folder
-gets its name when all of it is there, so what bears a name is finished. Of an estimate or a
-comparison the chunks stay: asked for more shots, it goes on from them, and for fewer, it takes the
-first of them. Nothing in a folder but ``versions.json`` hangs on the machine, the threads, or when
-and how often the work was interrupted.
+gets its name when all of it is there, so what bears a name is finished. Of an estimate, a
+comparison or a map the chunks stay: asked for more shots, it goes on from them, and for fewer, it
+takes the first of them. Nothing in a folder but ``versions.json`` hangs on the machine, the
+threads, or when and how often the work was interrupted.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ from .page import check_page, page
 from .reading import complain, parse
 from .report import report as in_markdown
 from .scene import FILE, named_by
-from .schema import Batch, Compare, Estimate, StudyFile
+from .schema import Batch, Compare, Estimate, Map, StudyFile
 
 __all__ = ["check_study", "run_study"]
 
@@ -55,6 +55,9 @@ _ASKED, _ANSWER = "question.json", "answer.json"
 _KEPT = "kept.json"  # of a question that was finished, while it is asked anew
 _UNFINISHED = ".unfinished"
 _GONE_ON_WITH = {_ASKED, _KEPT}
+
+_Countable = Estimate | Compare | Map
+"""Questions that may be asked for other numbers of shots."""
 
 _JUST_BEGUN = {"lock", "identity.json", "identity.json.tmp", f"{_VERSIONS}.tmp"}
 """All that a study may leave that is killed before its first file is there."""
@@ -98,8 +101,8 @@ def run_study(
     """Answer all questions of a study file, and keep the answers in a folder.
 
     After an interruption the same call goes on where it was. Questions may be added to the file;
-    those that are in the folder must not change, but for estimates and comparisons, which may be
-    asked for more shots, fewer, or another precision: what is kept of them is not computed again.
+    those that are in the folder must not change, but for estimates, comparisons and maps, which may
+    be asked for more shots, fewer, or another precision: what is kept is not computed again.
 
     Parameters
     ----------
@@ -301,13 +304,13 @@ def _reopen(folder: Path, names: Sequence[str]) -> None:
 
 
 _HOW_MANY = {"shots", "precision"}
-"""What of an estimate and a comparison may be another, as with a folder of theirs alone."""
+"""What of these questions may be another, as with a folder of theirs alone."""
 
 
 def _may_go_on(asked: Asked, there: Mapping[str, str], here: Mapping[str, str]) -> bool:
     """Tell whether a question is one that was asked before, but for how many shots."""
     changed = {name for name in {*there, *here} if there.get(name) != here.get(name)}
-    return isinstance(asked.question, Estimate | Compare) and changed <= _HOW_MANY
+    return isinstance(asked.question, _Countable) and changed <= _HOW_MANY
 
 
 def _noted(progress: Progress | None, name: str) -> Callable[[int, int | None], None]:
@@ -331,14 +334,14 @@ def _answered(asked: Asked, identity: Mapping[str, Any], finished: Path, work: W
         _settle(work.folder)
         work.folder.rename(finished)
         sync({finished.parent})
-    if not isinstance(asked.question, Estimate | Compare):
+    if not isinstance(asked.question, _Countable):
         shutil.rmtree(finished / CHUNKS, ignore_errors=True)
     return _answer(finished / _ANSWER)
 
 
 def _stale(asked: Asked, folder: Path) -> list[Path]:
     """Return files that are not gone on with: figures too, which fewer shots may not have."""
-    if not isinstance(asked.question, Estimate | Compare):
+    if not isinstance(asked.question, _Countable):
         return list(folder.glob("*.tmp"))
     return [file for file in folder.iterdir() if file.is_file() and file.name not in _GONE_ON_WITH]
 
