@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import builtins
+import codecs
 import json
 import os
 import pickle
@@ -560,6 +561,7 @@ def test_nothing_that_is_written_is_evaluated(
         raise AssertionError("evaluated")
 
     monkeypatch.chdir(tmp_path)
+    codecs.lookup("utf-8-sig")  # a codec is a module, which is imported when it is first needed
     with monkeypatch.context() as patch:
         for name in ("eval", "exec", "compile"):
             patch.setattr(builtins, name, refused)
