@@ -109,7 +109,7 @@ def plot_map(
         Whose lines are drawn, of `hoopgen.hoop.courts.COURTS`; by default FIBA's for a hoop nearest
         to that preset, else the NBA's.
     width
-        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+        Of the page, inches, as of `plot_fan`.
     ax
         To draw on, a map over one or two variables. A bar of colours takes its place from them; the
         key of kinds is to the right: figures with ``layout="constrained"`` make room for it.

@@ -91,7 +91,7 @@ def plot_estimate(
     note
         Below the title; by default how many shots there are and what they rest on.
     width
-        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+        Of the page, inches, as of `plot_fan`.
     ax
         To draw on, the outcomes alone; of a comparison, both settings.
 
