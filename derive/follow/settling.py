@@ -188,7 +188,7 @@ def settling(law: Law, ball_radius: sp.Expr) -> Kernel:
 
 def near_by(ball_radius: sp.Expr) -> sp.Expr:
     """Return how far from a ball the other surface may be between which two it is wedged, m."""
-    return 2**10 * tolerance(ball_radius)
+    return 2**8 * tolerance(ball_radius)
 
 
 def _pressed_on(acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) -> Kernel:
@@ -220,11 +220,12 @@ def tolerance(ball_radius: sp.Expr) -> sp.Expr:
     """Return what a ball may be off by that is taken for rolling, m; its errors grow by as much.
 
     It does not depend on the errors that the ball carries, so that the path is the same where none
-    are bounded. Half a picometre is less than these usually are after the forty bounces that it
-    takes. Later jumps would be nearer to the limit, but the error of a bounce's speed, over that
-    speed, doubles with each.
+    are bounded. Two picometres are about what these are after the forty bounces that it takes.
+    Later jumps would be nearer to the limit, but the error of a bounce's speed, over that speed,
+    doubles with each: with a quarter of it errors at the end are hardly smaller, and more shots are
+    uncertain.
     """
-    return sp.Rational(1, 2**38) * ball_radius
+    return sp.Rational(1, 2**36) * ball_radius
 
 
 def kernels(
