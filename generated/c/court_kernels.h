@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 475d21cf2683e8b8,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 3f88369cf0271616,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1668,7 +1668,7 @@ LANES(court_slowed)(V p_ball_radius, V p_gravity, V nx, V ny, V nz, V position_e
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_mul(_s0, _s0);
-    const V _s2 = lanes_mul(lanes_mul(K(7.275957614183426e-12), p_ball_radius), lanes_add(p_gravity, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), p_ball_radius)));
+    const V _s2 = lanes_mul(lanes_mul(K(2.9103830456733704e-11), p_ball_radius), lanes_add(p_gravity, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), p_ball_radius)));
     const M _s3 = lanes_less(_s1, _s2);
     return (LANES(court_slowed_out)){ lanes_either(_s3, lanes_both(lanes_less(_s1, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)), lanes_less(K(0.0), position_error))), _s3, K(0.0) };
 }
@@ -1756,9 +1756,9 @@ typedef struct {
 LANES_INLINE LANES(court_begun_errors_out)
 LANES(court_begun_errors)(V p_ball_radius, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V vx, V vy, V vz)
 {
-    const V _s0 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const V _s0 = lanes_mul(K(1.4551915228366852e-11), p_ball_radius);
     const V _s1 = lanes_neg(_s0);
-    const V _s2 = lanes_mul(lanes_mul(K(1.4551915228366852e-11), p_ball_radius), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), p_ball_radius)));
+    const V _s2 = lanes_mul(lanes_mul(K(5.820766091346741e-11), p_ball_radius), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), p_ball_radius)));
     const V _s3 = lanes_neg(_s2);
     const V _s4 = lanes_div(_s2, p_ball_radius);
     const V _s5 = lanes_neg(_s4);
@@ -1816,7 +1816,7 @@ LANES(court_beside_body)(V p_ball_radius, V dent, V doubt, V fastest, V gap, V i
     const M _s3 = lanes_both(_s1, _s2);
     const V _s4 = lanes_mul(nearing, nearing);
     const V _s5 = lanes_add(strongest, lanes_mul(dent, lanes_mul(fastest, fastest)));
-    const V _s6 = lanes_select(_s1, lanes_mul(K(3.637978807091713e-12), p_ball_radius), gap);
+    const V _s6 = lanes_select(_s1, lanes_mul(K(1.4551915228366852e-11), p_ball_radius), gap);
     const V _s7 = lanes_add(_s4, lanes_mul(lanes_mul(K(2.0), _s5), _s6));
     const V _s8 = lanes_sqrt(_s7);
     const V _s9 = lanes_select(lanes_at_most(K(0.0), _s7), lanes_div(lanes_select(_s2, lanes_mul(K(2.0), _s6), lanes_add(nearing, _s8)), lanes_select(_s2, lanes_sub(_s8, nearing), lanes_max(K(0.0), _s5))), K(INFINITY));
@@ -2404,7 +2404,7 @@ LANES(court_ring_impact_settling)(V p_ball_radius, V bounce, V drag, V lift, V n
     const V _s17 = lanes_mul(_s12, _s0);
     const V _s18 = lanes_mul(K(4.0), drag);
     const V _s19 = lanes_add(lanes_add(lanes_mul(_s16, _s2), lanes_div(lanes_mul(_s18, lanes_mul(_s2, _s2)), _s17)), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s2), _s0));
-    const V _s20 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const V _s20 = lanes_mul(K(1.4551915228366852e-11), p_ball_radius);
     const M _s21 = lanes_both(_s15, lanes_at_most(_s19, _s20));
     const V _s22 = lanes_mul(K(3.725290298461914e-09), p_ball_radius);
     const M _s23 = lanes_at_most(wedge, _s22);

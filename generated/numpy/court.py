@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 475d21cf2683e8b8,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 3f88369cf0271616,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -2045,7 +2045,7 @@ def slowed(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, positi
     _r0, _r1, _r2, *_ = _room
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s1 = _multiply(_s0, _s0, _r0)
-    _s2 = _multiply(7.275957614183426e-12 * p_ball_radius, _add(p_gravity, _divide(_add(_add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2), _multiply(vz, vz, _r1), _r1), p_ball_radius, _r1), _r1), _r1)
+    _s2 = _multiply(2.9103830456733704e-11 * p_ball_radius, _add(p_gravity, _divide(_add(_add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2), _multiply(vz, vz, _r1), _r1), p_ball_radius, _r1), _r1), _r1)
     _s3 = _s1 < _s2
     return _logical_or(_s3, _logical_and((_s1 < (1.1920928955078125e-07 * p_ball_radius)), (0.0 < position_error))), _s3, 0.0
 
@@ -2107,9 +2107,9 @@ def begun_errors(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy
     Returns dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz.
     """
     _r0, _r1, _r2, _r3, _r4, *_ = _room
-    _s0 = 3.637978807091713e-12 * p_ball_radius
+    _s0 = 1.4551915228366852e-11 * p_ball_radius
     _s1 = -_s0
-    _s2 = _multiply(1.4551915228366852e-11 * p_ball_radius, _add(1.0, _divide(_add(_add(_absolute(vx, _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0), p_ball_radius, _r0), _r0), _r0)
+    _s2 = _multiply(5.820766091346741e-11 * p_ball_radius, _add(1.0, _divide(_add(_add(_absolute(vx, _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0), p_ball_radius, _r0), _r0), _r0)
     _s3 = _negative(_s2, _r1)
     _s4 = _divide(_s2, p_ball_radius, _r2)
     _s5 = _negative(_s4, _r3)
@@ -2157,7 +2157,7 @@ def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     _s3 = _logical_and(_s1, _s2)
     _s4 = _multiply(nearing, nearing, _r1)
     _s5 = _add(strongest, _multiply(dent, _multiply(fastest, fastest, _r2), _r2), _r2)
-    _s6 = _select(_s1, 3.637978807091713e-12 * p_ball_radius, gap, _r3)
+    _s6 = _select(_s1, 1.4551915228366852e-11 * p_ball_radius, gap, _r3)
     _s7 = _add(_s4, _multiply(_multiply(2.0, _s5, _r4), _s6, _r4), _r4)
     _s8 = _sqrt(_s7, _r5)
     _s9 = _select(0.0 <= _s7, _divide(_select(_s2, _multiply(2.0, _s6, _r3), _add(nearing, _s8, _r4), _r6), _select(_s2, _subtract(_s8, nearing, _r5), _select(0.0 < _s5, _s5, 0.0, _r7), _r8), _r6), _inf, _r4)
@@ -2599,7 +2599,7 @@ def ring_impact_settling(p_ball_radius: Any, bounce: Any, drag: Any, lift: Any, 
     _s17 = _s12 * _s0
     _s18 = _multiply(4.0, drag, _r8)
     _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(1.6, slip, _r10), _s2, _r10), _s0, _r10), _r10)
-    _s20 = 3.637978807091713e-12 * p_ball_radius
+    _s20 = 1.4551915228366852e-11 * p_ball_radius
     _s21 = _logical_and(_s15, (_s19 <= _s20))
     _s22 = 3.725290298461914e-09 * p_ball_radius
     _s23 = wedge <= _s22
