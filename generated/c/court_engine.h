@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 111c28d8154e2b57,
+   Generated from templates/c/engine.h.j2, scene court, derivation 3f88369cf0271616,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -11,7 +11,7 @@
 #include "court_kernels.h"
 
 /* A column, with room for a whole row of lanes behind its end. */
-typedef double LANES(court_column)[LANES_SHOTS + LANES_SHOTS / 2 + LANES_WIDTH];
+typedef double LANES(court_column)[2 * LANES_SHOTS + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on, and the places of
    their results: else each store waits for its line. */
@@ -77,7 +77,7 @@ LANES_INLINE M LANES(court_permit)(V p_ball_radius, V p_ring_radius, V p_wire_ra
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[LANES_SHOTS + LANES_SHOTS / 2];
+    _Alignas(64) size_t shot[2 * LANES_SHOTS];
     LANES(court_column) x; /* of the state */
     LANES(court_column) y; /* of the state */
     LANES(court_column) z; /* of the state */
@@ -537,7 +537,7 @@ LANES_INLINE void LANES(court_plain_wait)(LANES(court_plain_lists) *lists, size_
 /* Put shots that have waited into rows from one on; return how many. */
 LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, size_t row, const court_job *job)
 {
-    const size_t room = LANES_SHOTS + LANES_SHOTS / 2 - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t room = 2 * LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
@@ -1726,7 +1726,7 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             V cos_12 = _o210.cos_12;
             V sin_12 = _o210.sin_12;
             const LANES(court_ring_round_pace_out) _o211 =
-                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, p_wire_radius);
             V stride = _o211.stride;
             V strongest = _o211.strongest;
             V fastest = _o211.fastest;
@@ -2097,7 +2097,7 @@ static void LANES(court_plain)(const court_job *job)
         if (job->stop && *job->stop)
             return;
         int following = shots == 0;
-        if (lists->waiting >= LANES_SHOTS / 2 || (shots == 0 && begun == job->shots)) {
+        if (lists->waiting + LANES_WIDTH > LANES_SHOTS || (shots == 0 && begun == job->shots)) {
             shots += LANES(court_plain_resume)(lists, shots, job);
             following = 0;
         }
@@ -3616,252 +3616,268 @@ static void LANES(court_plain)(const court_job *job)
                         LANES(court_counted)(count_2);
                     count_2 = lanes_select(_m300, _o302.count, count_2);
                 }
+                const LANES(court_untaken_out) _o303 =
+                    LANES(court_untaken)();
+                M struck_0 = _o303.mine;
+                const LANES(court_ring_impact_taken_out) _o304 =
+                    LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
+                V its_0_ring_impact = _o304.its_0;
+                V its_1_ring_impact = _o304.its_1;
                 {
-                    const double *const _t304[][2] = {
+                    const double *const _t306[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t305[][1] = {
+                    static const double _t307[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k303 = 0; _k303 < 3; _k303++) {
-                        const V own_1 = lanes_load(_t304[_k303][0] + (i & varying));
-                        const V own_2 = lanes_load(_t304[_k303][1] + (i & varying));
-                        const V own_index = K(_t305[_k303][0]);
-                        const LANES(court_here_out) _o306 =
+                    for (size_t _k305 = 0; _k305 < 3; _k305++) {
+                        const V own_1 = lanes_load(_t306[_k305][0] + (i & varying));
+                        const V own_2 = lanes_load(_t306[_k305][1] + (i & varying));
+                        const V own_index = K(_t307[_k305][0]);
+                        const LANES(court_here_out) _o308 =
                             LANES(court_here)(own_index, which);
-                        M here = _o306.here;
-                        const M _m307 = lanes_both(_m289, here);
-                        if (lanes_any(_m307)) {
-                            const LANES(court_ring_impact_out) _o308 =
-                                LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m307, _o308.vx, vx);
-                            vy = lanes_select(_m307, _o308.vy, vy);
-                            vz = lanes_select(_m307, _o308.vz, vz);
-                            wx = lanes_select(_m307, _o308.wx, wx);
-                            wy = lanes_select(_m307, _o308.wy, wy);
-                            wz = lanes_select(_m307, _o308.wz, wz);
+                        M here = _o308.here;
+                        const M _m309 = lanes_both(_m289, here);
+                        if (lanes_any(_m309)) {
+                            const LANES(court_ring_impact_taken_out) _o310 =
+                                LANES(court_ring_impact_taken)(own_2, own_1);
+                            struck_0 = lanes_choose(_m309, _o310.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m309, _o310.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m309, _o310.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m309 = lanes_both(_m289, touches);
-                {
-                    const LANES(court_touched_out) _o310 =
-                        LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m309, _o310.first, first);
-                    last = lanes_select(_m309, _o310.last, last);
-                }
-                const M _m311 = lanes_both(_m289, touches);
+                const M _m311 = lanes_both(_m289, struck_0);
                 if (lanes_any(_m311)) {
-                    const LANES(court_slowed_out) _o312 =
-                        LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o312.slow;
-                    const M _m313 = lanes_both(_m311, slow);
-                    if (lanes_any(_m313)) {
-                        const LANES(court_gripped_out) _o314 =
+                    const LANES(court_ring_impact_out) _o312 =
+                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    vx = lanes_select(_m311, _o312.vx, vx);
+                    vy = lanes_select(_m311, _o312.vy, vy);
+                    vz = lanes_select(_m311, _o312.vz, vz);
+                    wx = lanes_select(_m311, _o312.wx, wx);
+                    wy = lanes_select(_m311, _o312.wy, wy);
+                    wz = lanes_select(_m311, _o312.wz, wz);
+                }
+                const M _m313 = lanes_both(_m289, touches);
+                {
+                    const LANES(court_touched_out) _o314 =
+                        LANES(court_touched)(body, first, which);
+                    first = lanes_select(_m313, _o314.first, first);
+                    last = lanes_select(_m313, _o314.last, last);
+                }
+                const M _m315 = lanes_both(_m289, touches);
+                if (lanes_any(_m315)) {
+                    const LANES(court_slowed_out) _o316 =
+                        LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, K(0.0), vx, vy, vz);
+                    M slow = _o316.slow;
+                    M nearly = _o316.nearly;
+                    const M _m317 = lanes_both(_m315, slow);
+                    if (lanes_any(_m317)) {
+                        const LANES(court_gripped_out) _o318 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o314.rolled_x;
-                        V rolled_y = _o314.rolled_y;
-                        V rolled_z = _o314.rolled_z;
-                        V slip = _o314.slip;
-                        V bounce = _o314.bounce;
-                        const LANES(court_here_out) _o315 =
+                        V rolled_x = _o318.rolled_x;
+                        V rolled_y = _o318.rolled_y;
+                        V rolled_z = _o318.rolled_z;
+                        V slip = _o318.slip;
+                        V bounce = _o318.bounce;
+                        const LANES(court_here_out) _o319 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o315.here;
-                        const M _m316 = lanes_both(_m313, here);
-                        if (lanes_any(_m316)) {
-                            const LANES(court_ring_turning_out) _o317 =
+                        M here = _o319.here;
+                        const M _m320 = lanes_both(_m317, here);
+                        if (lanes_any(_m320)) {
+                            const LANES(court_ring_turning_out) _o321 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o317.turning_x;
-                            V turning_y = _o317.turning_y;
-                            V turning_z = _o317.turning_z;
-                            const LANES(court_pressed_on_out) _o318 =
+                            V turning_x = _o321.turning_x;
+                            V turning_y = _o321.turning_y;
+                            V turning_z = _o321.turning_z;
+                            const LANES(court_pressed_on_out) _o322 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o318.press;
-                            V weight = _o318.weight;
-                            V drag = _o318.drag;
-                            V thrust_x = _o318.thrust_x;
-                            V thrust_y = _o318.thrust_y;
-                            V thrust_z = _o318.thrust_z;
-                            const LANES(court_alone_out) _o319 =
+                            V press = _o322.press;
+                            V weight = _o322.weight;
+                            V drag = _o322.drag;
+                            V thrust_x = _o322.thrust_x;
+                            V thrust_y = _o322.thrust_y;
+                            V thrust_z = _o322.thrust_z;
+                            const LANES(court_alone_out) _o323 =
                                 LANES(court_alone)();
-                            V nearest = _o319.nearest;
-                            V wedge = _o319.wedge;
-                            const LANES(court_backboard_closing_out) _o320 =
+                            V nearest = _o323.nearest;
+                            V wedge = _o323.wedge;
+                            const LANES(court_backboard_closing_out) _o324 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o320.gap;
-                            V nearing = _o320.nearing;
-                            V swerve = _o320.swerve;
-                            V facing = _o320.facing;
-                            const LANES(court_neared_body_out) _o321 =
+                            V gap = _o324.gap;
+                            V nearing = _o324.nearing;
+                            V swerve = _o324.swerve;
+                            V facing = _o324.facing;
+                            const LANES(court_neared_body_out) _o325 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o321.nearest;
-                            wedge = _o321.wedge;
-                            const LANES(court_bridge_closing_out) _o322 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o322.gap;
-                            nearing = _o322.nearing;
-                            swerve = _o322.swerve;
-                            facing = _o322.facing;
-                            const LANES(court_neared_body_out) _o323 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o323.nearest;
-                            wedge = _o323.wedge;
-                            const LANES(court_end_beside_out) _o324 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o324.gap;
-                            const LANES(court_neared_out) _o325 =
-                                LANES(court_neared)(gap, nearest);
                             nearest = _o325.nearest;
-                            const LANES(court_ring_parting_out) _o326 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o326.lift;
-                            const LANES(court_ring_impact_settling_out) _o327 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o327.settles;
-                            M lodges = _o327.lodges;
-                            M slides = _o327.slides;
-                            M parts = _o327.parts;
-                            M unsure = _o327.unsure;
-                            const LANES(court_settled_out) _o328 =
-                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m316, _o328.mode, mode);
-                            held = lanes_select(_m316, _o328.held, held);
-                            outcome = lanes_select(_m316, _o328.outcome, outcome);
-                            slip_left = lanes_select(_m316, _o328.slip_left, slip_left);
-                        }
-                        const LANES(court_here_out) _o329 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o329.here;
-                        const M _m330 = lanes_both(_m313, here);
-                        if (lanes_any(_m330)) {
-                            const LANES(court_backboard_turning_out) _o331 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o331.turning_x;
-                            V turning_y = _o331.turning_y;
-                            V turning_z = _o331.turning_z;
-                            const LANES(court_pressed_on_out) _o332 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o332.press;
-                            V weight = _o332.weight;
-                            V drag = _o332.drag;
-                            V thrust_x = _o332.thrust_x;
-                            V thrust_y = _o332.thrust_y;
-                            V thrust_z = _o332.thrust_z;
-                            const LANES(court_alone_out) _o333 =
-                                LANES(court_alone)();
-                            V nearest = _o333.nearest;
-                            V wedge = _o333.wedge;
-                            const LANES(court_ring_closing_out) _o334 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o334.gap;
-                            V nearing = _o334.nearing;
-                            V swerve = _o334.swerve;
-                            V facing = _o334.facing;
-                            const LANES(court_neared_body_out) _o335 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o335.nearest;
-                            wedge = _o335.wedge;
-                            const LANES(court_bridge_closing_out) _o336 =
+                            wedge = _o325.wedge;
+                            const LANES(court_bridge_closing_out) _o326 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o336.gap;
-                            nearing = _o336.nearing;
-                            swerve = _o336.swerve;
-                            facing = _o336.facing;
-                            const LANES(court_neared_body_out) _o337 =
+                            gap = _o326.gap;
+                            nearing = _o326.nearing;
+                            swerve = _o326.swerve;
+                            facing = _o326.facing;
+                            const LANES(court_neared_body_out) _o327 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o337.nearest;
-                            wedge = _o337.wedge;
-                            const LANES(court_end_beside_out) _o338 =
+                            nearest = _o327.nearest;
+                            wedge = _o327.wedge;
+                            const LANES(court_end_beside_out) _o328 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o338.gap;
-                            const LANES(court_neared_out) _o339 =
+                            gap = _o328.gap;
+                            const LANES(court_neared_out) _o329 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o339.nearest;
-                            const LANES(court_backboard_parting_out) _o340 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o340.lift;
-                            const LANES(court_ring_impact_settling_out) _o341 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o341.settles;
-                            M lodges = _o341.lodges;
-                            M slides = _o341.slides;
-                            M parts = _o341.parts;
-                            M unsure = _o341.unsure;
-                            const LANES(court_settled_out) _o342 =
-                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m330, _o342.mode, mode);
-                            held = lanes_select(_m330, _o342.held, held);
-                            outcome = lanes_select(_m330, _o342.outcome, outcome);
-                            slip_left = lanes_select(_m330, _o342.slip_left, slip_left);
+                            nearest = _o329.nearest;
+                            const LANES(court_ring_parting_out) _o330 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+                            V lift = _o330.lift;
+                            const LANES(court_ring_impact_settling_out) _o331 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o331.settles;
+                            M lodges = _o331.lodges;
+                            M slides = _o331.slides;
+                            M parts = _o331.parts;
+                            M unsure = _o331.unsure;
+                            const LANES(court_settled_out) _o332 =
+                                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m320, _o332.mode, mode);
+                            held = lanes_select(_m320, _o332.held, held);
+                            outcome = lanes_select(_m320, _o332.outcome, outcome);
+                            slip_left = lanes_select(_m320, _o332.slip_left, slip_left);
                         }
-                        const LANES(court_here_out) _o343 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o343.here;
-                        const M _m344 = lanes_both(_m313, here);
-                        if (lanes_any(_m344)) {
-                            const LANES(court_bridge_turning_out) _o345 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o345.turning_x;
-                            V turning_y = _o345.turning_y;
-                            V turning_z = _o345.turning_z;
-                            const LANES(court_pressed_on_out) _o346 =
+                        const LANES(court_here_out) _o333 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o333.here;
+                        const M _m334 = lanes_both(_m317, here);
+                        if (lanes_any(_m334)) {
+                            const LANES(court_backboard_turning_out) _o335 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o335.turning_x;
+                            V turning_y = _o335.turning_y;
+                            V turning_z = _o335.turning_z;
+                            const LANES(court_pressed_on_out) _o336 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o346.press;
-                            V weight = _o346.weight;
-                            V drag = _o346.drag;
-                            V thrust_x = _o346.thrust_x;
-                            V thrust_y = _o346.thrust_y;
-                            V thrust_z = _o346.thrust_z;
-                            const LANES(court_alone_out) _o347 =
+                            V press = _o336.press;
+                            V weight = _o336.weight;
+                            V drag = _o336.drag;
+                            V thrust_x = _o336.thrust_x;
+                            V thrust_y = _o336.thrust_y;
+                            V thrust_z = _o336.thrust_z;
+                            const LANES(court_alone_out) _o337 =
                                 LANES(court_alone)();
-                            V nearest = _o347.nearest;
-                            V wedge = _o347.wedge;
-                            const LANES(court_ring_closing_out) _o348 =
+                            V nearest = _o337.nearest;
+                            V wedge = _o337.wedge;
+                            const LANES(court_ring_closing_out) _o338 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o348.gap;
-                            V nearing = _o348.nearing;
-                            V swerve = _o348.swerve;
-                            V facing = _o348.facing;
-                            const LANES(court_neared_body_out) _o349 =
+                            V gap = _o338.gap;
+                            V nearing = _o338.nearing;
+                            V swerve = _o338.swerve;
+                            V facing = _o338.facing;
+                            const LANES(court_neared_body_out) _o339 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o349.nearest;
-                            wedge = _o349.wedge;
-                            const LANES(court_backboard_closing_out) _o350 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o350.gap;
-                            nearing = _o350.nearing;
-                            swerve = _o350.swerve;
-                            facing = _o350.facing;
-                            const LANES(court_neared_body_out) _o351 =
+                            nearest = _o339.nearest;
+                            wedge = _o339.wedge;
+                            const LANES(court_bridge_closing_out) _o340 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o340.gap;
+                            nearing = _o340.nearing;
+                            swerve = _o340.swerve;
+                            facing = _o340.facing;
+                            const LANES(court_neared_body_out) _o341 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o351.nearest;
-                            wedge = _o351.wedge;
-                            const LANES(court_end_beside_out) _o352 =
+                            nearest = _o341.nearest;
+                            wedge = _o341.wedge;
+                            const LANES(court_end_beside_out) _o342 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o352.gap;
-                            const LANES(court_neared_out) _o353 =
+                            gap = _o342.gap;
+                            const LANES(court_neared_out) _o343 =
                                 LANES(court_neared)(gap, nearest);
+                            nearest = _o343.nearest;
+                            const LANES(court_backboard_parting_out) _o344 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o344.lift;
+                            const LANES(court_ring_impact_settling_out) _o345 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o345.settles;
+                            M lodges = _o345.lodges;
+                            M slides = _o345.slides;
+                            M parts = _o345.parts;
+                            M unsure = _o345.unsure;
+                            const LANES(court_settled_out) _o346 =
+                                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m334, _o346.mode, mode);
+                            held = lanes_select(_m334, _o346.held, held);
+                            outcome = lanes_select(_m334, _o346.outcome, outcome);
+                            slip_left = lanes_select(_m334, _o346.slip_left, slip_left);
+                        }
+                        const LANES(court_here_out) _o347 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o347.here;
+                        const M _m348 = lanes_both(_m317, here);
+                        if (lanes_any(_m348)) {
+                            const LANES(court_bridge_turning_out) _o349 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o349.turning_x;
+                            V turning_y = _o349.turning_y;
+                            V turning_z = _o349.turning_z;
+                            const LANES(court_pressed_on_out) _o350 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o350.press;
+                            V weight = _o350.weight;
+                            V drag = _o350.drag;
+                            V thrust_x = _o350.thrust_x;
+                            V thrust_y = _o350.thrust_y;
+                            V thrust_z = _o350.thrust_z;
+                            const LANES(court_alone_out) _o351 =
+                                LANES(court_alone)();
+                            V nearest = _o351.nearest;
+                            V wedge = _o351.wedge;
+                            const LANES(court_ring_closing_out) _o352 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o352.gap;
+                            V nearing = _o352.nearing;
+                            V swerve = _o352.swerve;
+                            V facing = _o352.facing;
+                            const LANES(court_neared_body_out) _o353 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o353.nearest;
-                            const LANES(court_bridge_parting_out) _o354 =
+                            wedge = _o353.wedge;
+                            const LANES(court_backboard_closing_out) _o354 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            gap = _o354.gap;
+                            nearing = _o354.nearing;
+                            swerve = _o354.swerve;
+                            facing = _o354.facing;
+                            const LANES(court_neared_body_out) _o355 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o355.nearest;
+                            wedge = _o355.wedge;
+                            const LANES(court_end_beside_out) _o356 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o356.gap;
+                            const LANES(court_neared_out) _o357 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o357.nearest;
+                            const LANES(court_bridge_parting_out) _o358 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o354.lift;
-                            const LANES(court_ring_impact_settling_out) _o355 =
+                            V lift = _o358.lift;
+                            const LANES(court_ring_impact_settling_out) _o359 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o355.settles;
-                            M lodges = _o355.lodges;
-                            M slides = _o355.slides;
-                            M parts = _o355.parts;
-                            M unsure = _o355.unsure;
-                            const LANES(court_settled_out) _o356 =
-                                LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m344, _o356.mode, mode);
-                            held = lanes_select(_m344, _o356.held, held);
-                            outcome = lanes_select(_m344, _o356.outcome, outcome);
-                            slip_left = lanes_select(_m344, _o356.slip_left, slip_left);
+                            M settles = _o359.settles;
+                            M lodges = _o359.lodges;
+                            M slides = _o359.slides;
+                            M parts = _o359.parts;
+                            M unsure = _o359.unsure;
+                            const LANES(court_settled_out) _o360 =
+                                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m348, _o360.mode, mode);
+                            held = lanes_select(_m348, _o360.held, held);
+                            outcome = lanes_select(_m348, _o360.outcome, outcome);
+                            slip_left = lanes_select(_m348, _o360.slip_left, slip_left);
                         }
                     }
                 }
@@ -3935,7 +3951,7 @@ static void LANES(court_plain)(const court_job *job)
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[LANES_SHOTS + LANES_SHOTS / 2];
+    _Alignas(64) size_t shot[2 * LANES_SHOTS];
     LANES(court_column) x; /* of the state */
     LANES(court_column) y; /* of the state */
     LANES(court_column) z; /* of the state */
@@ -4579,7 +4595,7 @@ LANES_INLINE void LANES(court_bounded_wait)(LANES(court_bounded_lists) *lists, s
 /* Put shots that have waited into rows from one on; return how many. */
 LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *lists, size_t row, const court_job *job)
 {
-    const size_t room = LANES_SHOTS + LANES_SHOTS / 2 - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t room = 2 * LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
@@ -6334,7 +6350,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             V cos_12 = _o294.cos_12;
             V sin_12 = _o294.sin_12;
             const LANES(court_ring_round_pace_out) _o295 =
-                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, p_wire_radius);
             V stride = _o295.stride;
             V strongest = _o295.strongest;
             V fastest = _o295.fastest;
@@ -7016,7 +7032,7 @@ static void LANES(court_bounded)(const court_job *job)
         if (job->stop && *job->stop)
             return;
         int following = shots == 0;
-        if (lists->waiting >= LANES_SHOTS / 2 || (shots == 0 && begun == job->shots)) {
+        if (lists->waiting + LANES_WIDTH > LANES_SHOTS || (shots == 0 && begun == job->shots)) {
             shots += LANES(court_bounded_resume)(lists, shots, job);
             following = 0;
         }
@@ -9035,314 +9051,330 @@ static void LANES(court_bounded)(const court_job *job)
                     dnz = lanes_select(_m439, _o440.dnz, dnz);
                     turn = lanes_select(_m439, _o440.turn, turn);
                 }
+                const LANES(court_untaken_out) _o441 =
+                    LANES(court_untaken)();
+                M struck_0 = _o441.mine;
+                const LANES(court_ring_impact_taken_out) _o442 =
+                    LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
+                V its_0_ring_impact = _o442.its_0;
+                V its_1_ring_impact = _o442.its_1;
                 {
-                    const double *const _t442[][2] = {
+                    const double *const _t444[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t443[][1] = {
+                    static const double _t445[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k441 = 0; _k441 < 3; _k441++) {
-                        const V own_1 = lanes_load(_t442[_k441][0] + (i & varying));
-                        const V own_2 = lanes_load(_t442[_k441][1] + (i & varying));
-                        const V own_index = K(_t443[_k441][0]);
-                        const LANES(court_here_out) _o444 =
+                    for (size_t _k443 = 0; _k443 < 3; _k443++) {
+                        const V own_1 = lanes_load(_t444[_k443][0] + (i & varying));
+                        const V own_2 = lanes_load(_t444[_k443][1] + (i & varying));
+                        const V own_index = K(_t445[_k443][0]);
+                        const LANES(court_here_out) _o446 =
                             LANES(court_here)(own_index, which);
-                        M here = _o444.here;
-                        const M _m445 = lanes_both(_m403, here);
-                        if (lanes_any(_m445)) {
-                            const LANES(court_ring_impact_doubt_out) _o446 =
-                                LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            M unsure = _o446.unsure;
-                            const LANES(court_undecided_out) _o447 =
-                                LANES(court_undecided)(uncertain, unsure);
-                            uncertain = lanes_select(_m445, _o447.uncertain, uncertain);
-                            const LANES(court_carry_ring_impact_out) _o448 =
-                                LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            dvx = lanes_select(_m445, _o448.dvx, dvx);
-                            dvy = lanes_select(_m445, _o448.dvy, dvy);
-                            dvz = lanes_select(_m445, _o448.dvz, dvz);
-                            dwx = lanes_select(_m445, _o448.dwx, dwx);
-                            dwy = lanes_select(_m445, _o448.dwy, dwy);
-                            dwz = lanes_select(_m445, _o448.dwz, dwz);
-                            const LANES(court_ring_impact_out) _o449 =
-                                LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m445, _o449.vx, vx);
-                            vy = lanes_select(_m445, _o449.vy, vy);
-                            vz = lanes_select(_m445, _o449.vz, vz);
-                            wx = lanes_select(_m445, _o449.wx, wx);
-                            wy = lanes_select(_m445, _o449.wy, wy);
-                            wz = lanes_select(_m445, _o449.wz, wz);
+                        M here = _o446.here;
+                        const M _m447 = lanes_both(_m403, here);
+                        if (lanes_any(_m447)) {
+                            const LANES(court_ring_impact_taken_out) _o448 =
+                                LANES(court_ring_impact_taken)(own_2, own_1);
+                            struck_0 = lanes_choose(_m447, _o448.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m447, _o448.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m447, _o448.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m450 = lanes_both(_m403, touches);
+                const M _m449 = lanes_both(_m403, struck_0);
+                if (lanes_any(_m449)) {
+                    const LANES(court_ring_impact_doubt_out) _o450 =
+                        LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    M unsure = _o450.unsure;
+                    const LANES(court_undecided_out) _o451 =
+                        LANES(court_undecided)(uncertain, unsure);
+                    uncertain = lanes_select(_m449, _o451.uncertain, uncertain);
+                    const LANES(court_carry_ring_impact_out) _o452 =
+                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    dvx = lanes_select(_m449, _o452.dvx, dvx);
+                    dvy = lanes_select(_m449, _o452.dvy, dvy);
+                    dvz = lanes_select(_m449, _o452.dvz, dvz);
+                    dwx = lanes_select(_m449, _o452.dwx, dwx);
+                    dwy = lanes_select(_m449, _o452.dwy, dwy);
+                    dwz = lanes_select(_m449, _o452.dwz, dwz);
+                    const LANES(court_ring_impact_out) _o453 =
+                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    vx = lanes_select(_m449, _o453.vx, vx);
+                    vy = lanes_select(_m449, _o453.vy, vy);
+                    vz = lanes_select(_m449, _o453.vz, vz);
+                    wx = lanes_select(_m449, _o453.wx, wx);
+                    wy = lanes_select(_m449, _o453.wy, wy);
+                    wz = lanes_select(_m449, _o453.wz, wz);
+                }
+                const M _m454 = lanes_both(_m403, touches);
                 {
-                    const LANES(court_touched_out) _o451 =
+                    const LANES(court_touched_out) _o455 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m450, _o451.first, first);
-                    last = lanes_select(_m450, _o451.last, last);
+                    first = lanes_select(_m454, _o455.first, first);
+                    last = lanes_select(_m454, _o455.last, last);
                 }
-                const M _m452 = lanes_both(_m403, touches);
-                if (lanes_any(_m452)) {
-                    const LANES(court_slowed_out) _o453 =
-                        LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o453.slow;
-                    assured = lanes_select(_m452, _o453.assured, assured);
-                    const M _m454 = lanes_both(_m452, slow);
-                    if (lanes_any(_m454)) {
-                        const LANES(court_gripped_out) _o455 =
+                const M _m456 = lanes_both(_m403, touches);
+                if (lanes_any(_m456)) {
+                    const LANES(court_slowed_out) _o457 =
+                        LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, position_error, vx, vy, vz);
+                    M slow = _o457.slow;
+                    M nearly = _o457.nearly;
+                    assured = lanes_select(_m456, _o457.assured, assured);
+                    const M _m458 = lanes_both(_m456, slow);
+                    if (lanes_any(_m458)) {
+                        const LANES(court_gripped_out) _o459 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o455.rolled_x;
-                        V rolled_y = _o455.rolled_y;
-                        V rolled_z = _o455.rolled_z;
-                        V slip = _o455.slip;
-                        V bounce = _o455.bounce;
-                        const LANES(court_here_out) _o456 =
+                        V rolled_x = _o459.rolled_x;
+                        V rolled_y = _o459.rolled_y;
+                        V rolled_z = _o459.rolled_z;
+                        V slip = _o459.slip;
+                        V bounce = _o459.bounce;
+                        const LANES(court_here_out) _o460 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o456.here;
-                        const M _m457 = lanes_both(_m454, here);
-                        if (lanes_any(_m457)) {
-                            const LANES(court_ring_turning_out) _o458 =
+                        M here = _o460.here;
+                        const M _m461 = lanes_both(_m458, here);
+                        if (lanes_any(_m461)) {
+                            const LANES(court_ring_turning_out) _o462 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o458.turning_x;
-                            V turning_y = _o458.turning_y;
-                            V turning_z = _o458.turning_z;
-                            const LANES(court_pressed_on_out) _o459 =
+                            V turning_x = _o462.turning_x;
+                            V turning_y = _o462.turning_y;
+                            V turning_z = _o462.turning_z;
+                            const LANES(court_pressed_on_out) _o463 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o459.press;
-                            V weight = _o459.weight;
-                            V drag = _o459.drag;
-                            V thrust_x = _o459.thrust_x;
-                            V thrust_y = _o459.thrust_y;
-                            V thrust_z = _o459.thrust_z;
-                            const LANES(court_alone_out) _o460 =
+                            V press = _o463.press;
+                            V weight = _o463.weight;
+                            V drag = _o463.drag;
+                            V thrust_x = _o463.thrust_x;
+                            V thrust_y = _o463.thrust_y;
+                            V thrust_z = _o463.thrust_z;
+                            const LANES(court_alone_out) _o464 =
                                 LANES(court_alone)();
-                            V nearest = _o460.nearest;
-                            V wedge = _o460.wedge;
-                            const LANES(court_backboard_closing_out) _o461 =
+                            V nearest = _o464.nearest;
+                            V wedge = _o464.wedge;
+                            const LANES(court_backboard_closing_out) _o465 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o461.gap;
-                            V nearing = _o461.nearing;
-                            V swerve = _o461.swerve;
-                            V facing = _o461.facing;
-                            const LANES(court_neared_body_out) _o462 =
+                            V gap = _o465.gap;
+                            V nearing = _o465.nearing;
+                            V swerve = _o465.swerve;
+                            V facing = _o465.facing;
+                            const LANES(court_neared_body_out) _o466 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o462.nearest;
-                            wedge = _o462.wedge;
-                            const LANES(court_bridge_closing_out) _o463 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o463.gap;
-                            nearing = _o463.nearing;
-                            swerve = _o463.swerve;
-                            facing = _o463.facing;
-                            const LANES(court_neared_body_out) _o464 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o464.nearest;
-                            wedge = _o464.wedge;
-                            const LANES(court_end_beside_out) _o465 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o465.gap;
-                            const LANES(court_neared_out) _o466 =
-                                LANES(court_neared)(gap, nearest);
                             nearest = _o466.nearest;
-                            const LANES(court_ring_parting_out) _o467 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o467.lift;
-                            const LANES(court_ring_impact_settling_out) _o468 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o468.settles;
-                            M lodges = _o468.lodges;
-                            M slides = _o468.slides;
-                            M parts = _o468.parts;
-                            assured = lanes_select(_m457, _o468.assured, assured);
-                            M unsure = _o468.unsure;
-                            const LANES(court_settled_out) _o469 =
-                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m457, _o469.mode, mode);
-                            held = lanes_select(_m457, _o469.held, held);
-                            outcome = lanes_select(_m457, _o469.outcome, outcome);
-                            slip_left = lanes_select(_m457, _o469.slip_left, slip_left);
-                            uncertain = lanes_select(_m457, _o469.uncertain, uncertain);
-                        }
-                        const LANES(court_here_out) _o470 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o470.here;
-                        const M _m471 = lanes_both(_m454, here);
-                        if (lanes_any(_m471)) {
-                            const LANES(court_backboard_turning_out) _o472 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o472.turning_x;
-                            V turning_y = _o472.turning_y;
-                            V turning_z = _o472.turning_z;
-                            const LANES(court_pressed_on_out) _o473 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o473.press;
-                            V weight = _o473.weight;
-                            V drag = _o473.drag;
-                            V thrust_x = _o473.thrust_x;
-                            V thrust_y = _o473.thrust_y;
-                            V thrust_z = _o473.thrust_z;
-                            const LANES(court_alone_out) _o474 =
-                                LANES(court_alone)();
-                            V nearest = _o474.nearest;
-                            V wedge = _o474.wedge;
-                            const LANES(court_ring_closing_out) _o475 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o475.gap;
-                            V nearing = _o475.nearing;
-                            V swerve = _o475.swerve;
-                            V facing = _o475.facing;
-                            const LANES(court_neared_body_out) _o476 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o476.nearest;
-                            wedge = _o476.wedge;
-                            const LANES(court_bridge_closing_out) _o477 =
+                            wedge = _o466.wedge;
+                            const LANES(court_bridge_closing_out) _o467 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o477.gap;
-                            nearing = _o477.nearing;
-                            swerve = _o477.swerve;
-                            facing = _o477.facing;
-                            const LANES(court_neared_body_out) _o478 =
+                            gap = _o467.gap;
+                            nearing = _o467.nearing;
+                            swerve = _o467.swerve;
+                            facing = _o467.facing;
+                            const LANES(court_neared_body_out) _o468 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o478.nearest;
-                            wedge = _o478.wedge;
-                            const LANES(court_end_beside_out) _o479 =
+                            nearest = _o468.nearest;
+                            wedge = _o468.wedge;
+                            const LANES(court_end_beside_out) _o469 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o479.gap;
-                            const LANES(court_neared_out) _o480 =
+                            gap = _o469.gap;
+                            const LANES(court_neared_out) _o470 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o480.nearest;
-                            const LANES(court_backboard_parting_out) _o481 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o481.lift;
-                            const LANES(court_ring_impact_settling_out) _o482 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o482.settles;
-                            M lodges = _o482.lodges;
-                            M slides = _o482.slides;
-                            M parts = _o482.parts;
-                            assured = lanes_select(_m471, _o482.assured, assured);
-                            M unsure = _o482.unsure;
-                            const LANES(court_settled_out) _o483 =
-                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m471, _o483.mode, mode);
-                            held = lanes_select(_m471, _o483.held, held);
-                            outcome = lanes_select(_m471, _o483.outcome, outcome);
-                            slip_left = lanes_select(_m471, _o483.slip_left, slip_left);
-                            uncertain = lanes_select(_m471, _o483.uncertain, uncertain);
+                            nearest = _o470.nearest;
+                            const LANES(court_ring_parting_out) _o471 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+                            V lift = _o471.lift;
+                            const LANES(court_ring_impact_settling_out) _o472 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o472.settles;
+                            M lodges = _o472.lodges;
+                            M slides = _o472.slides;
+                            M parts = _o472.parts;
+                            assured = lanes_select(_m461, _o472.assured, assured);
+                            M unsure = _o472.unsure;
+                            const LANES(court_settled_out) _o473 =
+                                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m461, _o473.mode, mode);
+                            held = lanes_select(_m461, _o473.held, held);
+                            outcome = lanes_select(_m461, _o473.outcome, outcome);
+                            slip_left = lanes_select(_m461, _o473.slip_left, slip_left);
+                            uncertain = lanes_select(_m461, _o473.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o484 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o484.here;
-                        const M _m485 = lanes_both(_m454, here);
-                        if (lanes_any(_m485)) {
-                            const LANES(court_bridge_turning_out) _o486 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o486.turning_x;
-                            V turning_y = _o486.turning_y;
-                            V turning_z = _o486.turning_z;
-                            const LANES(court_pressed_on_out) _o487 =
+                        const LANES(court_here_out) _o474 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o474.here;
+                        const M _m475 = lanes_both(_m458, here);
+                        if (lanes_any(_m475)) {
+                            const LANES(court_backboard_turning_out) _o476 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o476.turning_x;
+                            V turning_y = _o476.turning_y;
+                            V turning_z = _o476.turning_z;
+                            const LANES(court_pressed_on_out) _o477 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o487.press;
-                            V weight = _o487.weight;
-                            V drag = _o487.drag;
-                            V thrust_x = _o487.thrust_x;
-                            V thrust_y = _o487.thrust_y;
-                            V thrust_z = _o487.thrust_z;
-                            const LANES(court_alone_out) _o488 =
+                            V press = _o477.press;
+                            V weight = _o477.weight;
+                            V drag = _o477.drag;
+                            V thrust_x = _o477.thrust_x;
+                            V thrust_y = _o477.thrust_y;
+                            V thrust_z = _o477.thrust_z;
+                            const LANES(court_alone_out) _o478 =
                                 LANES(court_alone)();
-                            V nearest = _o488.nearest;
-                            V wedge = _o488.wedge;
-                            const LANES(court_ring_closing_out) _o489 =
+                            V nearest = _o478.nearest;
+                            V wedge = _o478.wedge;
+                            const LANES(court_ring_closing_out) _o479 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o489.gap;
-                            V nearing = _o489.nearing;
-                            V swerve = _o489.swerve;
-                            V facing = _o489.facing;
-                            const LANES(court_neared_body_out) _o490 =
+                            V gap = _o479.gap;
+                            V nearing = _o479.nearing;
+                            V swerve = _o479.swerve;
+                            V facing = _o479.facing;
+                            const LANES(court_neared_body_out) _o480 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o490.nearest;
-                            wedge = _o490.wedge;
-                            const LANES(court_backboard_closing_out) _o491 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o491.gap;
-                            nearing = _o491.nearing;
-                            swerve = _o491.swerve;
-                            facing = _o491.facing;
-                            const LANES(court_neared_body_out) _o492 =
+                            nearest = _o480.nearest;
+                            wedge = _o480.wedge;
+                            const LANES(court_bridge_closing_out) _o481 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o481.gap;
+                            nearing = _o481.nearing;
+                            swerve = _o481.swerve;
+                            facing = _o481.facing;
+                            const LANES(court_neared_body_out) _o482 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o492.nearest;
-                            wedge = _o492.wedge;
-                            const LANES(court_end_beside_out) _o493 =
+                            nearest = _o482.nearest;
+                            wedge = _o482.wedge;
+                            const LANES(court_end_beside_out) _o483 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o493.gap;
-                            const LANES(court_neared_out) _o494 =
+                            gap = _o483.gap;
+                            const LANES(court_neared_out) _o484 =
                                 LANES(court_neared)(gap, nearest);
+                            nearest = _o484.nearest;
+                            const LANES(court_backboard_parting_out) _o485 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o485.lift;
+                            const LANES(court_ring_impact_settling_out) _o486 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o486.settles;
+                            M lodges = _o486.lodges;
+                            M slides = _o486.slides;
+                            M parts = _o486.parts;
+                            assured = lanes_select(_m475, _o486.assured, assured);
+                            M unsure = _o486.unsure;
+                            const LANES(court_settled_out) _o487 =
+                                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m475, _o487.mode, mode);
+                            held = lanes_select(_m475, _o487.held, held);
+                            outcome = lanes_select(_m475, _o487.outcome, outcome);
+                            slip_left = lanes_select(_m475, _o487.slip_left, slip_left);
+                            uncertain = lanes_select(_m475, _o487.uncertain, uncertain);
+                        }
+                        const LANES(court_here_out) _o488 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o488.here;
+                        const M _m489 = lanes_both(_m458, here);
+                        if (lanes_any(_m489)) {
+                            const LANES(court_bridge_turning_out) _o490 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o490.turning_x;
+                            V turning_y = _o490.turning_y;
+                            V turning_z = _o490.turning_z;
+                            const LANES(court_pressed_on_out) _o491 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o491.press;
+                            V weight = _o491.weight;
+                            V drag = _o491.drag;
+                            V thrust_x = _o491.thrust_x;
+                            V thrust_y = _o491.thrust_y;
+                            V thrust_z = _o491.thrust_z;
+                            const LANES(court_alone_out) _o492 =
+                                LANES(court_alone)();
+                            V nearest = _o492.nearest;
+                            V wedge = _o492.wedge;
+                            const LANES(court_ring_closing_out) _o493 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o493.gap;
+                            V nearing = _o493.nearing;
+                            V swerve = _o493.swerve;
+                            V facing = _o493.facing;
+                            const LANES(court_neared_body_out) _o494 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o494.nearest;
-                            const LANES(court_bridge_parting_out) _o495 =
+                            wedge = _o494.wedge;
+                            const LANES(court_backboard_closing_out) _o495 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            gap = _o495.gap;
+                            nearing = _o495.nearing;
+                            swerve = _o495.swerve;
+                            facing = _o495.facing;
+                            const LANES(court_neared_body_out) _o496 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o496.nearest;
+                            wedge = _o496.wedge;
+                            const LANES(court_end_beside_out) _o497 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o497.gap;
+                            const LANES(court_neared_out) _o498 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o498.nearest;
+                            const LANES(court_bridge_parting_out) _o499 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o495.lift;
-                            const LANES(court_ring_impact_settling_out) _o496 =
+                            V lift = _o499.lift;
+                            const LANES(court_ring_impact_settling_out) _o500 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o496.settles;
-                            M lodges = _o496.lodges;
-                            M slides = _o496.slides;
-                            M parts = _o496.parts;
-                            assured = lanes_select(_m485, _o496.assured, assured);
-                            M unsure = _o496.unsure;
-                            const LANES(court_settled_out) _o497 =
-                                LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m485, _o497.mode, mode);
-                            held = lanes_select(_m485, _o497.held, held);
-                            outcome = lanes_select(_m485, _o497.outcome, outcome);
-                            slip_left = lanes_select(_m485, _o497.slip_left, slip_left);
-                            uncertain = lanes_select(_m485, _o497.uncertain, uncertain);
+                            M settles = _o500.settles;
+                            M lodges = _o500.lodges;
+                            M slides = _o500.slides;
+                            M parts = _o500.parts;
+                            assured = lanes_select(_m489, _o500.assured, assured);
+                            M unsure = _o500.unsure;
+                            const LANES(court_settled_out) _o501 =
+                                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m489, _o501.mode, mode);
+                            held = lanes_select(_m489, _o501.held, held);
+                            outcome = lanes_select(_m489, _o501.outcome, outcome);
+                            slip_left = lanes_select(_m489, _o501.slip_left, slip_left);
+                            uncertain = lanes_select(_m489, _o501.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m498 = lanes_both(rows, limited);
-            if (lanes_any(_m498)) {
-                const LANES(court_timed_out) _o499 =
+            const M _m502 = lanes_both(rows, limited);
+            if (lanes_any(_m502)) {
+                const LANES(court_timed_out) _o503 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o499.timed;
-                const M _m500 = lanes_both(_m498, timed);
-                if (lanes_any(_m500)) {
-                    const LANES(court_carry_time_out) _o501 =
+                M timed = _o503.timed;
+                const M _m504 = lanes_both(_m502, timed);
+                if (lanes_any(_m504)) {
+                    const LANES(court_carry_time_out) _o505 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m500, _o501.dx, dx);
-                    dy = lanes_select(_m500, _o501.dy, dy);
-                    dz = lanes_select(_m500, _o501.dz, dz);
-                    dvx = lanes_select(_m500, _o501.dvx, dvx);
-                    dvy = lanes_select(_m500, _o501.dvy, dvy);
-                    dvz = lanes_select(_m500, _o501.dvz, dvz);
-                    clock_error = lanes_select(_m500, _o501.clock_error, clock_error);
+                    dx = lanes_select(_m504, _o505.dx, dx);
+                    dy = lanes_select(_m504, _o505.dy, dy);
+                    dz = lanes_select(_m504, _o505.dz, dz);
+                    dvx = lanes_select(_m504, _o505.dvx, dvx);
+                    dvy = lanes_select(_m504, _o505.dvy, dvy);
+                    dvz = lanes_select(_m504, _o505.dvz, dvz);
+                    clock_error = lanes_select(_m504, _o505.clock_error, clock_error);
                 }
             }
-            const M _m502 = lanes_both(rows, hopped);
-            if (lanes_any(_m502)) {
-                const LANES(court_carry_hop_out) _o503 =
+            const M _m506 = lanes_both(rows, hopped);
+            if (lanes_any(_m506)) {
+                const LANES(court_carry_hop_out) _o507 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m502, _o503.dx, dx);
-                dy = lanes_select(_m502, _o503.dy, dy);
-                dz = lanes_select(_m502, _o503.dz, dz);
+                dx = lanes_select(_m506, _o507.dx, dx);
+                dy = lanes_select(_m506, _o507.dy, dy);
+                dz = lanes_select(_m506, _o507.dz, dz);
             }
-            const LANES(court_closing_out) _o504 =
+            const LANES(court_closing_out) _o508 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o504.closed;
-            const M _m505 = lanes_both(rows, closed);
+            M closed = _o508.closed;
+            const M _m509 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o506 =
+                const LANES(court_claimed_errors_out) _o510 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m505, _o506.position_error, position_claim);
-                velocity_claim = lanes_select(_m505, _o506.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m505, _o506.spin_error, spin_claim);
-                time_claim = lanes_select(_m505, _o506.time_error, time_claim);
+                position_claim = lanes_select(_m509, _o510.position_error, position_claim);
+                velocity_claim = lanes_select(_m509, _o510.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m509, _o510.spin_error, spin_claim);
+                time_claim = lanes_select(_m509, _o510.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);
