@@ -29,7 +29,7 @@ from hoopgen.plots import (
 from hoopgen.plots.cells import read_cells
 from hoopgen.plots.fan import draw_fan, gather_fan
 from hoopgen.plots.key import CLASSES, draw_key, key_height
-from hoopgen.plots.maps import draw_kinds
+from hoopgen.plots.maps import draw_classes
 from hoopgen.plots.page import add_axes, add_view, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.study.bank import bank_or_direct
@@ -78,7 +78,7 @@ def free_throws() -> Figure:
         chart = add_axes(
             figure, start, panel.bottom, width - start - edge, panel.height, "outcomes"
         )
-        draw_kinds(chart, cells)
+        draw_classes(chart, cells)
         chart.axhline(angle, color="#222222", lw=0.7, ls=(0, (4, 3)))
         chart.set(xlabel=cells.axes[0].quantity.label, ylabel=cells.axes[1].quantity.label)
         chart.set_title("What becomes of them, and at other angles", loc="left", fontsize=8.5)

@@ -278,9 +278,15 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> lis
     ]
 
 
-def _law_kernels(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[str, Kernel]:
+def _law_kernels(
+    law: Law, scene: Scene, order: tuple[sp.Symbol, ...], differing: Set[sp.Symbol]
+) -> dict[str, Kernel]:
     ball_radius = scene.ball_radius
     kernels = {}
+    if differing:
+        sizes = [symbol for symbol in scene.symbols if symbol in differing]
+        said = "What the law of one body has for its own."
+        kernels["taken"] = kernel(f"{law.name}_taken", of_kinds.taken(sizes), order, said, "data")
     doubt = law.doubt(normal, velocity, spin, ball_radius)
     if doubt is not None:
         kernels["doubt"] = kernel(
@@ -476,7 +482,8 @@ def build(scene: Scene) -> Model:
     of_laws = kinds(scene.laws, _shared(scene))
     for law, like in zip(scene.laws, of_laws, strict=True):
         first = scene.laws[like.first]
-        laws[law] = laws[first] if first in laws else _law_kernels(law, scene, order)
+        own = {size for other in of_laws if other.first == like.first for size in other.symbols}
+        laws[law] = laws[first] if first in laws else _law_kernels(law, scene, order, own)
     if scene.rolls:
         choices |= _in_contact(scene)
     surfaces = _of_kinds(scene, likes, order)

@@ -20,15 +20,17 @@ COLOURS: Mapping[str, str] = MappingProxyType(
     }
 )
 
+# No two of these, and none and the backboard or paper, are nearer than 10 (CIEDE2000) with any
+# colour vision; found by a search, and measured by tests/test_colours.py.
 BODIES = (
     "#00795C",
     "#D55E00",
-    "#3D5A73",
-    "#A8487E",
-    "#8A6100",
-    "#5A55C8",
-    "#9A2F2F",
-    "#4F6B1F",
+    "#1B4E87",
+    "#672C22",
+    "#6E6783",
+    "#665918",
+    "#B46879",
+    "#564A61",
 )
 """Of other scenes, in their bodies' order, and again from the first; white is legible on them."""
 

@@ -24,6 +24,7 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "pyarrow": "study",
         "xarray": "study",
         "pydantic": "study",
+        "markdown_it": "study",
         "dask": "scale",
         "distributed": "scale",
         "pandas": "",

@@ -282,6 +282,8 @@ def test_gravity_is_the_scene_s_and_may_be_many() -> None:
         ({"speed": 15.0, "arc": "low"}, "arc: the low one of this speed does not come down"),
         ({"arc": "middle"}, "arc: expected 'high' or 'low', got 'middle'"),
         ({"depth": -4.191}, "depth: expected a point before the ball"),
+        ({"distance": 0.0}, "distance: expected above 0: .*; got 0$"),
+        ({"distance": -0.0, "depth": -0.1}, "distance: expected above 0: .*; got 0$"),
         ({"height": np.nan}, "height: expected a finite number, got nan"),
         ({"distance": np.inf}, "distance: expected a finite number, got inf"),
         ({"distance": 1e200}, "aim: the numbers are too large or too small"),

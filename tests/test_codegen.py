@@ -158,10 +158,10 @@ def contexts() -> dict[str, dict[str, Any]]:
     return given
 
 
-def printed(template: str, kernels: list[Kernel]) -> str:
+def printed(template: str, kernels: list[Kernel], **context: Any) -> str:
     """Return kernels, printed by the template of a target as if they were the hoop's."""
     views = [render._kernel_view(lower(k), in_loop=True) for k in kernels]
-    context = contexts()[template] | {"kernels": views}
+    context = contexts()[template] | {"kernels": views} | context
     return render._environment().get_template(template).render(context)
 
 
@@ -245,6 +245,27 @@ def test_the_zoo_has_the_values_of_its_expressions(zoo_numpy: ModuleType, name: 
             else:
                 assert repr(computed) == repr(exact.value)
     assert compared >= 0.99 * rows
+
+
+def test_a_kernel_may_need_any_number_of_rows(tmp_path: Path) -> None:
+    """Python takes no more than 255 names before the rest of what it unpacks."""
+    terms = [sp.sqrt(1 + (a - k) ** 2) for k in range(300)]
+    totals = {"total": sum(terms), "squares": sum(hold(t * t) for t in terms)}
+    wide = kernel("wide", totals, ARGUMENTS, "All terms are kept until the second sum.", "zoo")
+    rows = render._kernel_view(lower(wide), in_loop=True).numpy.rows
+    assert rows > 256
+    source = tmp_path / "wide.py"
+    source.write_text(printed("numpy/kernels.py.j2", [wide], rows=rows + 1), encoding="utf-8")
+    module = load_module(source)
+    shots = module.FEW
+    given = np.linspace(-1000.0, 1000.0, shots)
+    room = tuple(np.empty((rows + 1, shots)))
+    own = [column.copy() for column in module.wide(given)]
+    for column, in_rows in zip(own, module.wide(given, room), strict=True):
+        assert same_bits(column, in_rows).all()
+    total = sum(np.sqrt(1 + (given - k) ** 2) for k in range(300))
+    # All terms are positive: a rounding for each sum, and a few of each term, both ways.
+    np.testing.assert_allclose(own[0], total, rtol=2 * 310 * np.finfo(float).eps, atol=0)
 
 
 def test_equal_parts_are_computed_once() -> None:

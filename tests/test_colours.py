@@ -8,7 +8,8 @@ from collections.abc import Iterable
 import numpy as np
 import pytest
 
-from hoopgen.colours import COLOURS, NEITHER, ended
+from hoopgen.colours import BODIES, COLOURS, NEITHER, ended
+from hoopgen.viewer.palette import contrast
 
 # sRGB to CIE XYZ, D65 (IEC 61966-2-1).
 _XYZ = np.array(
@@ -109,9 +110,19 @@ def of_scenes() -> list[str]:
     return [*ended([*names, *map(str.upper, NEITHER)], len(names)).values(), COLOURS["paper"]]
 
 
+def of_bodies() -> list[str]:
+    """The bodies of any other scene, with a board among them."""
+    return [*BODIES, COLOURS["backboard"], COLOURS["paper"]]
+
+
+def test_white_numbers_are_legible_on_bodies() -> None:
+    for colour in (*BODIES, COLOURS["ring"], COLOURS["backboard"]):
+        assert contrast(colour, COLOURS["paper"]) >= 3.0  # bold marks: WCAG 2.2, 1.4.11
+
+
 @pytest.mark.parametrize("seen", ["any", "protanopia", "deuteranopia", "tritanopia"])
-@pytest.mark.parametrize("colours", [of_the_hoop, of_scenes])
-def test_what_becomes_of_shots_is_told_apart_with_any_colour_vision(
+@pytest.mark.parametrize("colours", [of_the_hoop, of_scenes, of_bodies])
+def test_what_stands_beside_one_another_is_told_apart_with_any_colour_vision(
     colours: object, seen: str
 ) -> None:
     assert callable(colours)

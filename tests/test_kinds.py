@@ -170,6 +170,28 @@ def test_sources_hardly_grow_with_bodies_of_one_kind() -> None:
         assert (many - few) / 8 < most, name
 
 
+def test_the_law_of_a_contact_is_evaluated_once_whichever_body_it_is_with() -> None:
+    """For each body is done what takes its sizes alone: not all that the law costs."""
+    scene = Scene(
+        "dulls",
+        ball_radius=0.1,
+        gravity=9.81,
+        bodies=[
+            Sphere(f"dull{k}", radius=0.1, centre=(k, 0, 0), restitution=0.5 + k / 8)
+            for k in range(3)
+        ],
+        ends={"down": End(at=-1)},
+    )
+    stage = model.build(scene.derive()).loop.stages["meet"]
+    tables = [node for node in walk(stage) if isinstance(node, Each)]
+    of_each = [n.kernel.name for table in tables for n in walk(table.body) if isinstance(n, Do)]
+    of_all = [node.kernel.name for node in walk(stage) if isinstance(node, Do)]
+    assert any(name.endswith("impact_taken") for name in of_each)
+    laws = [name for name in of_all if name.endswith("impact")]
+    assert len(laws) == len(set(laws)) == 2  # that of the motion, and that of its errors
+    assert not any(name.endswith("impact") for name in of_each)
+
+
 def unshared(things: Sequence[object], shared: object) -> tuple[Like, ...]:
     return tuple(Like(k, {}) for k in range(len(things)))
 

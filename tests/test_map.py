@@ -74,10 +74,33 @@ def test_a_cell_is_the_estimate_of_its_release(over: Any, release: Any, sd: Any)
     assert dataset["probability"].dims == tuple(over)
     for at, cell in cells(dataset, over):
         alone = estimate(Scatter(release | at, sd, CORRELATION), scene, shots=300, seed=5)
-        for name in ("probability", "low", "high", *(n for n in mapped._LABELS if n in cell)):
-            assert cell[name].item() == getattr(alone, name), name
-        shares = dict(zip(cell["kind"].values.tolist(), cell["share"].values.tolist(), strict=True))
-        assert shares == alone.shares
+        is_the_estimate(cell, alone, set(mapped._LABELS) - ROLLING)
+
+
+ROLLING = {"lodged", "endless", "rolled", "slip_left"}
+"""What is counted only where balls roll."""
+
+
+def is_the_estimate(cell: xr.Dataset, alone: Any, counts: set[str]) -> None:
+    """Assert that all numbers of a cell are there, and are those of an estimate."""
+    numbers = {"probability", "low", "high", *counts}
+    assert set(cell.data_vars) == numbers | {"share"}
+    assert {name: cell[name].item() for name in numbers} == {n: getattr(alone, n) for n in numbers}
+    shares = dict(zip(cell["kind"].values.tolist(), cell["share"].values.tolist(), strict=True))
+    assert shares == alone.shares
+
+
+def test_where_balls_roll_a_cell_is_the_estimate_too() -> None:
+    """With all that is counted there; a dead rim, on which some come to rest or roll for ever."""
+    scene: dict[str, Any] = {"scene": hoopgen.COURT, "shots": 300, "seed": 5}
+    parameters = hoopgen.NBA_COURT | {"ring_restitution": 0.3}
+    over = {"speed": [7.1, 7.25]}
+    release = REST | {"elevation": 0.9}
+    dataset = hoopgen.map(Scatter(release, SD), over, parameters, **scene)
+    for at, cell in cells(dataset, over):
+        alone = estimate(Scatter(release | at, SD), parameters, **scene)
+        is_the_estimate(cell, alone, set(mapped._LABELS))
+    assert dataset["rolled"].values.all()
 
 
 def test_a_probability_that_cannot_be_is_not_a_number() -> None:
@@ -248,6 +271,59 @@ def test_a_folder_is_gone_on_from(tmp_path: Path, sd: Any, monkeypatch: pytest.M
     assert said == [(done, chunks) for done in range(chunks + 1)]
     with pytest.raises(ValueError, match="there and"):
         hoopgen.map(Scatter(REST | {"sidespin": 1.0}, sd or {}), OVER, **shots, folder=tmp_path)
+
+
+@pytest.fixture
+def thrown(monkeypatch: pytest.MonkeyPatch) -> list[tuple[int, int]]:
+    """Which shots of which cells were thrown, each as often as it was."""
+    found: list[tuple[int, int]] = []
+    counted = module._Work.counted
+
+    def noted(work: Any, chunk: int, start: int, stop: int, *before: Any) -> Any:
+        found.extend(itertools.product(range(*work.cells(chunk)), range(start, stop)))
+        return counted(work, chunk, start, stop, *before)
+
+    monkeypatch.setattr(module._Work, "counted", noted)
+    return found
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+@pytest.mark.parametrize("first", [1, 100, 256, 300])
+def test_a_folder_can_be_asked_for_more_shots_and_only_the_rest_is_thrown(
+    first: int, tmp_path: Path, thrown: list[tuple[int, int]]
+) -> None:
+    """Of every cell: in the chunks that there are, at their end, and in further ones."""
+    model, most = Scatter(REST, SD), 600  # more than two blocks
+    wanted = hoopgen.map(model, OVER, shots=most, folder=tmp_path / "at-once")
+    hoopgen.map(model, OVER, shots=first, folder=tmp_path / "more")
+    few = contents(tmp_path / "more")
+    thrown.clear()
+    found = hoopgen.map(model, OVER, shots=most, folder=tmp_path / "more", threads=2)
+    xr.testing.assert_identical(found, wanted)
+    assert sorted(thrown) == sorted(itertools.product(range(12), range(first, most)))
+    whole = contents(tmp_path / "more")
+    assert whole == contents(tmp_path / "at-once")
+    assert whole.keys() > few.keys() or first == 300
+    # And for fewer again, which costs nothing of it.
+    again = hoopgen.map(model, OVER, shots=first, folder=tmp_path / "more")
+    xr.testing.assert_identical(again, hoopgen.map(model, OVER, shots=first))
+    assert contents(tmp_path / "more") == whole
+
+
+def test_many_cells_are_in_chunks_of_many(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever the number of shots: not one file for a few hundred shots."""
+    works: list[Any] = []
+    monkeypatch.setattr(module, "run", lambda work, *_, **__: works.append(work) or iter(()))
+    monkeypatch.setattr(module, "dataset", lambda *_: None)
+    monkeypatch.setattr(module, "_CHUNK", 1 << 17)
+    monkeypatch.setattr(module, "BLOCK", 1 << 14)
+    for cells, shots, chunks in ((12, 100, 2), (5000, 100, 64), (5000, 20_000, 128)):
+        over = {"speed": np.linspace(7.0, 8.0, cells)}
+        hoopgen.map(Scatter(REST | {"elevation": 0.9}, SD), over, shots=shots)
+        assert works[-1].chunks == chunks
 
 
 def test_whole_numbers_may_be_numpy_s(tmp_path: Path) -> None:

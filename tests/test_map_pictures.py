@@ -189,6 +189,18 @@ def test_a_map_of_the_command_line_is_on_the_court(tmp_path: Path) -> None:
     assert out.stat().st_size < 300_000
 
 
+@pytest.mark.parametrize("highest", [0, 1])
+def test_lines_on_axes_with_one_scale_are_all_seen(highest: int) -> None:
+    data = places().isel(y=20).drop_vars("y")
+    low = data.map(lambda values: values / 5.0, keep_attrs=True)
+    both = Figure().subplots(1, 2, sharey=True)
+    for axes, one in zip(both, (data, low) if highest == 0 else (low, data), strict=True):
+        plot_map(one, ax=axes)
+    top = float(data["high"].where(data["probability"].notnull()).max())
+    for axes in both:
+        assert axes.get_ylim() == (0.0, pytest.approx(1.08 * top, rel=1e-12, abs=0))
+
+
 # ---------------------------------------------------------------------------------- no such flight
 
 
@@ -216,6 +228,36 @@ def test_hatched_cells_are_not_in_the_key() -> None:
     texts = [text.get_text() for axes in plot_map(single()).axes for text in axes.texts]
     assert "swish" in texts
     assert "invalid" not in texts
+
+
+def test_outcomes_alone_are_drawn_with_their_names() -> None:
+    data = single()
+    with pytest.raises(ValueError, match=r"flag_meanings, as hoopgen\.map gives them; got none"):
+        plot_map(data, of="outcome")
+    names = " ".join(one.name.lower() for one in hoopgen.Outcome)
+    data["outcome"].attrs["flag_meanings"] = names
+    figure = plot_map(data, of="outcome")
+    (key,) = figure.legends
+    assert [text.get_text() for text in key.get_texts()] == ["made"]
+    data["outcome"][0, 0] = 7
+    with pytest.raises(ValueError, match="outcome: expected codes from 0 to 6"):
+        plot_map(data, of="outcome")
+
+
+def test_a_key_of_many_long_names_stays_on_the_page() -> None:
+    data = single(4)
+    ends = [f"through_the_long_wall_number_{number}" for number in range(8)]
+    data["outcome"].attrs["flag_meanings"] = " ".join([*ends, "capped", "invalid"])
+    data["outcome"][:] = np.arange(16).reshape(4, 4) % 8
+    data = data.drop_vars("kind").assign_attrs(parameters="{}")
+    for width in (COLUMN, PAGE):
+        figure = plot_map(data, width=width)
+        FigureCanvasAgg(figure).draw()
+        (key,) = figure.legends
+        box = key.get_window_extent()
+        assert len(key.get_texts()) == 8
+        assert box.x1 <= figure.bbox.x1
+        assert box.y1 <= figure.axes[0].get_tightbbox().y0
 
 
 # ---------------------------------------------------------------------------------------- contours

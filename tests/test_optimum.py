@@ -263,6 +263,7 @@ def test_what_is_not_a_number_is_none_in_json(best: Optimum) -> None:
     [
         ({"over": ["elevaton"]}, "over: unknown elevaton"),
         ({"over": []}, "over: expected at least one variable"),
+        ({"release": PLACE | {"distance": 0}}, "distance: expected above 0 .*elevation.*got 0$"),
         ({"over": {"aim": (0.1, 0.1)}}, r"over\['aim'\]: expected \(low, high\)"),
         ({"over": ["elevation", "height"]}, "already in over"),
         ({"over": ["sidespin", "restitution"]}, r"over\['restitution'\]: .* no usual bounds"),

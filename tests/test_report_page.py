@@ -6,6 +6,7 @@ import base64
 import hashlib
 import re
 import sys
+from html import unescape
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -13,11 +14,12 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-for _library in ("jinja2", "matplotlib", "pyarrow", "pydantic", "scipy", "xarray"):
+for _library in ("jinja2", "markdown_it", "matplotlib", "pyarrow", "pydantic", "scipy", "xarray"):
     pytest.importorskip(_library)
 
 from hoopgen.cli import main  # noqa: E402
 from hoopgen.studyfile import run_study, varied  # noqa: E402
+from hoopgen.studyfile.markdown import rendered  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -229,9 +231,81 @@ def test_names_titles_descriptions_and_comments_are_text(tmp_path: Path) -> None
     read = _Read((tmp_path / "page.html").read_text("utf-8"))
     assert read.open == []
     assert not {"script", "img"} & set(read.tags)
-    for tag in ("title", "h1", "h2", "p", "a"):
+    for tag in ("title", "h1", "h2", "a"):
         assert HOSTILE in read.said(tag)
+    assert unescape(HOSTILE) in read.said("p")  # Markdown has entities
     assert f"# {HOSTILE}" in read.said("pre")[-1]
+
+
+DESCRIPTION = """\
+Two *things* are **asked**, of `speed`:
+
+1. one
+2. [two](https://example.org/a?b=1&c=2)
+
+# Why
+
+| a | b |
+|---|--:|
+| 1 | 2 |
+
+```
+<b>raw</b>
+```
+
+![the *court*](https://example.org/court.png)
+"""
+
+
+def test_a_description_is_shown_as_the_markdown_that_it_is(tmp_path: Path) -> None:
+    head = HEAD.replace('"First of all.\\n\\nAnd then."', f"'''{DESCRIPTION}'''")
+    assert DESCRIPTION in head
+    run_study(_written(tmp_path, head + ESTIMATE), report=tmp_path / "page.html")
+    text = (tmp_path / "page.html").read_text("utf-8")
+    read = _Read(text)
+    assert read.open == []
+    assert (read.said("em"), read.said("strong"), read.said("li")) == (
+        ["things"],
+        ["asked"],
+        ["one"],
+    )
+    assert {"speed", "<b>raw</b>"} <= set(read.said("code"))
+    assert "https://example.org/a?b=1&c=2" in read.links
+    # The page has one title, and a picture from elsewhere would not be in its one file.
+    assert read.said("h1") == ["Free throws"]
+    assert "Why" in read.said("h3")
+    assert {"the court"} <= set(read.said("p"))
+    assert not {"img", "b"} & set(read.tags)
+    assert {"1", "2"} <= set(read.said("td"))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<script>alert(1)</script>",
+        "a <img src=x onerror=alert(1)> b",
+        "<!-- --><a href='x' onclick=alert(1)>x</a>",
+        "[x](javascript:alert(1)) [y](JaVaScRiPt&colon;alert(1)) [z](vbscript:x) [u](file:///etc)",
+        "[x]: javascript:alert(1)\n\n[x] ![x](javascript:alert(1))",
+        "<javascript:alert(1)> <data:text/html,x>",
+        '[x](<https://e.org/" onmouseover="alert(1)> "\\" onclick=alert(1)")',
+        "![<script>](x 'y\" onerror=alert(1)')",
+        '```"><script>alert(1)</script>\nx\n```',
+        "| <svg/onload=alert(1)> |\n|---|\n| `<i>` |",
+        "&lt;script&gt;alert(1)&lt;/script&gt; &#60;script&#62;",
+        "{{ 7*7 }} {% raw %} ]]> </style></title>",
+        "> " * 300 + "deep " + "[" * 300,
+        "&#8238;&#27;[31m",
+    ],
+)
+def test_nothing_of_a_description_acts(text: str) -> None:
+    shown = rendered(text)
+    read = _Read(shown)  # which refuses attributes that run something
+    assert read.open == []
+    allowed = {"p", "a", "pre", "code", "table", "thead", "tbody", "tr", "th", "td", "blockquote"}
+    assert set(read.tags) <= allowed
+    assert all(link.startswith("https://") for link in read.links)
+    assert not set("\x1b\u202e") & set(shown)
 
 
 def test_errors_are_text_and_what_was_answered_is_there(
@@ -302,9 +376,11 @@ def test_what_is_wrong_with_the_page_is_said_before_any_work(
         run_study(file, report=tmp_path / "page.pdf")
     with pytest.raises(FileNotFoundError):
         run_study(file, report=tmp_path / "nowhere" / "page.html")
-    monkeypatch.setitem(sys.modules, "jinja2", None)
-    with pytest.raises(ImportError, match="a report page needs jinja2"):
-        run_study(file, report=tmp_path / "page.html")
+    for missing in ("jinja2", "markdown_it"):
+        with monkeypatch.context() as patch:
+            patch.setitem(sys.modules, missing, None)
+            with pytest.raises(ImportError, match=f"a report page needs {missing}"):
+                run_study(file, report=tmp_path / "page.html")
     assert not (tmp_path / "study-results").exists()
 
 

@@ -181,6 +181,46 @@ def test_routh_s_equations_are_linear_in_the_angle(start: tuple[float, ...]) -> 
     assert ball["turn_rate_1"] == pytest.approx(rate * RING_RADIUS / rho * along, rel=1e-12)
 
 
+ALONG_THE_TOP = (90.02, 0.05, 0.001, 0.0, 180.0)
+
+
+@pytest.mark.parametrize("start", [*SWIRLS, ALONG_THE_TOP, (150.0, -6.0, 1.5, 0.5, 0.0)])
+def test_speed_and_acceleration_stay_within_a_step_s_bounds(start: tuple[float, ...]) -> None:
+    ball = Rolling(*start)
+    ball.expand()
+    step, fastest, strongest = ball["stride"], ball["fastest"], ball["strongest"]
+    for k in range(9):
+        there = Rolling(*start)
+        there.expand()
+        there.step(step * k / 8)
+        there.expand()
+        assert math.hypot(*(there[f"v{axis}"] for axis in "xyz")) <= fastest * (1 + 1e-12)
+        assert math.hypot(*(there[f"v{axis}_1"] for axis in "xyz")) <= strongest * (1 + 1e-9)
+
+
+def test_a_ball_that_hardly_moves_along_the_top_is_not_taken_for_one_that_falls() -> None:
+    """Else it takes thousands of steps along the bridge's edge, which is next to it there."""
+    ball = Rolling(*ALONG_THE_TOP)
+    ball.expand()
+    assert ball["strongest"] < GRAVITY / 50
+
+
+def test_without_errors_a_bounce_is_looked_at_when_it_may_be_the_last() -> None:
+    at = dict.fromkeys(court.ARGUMENTS["slowed"], 0.0)
+    at |= {court.VARIABLES[name]: value for name, value in PAPER_COURT.items()} | {"nz": 1.0}
+
+    def looked(speed: float, error: float) -> tuple[bool, bool]:
+        given = at | {"vx": 0.5, "vz": speed, "position_error": error}
+        values = court.slowed(*(given[name] for name in court.ARGUMENTS["slowed"]))
+        found = dict(zip(court.OUTPUTS["slowed"], values, strict=True))
+        return bool(found["slow"]), bool(found["nearly"])
+
+    assert looked(1e-3, 1e-12) == (False, False)
+    assert looked(5e-5, 1e-12) == (True, False)
+    assert looked(5e-5, 0.0) == (False, False)
+    assert looked(1e-6, 0.0) == looked(1e-6, 1e-12) == (True, True)
+
+
 # ------------------------------------------------------------------------------- settled shots
 
 
@@ -263,7 +303,7 @@ def test_no_free_throw_with_grip_is_capped(restitution: float, count: int) -> No
 
 
 # Free throws that come to swirl inside the ring: their numbers.
-FOR_EVER = (12, 6933, 23443)
+FOR_EVER = (12, 6933, 43962)
 
 
 @needs_library

@@ -151,6 +151,27 @@ def test_a_corner_exactly_on_a_cut_leaves_no_line_behind() -> None:
     assert len(line) == 4
 
 
+def test_a_corner_all_but_on_a_cut_costs_no_outline() -> None:
+    """The first triangle keeps its side to the corner, whatever is left of the second."""
+    square = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0], [0, 1, 0]]], float)
+    for off in (0.0, 1e-20, 1e-17):
+        # Below 0 at all corners but (0, 1), where it is 0 or as good as that.
+        values = np.where(square[..., 1] > square[..., 0], off, -1.0)
+        left, _, _ = clip(square, values)
+        (line,) = loops(left)
+        assert sorted(map(tuple, line[:-1, :2].tolist())) == [(0, 0), (0, 1), (1, 0), (1, 1)]
+
+
+@pytest.mark.parametrize("view", [(0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)])
+@pytest.mark.parametrize("body", KINDS, ids=lambda body: body.name)
+def test_what_is_seen_of_a_body_has_closed_outlines(body: Any, view: Any) -> None:
+    (one,) = seen(body).bodies(ROOM)
+    corners = one.mesh.corners
+    facing = clip(corners, -((corners[..., 3:] - corners[..., :3]) @ np.array(view)))[0]
+    for line in loops(facing[..., :3]):
+        assert (line[0] == line[-1]).all()
+
+
 def test_families_share_a_colour_and_a_ring_has_the_hoops() -> None:
     own = colours(["ring", "wall_a", "wall_b", "bumper_1", "bumper_2", "bar", "long_bar"])
     assert own["wall_a"] == own["wall_b"] != own["bumper_1"] == own["bumper_2"]

@@ -184,6 +184,7 @@ def test_a_picture_of_a_map_names_the_components_of_a_state(scene: Engine) -> No
     figure = plots.plot_map(dataset)
     said = " ".join(text.get_text() for text in figure.texts).replace("\n", " ")
     assert "Standard deviations: vx 0.1 m/s." in said
+    assert "Scene: ledge. y 0 m" in said
     assert "place on the floor" not in said.lower()
     assert figure.axes[0].get_xlabel() == "x (m)"
 
@@ -207,9 +208,40 @@ def test_a_map_is_drawn_for_one_of_its_ends(scene: Engine) -> None:
     assert "shots beyond (%)" in texts
     with pytest.raises(ValueError, match="of: expected near or beyond"):
         plots.plot_map(dataset, of="made")
-    single = hoopgen.map(Scatter(PLACE), {"vx": [0.8, 1.2]}, scene=scene)
-    with pytest.raises(ValueError, match="map with a scatter"):
-        plots.plot_map(single)
+
+
+def test_a_map_of_single_shots_is_drawn_in_the_colours_of_its_ends(scene: Engine) -> None:
+    plots = pytest.importorskip("hoopgen.plots")
+    from matplotlib.collections import QuadMesh
+    from matplotlib.colors import to_hex
+
+    from hoopgen.colours import ended
+
+    over = {"vx": [0.5, 1.0, 2.0], "z": [0.02, 0.3]}  # the ball has a radius of 0.05 m
+    place = {name: value for name, value in PLACE.items() if name != "z"}
+    dataset = hoopgen.map(Scatter(place), over, scene=scene)
+    colour = ended(scene.outcomes.__members__, 2)
+    wanted = [[scene.outcomes(code).name for code in row] for row in dataset["outcome"].values]
+    assert {name for row in wanted for name in row} == {"NEAR", "BEYOND", "CAPPED", "INVALID"}
+    figure = plots.plot_map(dataset)
+    (mesh,) = figure.axes[0].findobj(lambda artist: type(artist) is QuadMesh)
+    drawn, hidden = mesh.to_rgba(mesh.get_array()), np.ma.getmaskarray(mesh.get_array())
+    for (up, across), nowhere in np.ndenumerate(hidden):
+        name = wanted[across][up]
+        assert nowhere == (name == "INVALID")
+        if not nowhere:
+            assert to_hex(drawn[up, across]) == colour[name].lower()
+    (key,) = figure.legends
+    shown = {
+        text.get_text(): to_hex(patch.get_facecolor())
+        for text, patch in zip(key.get_texts(), key.get_patches(), strict=True)
+    }
+    assert shown == {name: colour[name.upper()].lower() for name in ("near", "beyond", "capped")}
+    # Over one variable, and on axes that there are, the same.
+    axes = plots.plot_map(dataset.isel(z=1), ax=plots.plot_map(dataset.isel(z=1)).axes[0])
+    assert {text.get_text() for text in axes.get_legend().get_texts()} == set(shown)
+    with pytest.raises(ValueError, match="of: expected outcome for this dataset, got 'near'"):
+        plots.plot_map(dataset, of="near")
 
 
 def test_compare_counts_pairs_by_an_end(scene: Engine) -> None:
@@ -376,7 +408,10 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
     columns = list(csv.DictReader(out.read_text().splitlines()))
     assert {row["reach_m"] for row in columns} == {"0.9", "1.1"}
     assert all(float(row["share_near"]) <= 1 for row in columns)
-    assert run("map", *given, "--over", "vx=0.5:2:4").startswith("map    4 vx, one shot each")
+    picture = tmp_path / "map.svg"
+    single = run("map", *given, "--over", "vx=0.5:2:4", "--picture", picture)
+    assert single.startswith("map    4 vx, one shot each")
+    assert picture.stat().st_size > 0
     text = run(
         "optimum", *given, "--over", "vx=0.3:3", "--scatter", "vx=0.1", "--shots", 200, "--by",
         "beyond",

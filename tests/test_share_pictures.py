@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 from typing import Any
@@ -144,6 +145,9 @@ def test_a_comparison_has_both_and_the_difference() -> None:
     assert whiskers(below) == {"difference": (found.low, found.high)}
     low, high = below.get_xlim()
     assert low == -high
+    words = [text.get_text() for text in below.texts]
+    assert words[0].startswith("−")
+    assert not any("-" in word for word in words)
     said = " ".join(text.get_text() for text in plot_estimate(found).texts)
     assert "backspin 3 Hz" in said
     assert "second speed 7.17 m/s, elevation 52°, backspin 0 Hz" in said
@@ -307,6 +311,46 @@ def test_landings_without_a_miss_say_so_and_cannot_be_drawn(tmp_path: Path) -> N
     assert result.exit_code == 2
     assert "none of the missed ones reaches the floor" in result.stdout
     assert "expected at least one place" in result.stderr
+
+
+@pytest.mark.parametrize("own", [False, True])
+def test_a_fan_in_json_is_what_is_said_of_it(own: bool) -> None:
+    asked = ["fan", *(PUTT if own else SHOTS), "--shots", "200", "--seed", "3"]
+    asked += ["--scatter", "vy=0.05"] if own else []
+    told, said = json.loads(run(*asked, "--json").stdout), run(*asked).stdout
+    estimate = json.loads(run("estimate", *asked[1:], "--json").stdout)
+    for name in ("shots", "seed", "uncertain", "uncertain_capped", "setting", "scene"):
+        assert told[name] == estimate[name]
+    counts = estimate["counts"] if own else {n: estimate[n] for n in told["counts"]}
+    assert told["counts"] == counts
+    assert sum(counts.values()) == 200
+    for name, count in counts.items():
+        assert (f"{count / 2:.1f}% {name}" in said) == bool(count)
+
+
+def test_landings_in_json_are_what_is_said_of_them() -> None:
+    asked = ["landings", *SHOTS, "--shots", "2000"]
+    told, said = json.loads(run(*asked, "--json").stdout), run(*asked).stdout
+    found = told["landings"]
+    assert found["unit"] == "m"
+    half, most = (found["quantiles"][share]["value"] for share in ("0.5", "0.9"))
+    words = f"half of {found['shots']:,} missed shots within {half:.4g} m"
+    assert words in said
+    assert f"90% within {most:.4g} m" in said
+    assert told["counts"]["missed"] >= found["shots"] > 0
+    sure = ["landings", *WHERE, "--aim", "0", "--elevation", "55deg", "--shots", "5", "--json"]
+    assert json.loads(run(*sure).stdout)["landings"] == {"unit": "m", "shots": 0, "quantiles": {}}
+
+
+def test_rebounds_in_json_are_those_of_an_estimate() -> None:
+    caught = [*SHOTS, "--shots", "2000", "--catching-height", "9ft", "--json"]
+    measured = ["rebound_distance", "rebound_time", "rebound_angle"]
+    asked = [part for name in measured for part in ("--measure", name)]
+    wanted = json.loads(run("estimate", *caught, *asked).stdout)["measured"]
+    told = json.loads(run("landings", *caught).stdout)
+    assert told["measured"] == wanted
+    assert list(wanted) == measured
+    assert "landings" not in told
 
 
 def test_landings_are_a_hoops_and_paths_any_scenes(tmp_path: Path) -> None:

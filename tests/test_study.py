@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import builtins
+import codecs
 import json
 import os
 import pickle
@@ -26,7 +27,7 @@ import xarray as xr  # noqa: E402
 
 import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
-from hoopgen.study import throws  # noqa: E402
+from hoopgen.study import maps, throws  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.chunks import versions  # noqa: E402
 from hoopgen.study.named import in_units, named  # noqa: E402
@@ -560,6 +561,7 @@ def test_nothing_that_is_written_is_evaluated(
         raise AssertionError("evaluated")
 
     monkeypatch.chdir(tmp_path)
+    codecs.lookup("utf-8-sig")  # a codec is a module, which is imported when it is first needed
     with monkeypatch.context() as patch:
         for name in ("eval", "exec", "compile"):
             patch.setattr(builtins, name, refused)
@@ -895,8 +897,8 @@ def test_so_is_one_that_was_not_finished(tmp_path: Path) -> None:
     run_study(file)
     results = tmp_path / "study-results"
     (results / "probability").rename(results / "probability.unfinished")
-    written(tmp_path, HEAD + ESTIMATE.replace("2000", "1000"))
-    with pytest.raises(ValueError, match="shots is 2000 there and 1000 here"):
+    written(tmp_path, HEAD + ESTIMATE + "max_contacts = 30\n")
+    with pytest.raises(ValueError, match="max_contacts is 40 there and 30 here"):
         run_study(file)
 
 
@@ -939,16 +941,88 @@ def test_a_question_may_be_asked_for_more_and_only_the_rest_is_thrown(
     assert contents(results) == contents(whole)
 
 
+@pytest.mark.parametrize("interrupted", [False, True])
+@pytest.mark.parametrize("kind", ["estimate", "compare"])
 @pytest.mark.parametrize(
-    "change",
-    ["shots = 1999", "precision = 0.03", "shots = 3000\nprecision = 0.02", "max_contacts = 30"],
+    "less", ["shots = 999", "precision = 0.03", "shots = 2700\nprecision = 0.02"]
 )
-def test_what_is_no_more_is_refused(change: str, tmp_path: Path) -> None:
-    question = ESTIMATE.replace("shots = 2000\n", "")
-    file = written(tmp_path, HEAD + question + "shots = 2000\n")
+def test_a_question_may_be_asked_for_less_and_what_was_thrown_stays(
+    kind: str, less: str, interrupted: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As with the folder of an estimate alone."""
+    text = HEAD + f"[[question]]\nname = 'q'\nkind = '{kind}'\n"
+    text += "versus.release.backspin = 0\n" * (kind == "compare")
+    monkeypatch.setattr(throws, "CHUNK", 500)
+    results, many = tmp_path / "results", "shots = 2700"
+    file = written(tmp_path / "study", text + many)
+    run_study(file, results)
+    before = contents(results)
+    written(file.parent, text + less)
+    if interrupted:
+        with monkeypatch.context() as patch:
+            patch.setattr("hoopgen.studyfile.run.answer", _stopped)
+            with pytest.raises(KeyboardInterrupt):
+                run_study(file, results)
+    (answer,) = run_study(file, results).values()
+    assert answer == run_study(file, tmp_path / "at-once")["q"]
+    chunks = {name: content for name, content in before.items() if "chunks/" in name}
+    assert len(chunks) >= 6
+    assert chunks.items() <= contents(results).items()
+    assert not (results / "q" / "kept.json").exists()
+    # And back again: nothing is thrown.
+    written(file.parent, text + many)
+    with monkeypatch.context() as patch:
+        patch.setattr(throws.Work, "counted", None)
+        run_study(file, results)
+    assert contents(results) == before
+
+
+def test_a_map_may_be_asked_for_other_shots_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(maps, "BLOCK", 256)
+    monkeypatch.setattr(maps, "_CHUNK", 600)
+    text = HEAD + "[[question]]\nname = 'q'\nkind = 'map'\nfigures = ['map']\n"
+    text += "over.elevation = { from = '48 deg', to = '56 deg', count = 5 }\n"
+    few, many = text + "shots = 300", text + "shots = 700"
+    run_study(written(tmp_path / "at-once", many), tmp_path / "whole")
+    file, results = written(tmp_path / "study", few), tmp_path / "results"
+    (first,) = run_study(file, results).values()
+    written(file.parent, many)
+    run_study(file, results)
+    whole = contents(results)
+    assert whole == contents(tmp_path / "whole")
+    written(file.parent, few)
+    assert run_study(file, results) == {"q": first}
+    chunks = {name: content for name, content in whole.items() if "chunks/" in name}
+    assert chunks.items() <= contents(results).items()
+    with pytest.raises(ValueError, match="over"):  # other cells are another question
+        run_study(written(file.parent, few.replace("count = 5", "count = 6")), results)
+
+
+def _stopped(*_: Any) -> Any:
+    raise KeyboardInterrupt
+
+
+def test_a_figure_that_fewer_shots_do_not_have_does_not_stay(tmp_path: Path) -> None:
+    figures = 'figures = ["landings"]\nrelease.speed = 7.2\nscatter.azimuth = "0.3 deg"\n'
+    question = ESTIMATE.replace("shots = 2000\n", "") + figures
+    file = written(tmp_path, HEAD.replace('aim = "2 in"\n', "") + question + "shots = 2000\n")
+    (answer,) = run_study(file).values()
+    assert answer.numbers["missed"] > 0
+    there = tmp_path / "study-results" / "probability" / "landings.png"
+    assert there.exists()
+    file.write_text(file.read_text().replace("shots = 2000", "shots = 1"))
+    (answer,) = run_study(file).values()
+    assert answer.line.endswith("so there is no picture of where")
+    assert not there.exists()
+
+
+def test_nothing_else_of_a_question_may_change(tmp_path: Path) -> None:
+    file = written(tmp_path, HEAD + ESTIMATE)
     run_study(file)
     before = contents(tmp_path / "study-results")
-    written(tmp_path, HEAD + question + change + "\n")
+    written(tmp_path, HEAD + ESTIMATE.replace("2000", "3000") + "max_contacts = 30\n")
     with pytest.raises(ValueError, match="holds another study: question probability: "):
         run_study(file)
     assert contents(tmp_path / "study-results") == before

@@ -460,7 +460,7 @@ def test_a_dataset_that_cannot_be_drawn_is_refused(
 
 
 def test_what_is_not_there_cannot_be_shown() -> None:
-    with pytest.raises(ValueError, match="of: expected kind for this dataset, got 'probability'"):
+    with pytest.raises(ValueError, match=r"of: expected kind or outcome .* got 'probability'$"):
         plot_map(kind_map(), of="probability")
 
 

@@ -165,20 +165,25 @@ class Circling:
         step = hold(
             smallest(sp.Rational(1, 2**4), _twelfth_root(2**4 * UNIT_ROUNDOFF * scale / last))
         )
-        climb, along, s = (
+        climb, along = (
             hold(horner([hold(size(part)) for part in _row(name, ORDER)], step))
-            for name in ("climb", "along", "turn_rate")
+            for name in ("climb", "along")
         )
-        near = hold(1 / hold(self.ring_radius - self.reach))
-        omega = hold(along * near)
-        fallen = hold((1 - SHARE) * strength + SHARE * hold(s * hold(climb + omega)))
-        rises = [k * hold(size(term("climb", k))) for k in range(1, ORDER + 1)]
+        omega = hold(along * hold(1 / hold(self.ring_radius - self.reach)))
+        rises, quickens = (
+            hold(horner([k * hold(size(term(name, k))) for k in range(1, ORDER + 1)], step))
+            for name in ("climb", "along")
+        )
+        turned = hold(climb**2)
+        fastest = hold(self.reach * climb + along)
         bends = [k * (k - 1) * hold(size(term("force", k))) for k in range(2, ORDER)]
         return {
             "stride": step,
-            "strongest": hold(fallen + hold(self.reach * climb**2 + along * omega)),
-            "fastest": self.reach * climb + along,
-            "sway": self.reach * hold(climb**2 + hold(horner(rises, step))),
+            # The sizes of its rates around the wire and along the ring, not what gravity may do: a
+            # ball near the top hardly speeds up, nor gets far from the bridge's edge beside it.
+            "strongest": hold(self.reach * hold(turned + rises) + hold(quickens + fastest * omega)),
+            "fastest": fastest,
+            "sway": self.reach * hold(turned + rises),
             "force": term("force", 0),
             "force_rate": term("force", 1),
             "force_bend": horner(bends, step),

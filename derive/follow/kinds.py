@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import sympy as sp
 
 from ..ground.choice import Equal, Not, Nowhere, Truth, every
-from ..ground.kernel import decision
+from ..ground.kernel import Kernel, decision
 from ..ground.symbols import variable
 from ..ground.tree import Do, Each, Groups, Guard, Node, Value, given_as, read_of
 from ..search.decisions import last, which
@@ -90,25 +90,13 @@ class Kind:
     @property
     def _its(self) -> dict[str, str]:
         """The variable of each size that is taken, by that of the first's."""
-        kernel = self.first.parts["taken"]
-        names = [f"{name}_{self.first.index}" for name in kernel.output_names[1:]]
-        return dict(zip(map(variable, kernel.arguments), names, strict=True))
+        return taken_as(self.first.parts["taken"], str(self.first.index))
 
     def taken(self, common: Parts) -> Iterator[Node]:
         """Take the sizes of the surface that the event is on, if there is more than one."""
         if not self.several:
             return
-        kernel, its = self.first.parts["taken"], self._its
-        outputs = {
-            "mine": self.mine,
-            **dict(zip(kernel.output_names[1:], its.values(), strict=True)),
-        }
-        yield Do(common["untaken"], {}, {"mine": self.mine})
-        yield Do(kernel, {}, outputs, frozenset(kernel.output_names[1:]))
-        yield from each(
-            self.contacts,
-            lambda s, index: on(common, index, Do(kernel, {}, outputs), rare=True),
-        )
+        yield from take(common, self.contacts, self.first.parts["taken"], self.mine, self._its)
 
     def on(self, common: Parts, part: str, *more: Node) -> Iterator[Node]:
         """Evaluate a part, if the kind has it, where the event is on a surface of the kind."""
@@ -129,6 +117,22 @@ class Kind:
         else:
             yield Do(common["again"], {"index": self.first.index})
         yield Guard("again", (curving,))
+
+
+def taken_as(kernel: Kernel, suffix: str) -> dict[str, str]:
+    """Return the variable of each size that a kernel takes, by that of the first's."""
+    names = [f"{name}_{suffix}" for name in kernel.output_names[1:]]
+    return dict(zip(map(variable, kernel.arguments), names, strict=True))
+
+
+def take(
+    common: Parts, alike: Sequence[Contact], kernel: Kernel, mine: str, its: Mapping[str, str]
+) -> Iterator[Node]:
+    """Take the sizes of whichever of some surfaces the event is on, and whether it is on any."""
+    outputs = {"mine": mine, **dict(zip(kernel.output_names[1:], its.values(), strict=True))}
+    yield Do(common["untaken"], {}, {"mine": mine})
+    yield Do(kernel, {}, outputs, frozenset(kernel.output_names[1:]))
+    yield from each(alike, lambda _, index: on(common, index, Do(kernel, {}, outputs), rare=True))
 
 
 def of_one_kind(contacts: Iterable[Contact]) -> list[Kind]:

@@ -11,11 +11,23 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
-from ..ground.tree import Do, Each, Guard, Node, Value, check, live_before, needed, walk, without
+from ..ground.tree import (
+    Do,
+    Each,
+    Guard,
+    Node,
+    Value,
+    check,
+    given_as,
+    live_before,
+    needed,
+    walk,
+    without,
+)
 from ..search.search import Parts, proposed
 from . import staying
 from .fields import CLAIMS, Field
-from .kinds import Contact, Kind, each, of_laws, of_one_kind, on
+from .kinds import Contact, Kind, each, of_laws, of_one_kind, on, take, taken_as
 
 TEMPORARY_BOUNDS = {"late": 0.0, "delay": 0.0, "doubt": float("inf")}
 """What bounds errors within a stage, as it stands where no bounds are wanted."""
@@ -252,10 +264,17 @@ def _laws(common: Parts, contacts: Sequence[Contact]) -> Iterator[Node]:
         yield Guard("touches", tuple(_law(common, contacts[0])))
         return
     for surfaces in by_law:
-        yield from each(surfaces, lambda s, index: on(common, index, *_law(common, s)))
+        law = surfaces[0].law
+        if "taken" not in law:
+            yield from each(surfaces, lambda s, index: on(common, index, *_law(common, s)))
+            continue
+        # What differs is taken first: a contact then costs the same on whichever body it is.
+        mine, its = f"struck_{surfaces[0].index}", taken_as(law["taken"], law["impact"].name)
+        yield from take(common, surfaces, law["taken"], mine, its)
+        yield Guard(mine, tuple(given_as(node, its) for node in _law(common, surfaces[0])))
 
 
-def _law(common: Parts, surface: Contact) -> Iterator[Node]:
+def _law(common: Parts, surface: Contact) -> Iterator[Do]:
     if "doubt" in surface.law:
         yield Do(surface.law["doubt"])
         yield Do(common["undecided"])

@@ -76,6 +76,8 @@ settles, lodges, unsure, ends, rests, edge, goes_on, slides, parts = map(
     Truth,
     ("settles", "lodges", "unsure", "ends", "rests", "edge", "rolling", "slides", "parts"),
 )
+nearly = Truth("nearly")
+"""Whether a bounce is so small that it may be the last before the ball rolls."""
 body, reached, outcome, uncertain, assured, time_limit, began, rolls = sp.symbols(
     "body reached outcome uncertain assured time_limit began rolls", real=True
 )
@@ -186,7 +188,7 @@ def settling(law: Law, ball_radius: sp.Expr) -> Kernel:
 
 def near_by(ball_radius: sp.Expr) -> sp.Expr:
     """Return how far from a ball the other surface may be between which two it is wedged, m."""
-    return 2**10 * tolerance(ball_radius)
+    return 2**8 * tolerance(ball_radius)
 
 
 def _pressed_on(acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) -> Kernel:
@@ -218,11 +220,12 @@ def tolerance(ball_radius: sp.Expr) -> sp.Expr:
     """Return what a ball may be off by that is taken for rolling, m; its errors grow by as much.
 
     It does not depend on the errors that the ball carries, so that the path is the same where none
-    are bounded. Half a picometre is less than these usually are after the forty bounces that it
-    takes. Later jumps would be nearer to the limit, but the error of a bounce's speed, over that
-    speed, doubles with each.
+    are bounded. Two picometres are about what these are after the forty bounces that it takes.
+    Later jumps would be nearer to the limit, but the error of a bounce's speed, over that speed,
+    doubles with each: with a quarter of it errors at the end are hardly smaller, and more shots are
+    uncertain.
     """
-    return sp.Rational(1, 2**38) * ball_radius
+    return sp.Rational(1, 2**36) * ball_radius
 
 
 def kernels(
@@ -261,7 +264,7 @@ def kernels(
         ),
         _turned(ball_radius),
         _pressed_on(acceleration, ball_radius),
-        *_starting(ball_radius),
+        *_starting(strength, ball_radius),
         *_stepping(strength, ball_radius, codes),
         *_parting(strength),
         *_neighbour(ball_radius),
@@ -279,8 +282,13 @@ def _turned(ball_radius: sp.Expr) -> Kernel:
     )
 
 
-def _starting(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
+def _starting(strength: sp.Expr, ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     off = hold(velocity.dot(normal))
+    # A ball settles when half a hop's height is tolerated, under whatever presses it. Errors ask
+    # from much earlier on whether its bounces end there.
+    quick = hold(velocity.dot(velocity)) / ball_radius
+    closely = Less(hold(off**2), hold(2 * tolerance(ball_radius) * hold(strength + quick)))
+    hardly = Less(hold(off**2), sp.Rational(1, 2**23) * ball_radius)
     across = hold_each(velocity - off * normal)
     sliding = hold_each(sp.Matrix(across) - ball_radius * spin.cross(normal))
     kept = [hold(v - rolling.SHARE * u) for v, u in zip(across, sliding, strict=True)]
@@ -296,8 +304,12 @@ def _starting(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     return (
         made(
             "slowed",
-            {"slow": Less(hold(off**2), sp.Rational(1, 2**23) * ball_radius), "assured": 0},
-            "Where a ball hardly leaves the surface that it has touched.",
+            {
+                "slow": some(closely, every(hardly, Less(0, position_error))),
+                "nearly": closely,
+                "assured": 0,
+            },
+            "Where a ball hardly leaves the surface that it has touched, and is looked at.",
             "a hop of less than a micrometre",
         ),
         made(
@@ -670,14 +682,14 @@ def _events(faces: Sequence[int], codes: Codes, outcomes: Mapping[str, int]) -> 
         made(
             "settled",
             {
-                "mode": Choose(settles, BEGINS, Choose(parts, LEAVES, 0)),
-                "held": Choose(Either(settles, parts), index, NONE),
+                "mode": Choose(nearly, Choose(settles, BEGINS, Choose(parts, LEAVES, 0)), 0),
+                "held": Choose(every(nearly, Either(settles, parts)), index, NONE),
                 "outcome": Choose(
-                    every(Either(lodges, slides), Less(outcome, 0)),
+                    every(nearly, Either(lodges, slides), Less(outcome, 0)),
                     Choose(lodges, lodged, capped),
                     outcome,
                 ),
-                "slip_left": Choose(slides, 1, 0),
+                "slip_left": Choose(every(nearly, slides), 1, 0),
                 "uncertain": Choose(Either(lodges, unsure), 1, uncertain),
             },
             "Whether the ball stays on a surface, slides, leaves, or is wedged between two.",

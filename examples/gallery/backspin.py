@@ -20,5 +20,5 @@ with style():
     for axes, restitution in zip(picture.subplots(1, 2, sharey=True), (0.6, 0.8), strict=True):
         scene = hoopgen.PAPER | {"restitution": restitution}
         found = hoopgen.map(hoopgen.Scatter(release, errors), {"backspin": spins}, scene)
-        plot_map(found, ax=axes, title=f"Restitution {restitution}")
+        plot_map(found, ax=axes, title=f"PAPER, restitution {restitution}", note="")
 picture

@@ -26,7 +26,7 @@ with style():
     picture = Figure(figsize=(7.1, 3), layout="constrained")
     left, right = picture.subplots(1, 2)
     left.plot(distance, aim.speed, color="C0")
-    left.set(xlabel="distance (m)", ylabel="speed (m/s)", title="What to set")
+    left.set(xlabel="distance (m)", ylabel="speed (m/s), solid", title="What to set")
     angle = left.twinx()
     angle.plot(distance, np.degrees(aim.elevation), color="C1", ls="--")
     angle.set_ylabel("elevation (°), dashed")

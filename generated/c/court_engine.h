@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 2607fe1f6b8b831b,
+   Generated from templates/c/engine.h.j2, scene court, derivation 49326d868b68e405,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -11,8 +11,8 @@
 #include "court_kernels.h"
 
 /* A column, with room for a whole row of lanes behind its end. */
-typedef double LANES(court_column)[LANES_SHOTS + LANES_SHOTS / 2 + LANES_WIDTH];
-typedef float LANES(court_singles)[LANES_SHOTS + LANES_SHOTS / 2 + LANES_WIDTH];
+typedef double LANES(court_column)[2 * LANES_SHOTS + LANES_WIDTH];
+typedef float LANES(court_singles)[2 * LANES_SHOTS + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on, and the places of
    their results: else each store waits for its line. */
@@ -78,7 +78,7 @@ LANES_INLINE M LANES(court_permit)(V p_ball_radius, V p_ring_radius, V p_wire_ra
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[LANES_SHOTS + LANES_SHOTS / 2];
+    _Alignas(64) size_t shot[2 * LANES_SHOTS];
     LANES(court_column) x; /* of the state */
     LANES(court_column) y; /* of the state */
     LANES(court_column) z; /* of the state */
@@ -629,7 +629,7 @@ LANES_INLINE void LANES(court_plain_wait)(LANES(court_plain_lists) *lists, size_
 /* Put shots that have waited into rows from one on; return how many. */
 LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, size_t row, const court_job *job)
 {
-    const size_t room = LANES_SHOTS + LANES_SHOTS / 2 - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t room = 2 * LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
@@ -1818,7 +1818,7 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             V cos_12 = _o233.cos_12;
             V sin_12 = _o233.sin_12;
             const LANES(court_ring_round_pace_out) _o234 =
-                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, p_wire_radius);
             V stride = _o234.stride;
             V strongest = _o234.strongest;
             V fastest = _o234.fastest;
@@ -2189,7 +2189,7 @@ static void LANES(court_plain)(const court_job *job)
         if (job->stop && *job->stop)
             return;
         int following = shots == 0;
-        if (lists->waiting >= LANES_SHOTS / 2 || (shots == 0 && begun == job->shots)) {
+        if (lists->waiting + LANES_WIDTH > LANES_SHOTS || (shots == 0 && begun == job->shots)) {
             shots += LANES(court_plain_resume)(lists, shots, job);
             following = 0;
         }
@@ -4406,252 +4406,268 @@ static void LANES(court_plain)(const court_job *job)
                         LANES(court_counted)(count_2);
                     count_2 = lanes_select(_m323, _o325.count, count_2);
                 }
+                const LANES(court_untaken_out) _o326 =
+                    LANES(court_untaken)();
+                M struck_0 = _o326.mine;
+                const LANES(court_ring_impact_taken_out) _o327 =
+                    LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
+                V its_0_ring_impact = _o327.its_0;
+                V its_1_ring_impact = _o327.its_1;
                 {
-                    const double *const _t327[][2] = {
+                    const double *const _t329[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t328[][1] = {
+                    static const double _t330[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k326 = 0; _k326 < 3; _k326++) {
-                        const V own_1 = lanes_load(_t327[_k326][0] + (i & varying));
-                        const V own_2 = lanes_load(_t327[_k326][1] + (i & varying));
-                        const V own_index = K(_t328[_k326][0]);
-                        const LANES(court_here_out) _o329 =
+                    for (size_t _k328 = 0; _k328 < 3; _k328++) {
+                        const V own_1 = lanes_load(_t329[_k328][0] + (i & varying));
+                        const V own_2 = lanes_load(_t329[_k328][1] + (i & varying));
+                        const V own_index = K(_t330[_k328][0]);
+                        const LANES(court_here_out) _o331 =
                             LANES(court_here)(own_index, which);
-                        M here = _o329.here;
-                        const M _m330 = lanes_both(_m312, here);
-                        if (lanes_any(_m330)) {
-                            const LANES(court_ring_impact_out) _o331 =
-                                LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m330, _o331.vx, vx);
-                            vy = lanes_select(_m330, _o331.vy, vy);
-                            vz = lanes_select(_m330, _o331.vz, vz);
-                            wx = lanes_select(_m330, _o331.wx, wx);
-                            wy = lanes_select(_m330, _o331.wy, wy);
-                            wz = lanes_select(_m330, _o331.wz, wz);
+                        M here = _o331.here;
+                        const M _m332 = lanes_both(_m312, here);
+                        if (lanes_any(_m332)) {
+                            const LANES(court_ring_impact_taken_out) _o333 =
+                                LANES(court_ring_impact_taken)(own_2, own_1);
+                            struck_0 = lanes_choose(_m332, _o333.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m332, _o333.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m332, _o333.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m332 = lanes_both(_m312, touches);
-                {
-                    const LANES(court_touched_out) _o333 =
-                        LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m332, _o333.first, first);
-                    last = lanes_select(_m332, _o333.last, last);
-                }
-                const M _m334 = lanes_both(_m312, touches);
+                const M _m334 = lanes_both(_m312, struck_0);
                 if (lanes_any(_m334)) {
-                    const LANES(court_slowed_out) _o335 =
-                        LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o335.slow;
-                    const M _m336 = lanes_both(_m334, slow);
-                    if (lanes_any(_m336)) {
-                        const LANES(court_gripped_out) _o337 =
+                    const LANES(court_ring_impact_out) _o335 =
+                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    vx = lanes_select(_m334, _o335.vx, vx);
+                    vy = lanes_select(_m334, _o335.vy, vy);
+                    vz = lanes_select(_m334, _o335.vz, vz);
+                    wx = lanes_select(_m334, _o335.wx, wx);
+                    wy = lanes_select(_m334, _o335.wy, wy);
+                    wz = lanes_select(_m334, _o335.wz, wz);
+                }
+                const M _m336 = lanes_both(_m312, touches);
+                {
+                    const LANES(court_touched_out) _o337 =
+                        LANES(court_touched)(body, first, which);
+                    first = lanes_select(_m336, _o337.first, first);
+                    last = lanes_select(_m336, _o337.last, last);
+                }
+                const M _m338 = lanes_both(_m312, touches);
+                if (lanes_any(_m338)) {
+                    const LANES(court_slowed_out) _o339 =
+                        LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, K(0.0), vx, vy, vz);
+                    M slow = _o339.slow;
+                    M nearly = _o339.nearly;
+                    const M _m340 = lanes_both(_m338, slow);
+                    if (lanes_any(_m340)) {
+                        const LANES(court_gripped_out) _o341 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o337.rolled_x;
-                        V rolled_y = _o337.rolled_y;
-                        V rolled_z = _o337.rolled_z;
-                        V slip = _o337.slip;
-                        V bounce = _o337.bounce;
-                        const LANES(court_here_out) _o338 =
+                        V rolled_x = _o341.rolled_x;
+                        V rolled_y = _o341.rolled_y;
+                        V rolled_z = _o341.rolled_z;
+                        V slip = _o341.slip;
+                        V bounce = _o341.bounce;
+                        const LANES(court_here_out) _o342 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o338.here;
-                        const M _m339 = lanes_both(_m336, here);
-                        if (lanes_any(_m339)) {
-                            const LANES(court_ring_turning_out) _o340 =
+                        M here = _o342.here;
+                        const M _m343 = lanes_both(_m340, here);
+                        if (lanes_any(_m343)) {
+                            const LANES(court_ring_turning_out) _o344 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o340.turning_x;
-                            V turning_y = _o340.turning_y;
-                            V turning_z = _o340.turning_z;
-                            const LANES(court_pressed_on_out) _o341 =
+                            V turning_x = _o344.turning_x;
+                            V turning_y = _o344.turning_y;
+                            V turning_z = _o344.turning_z;
+                            const LANES(court_pressed_on_out) _o345 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o341.press;
-                            V weight = _o341.weight;
-                            V drag = _o341.drag;
-                            V thrust_x = _o341.thrust_x;
-                            V thrust_y = _o341.thrust_y;
-                            V thrust_z = _o341.thrust_z;
-                            const LANES(court_alone_out) _o342 =
+                            V press = _o345.press;
+                            V weight = _o345.weight;
+                            V drag = _o345.drag;
+                            V thrust_x = _o345.thrust_x;
+                            V thrust_y = _o345.thrust_y;
+                            V thrust_z = _o345.thrust_z;
+                            const LANES(court_alone_out) _o346 =
                                 LANES(court_alone)();
-                            V nearest = _o342.nearest;
-                            V wedge = _o342.wedge;
-                            const LANES(court_backboard_closing_out) _o343 =
+                            V nearest = _o346.nearest;
+                            V wedge = _o346.wedge;
+                            const LANES(court_backboard_closing_out) _o347 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o343.gap;
-                            V nearing = _o343.nearing;
-                            V swerve = _o343.swerve;
-                            V facing = _o343.facing;
-                            const LANES(court_neared_body_out) _o344 =
+                            V gap = _o347.gap;
+                            V nearing = _o347.nearing;
+                            V swerve = _o347.swerve;
+                            V facing = _o347.facing;
+                            const LANES(court_neared_body_out) _o348 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o344.nearest;
-                            wedge = _o344.wedge;
-                            const LANES(court_bridge_closing_out) _o345 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o345.gap;
-                            nearing = _o345.nearing;
-                            swerve = _o345.swerve;
-                            facing = _o345.facing;
-                            const LANES(court_neared_body_out) _o346 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o346.nearest;
-                            wedge = _o346.wedge;
-                            const LANES(court_end_beside_out) _o347 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o347.gap;
-                            const LANES(court_neared_out) _o348 =
-                                LANES(court_neared)(gap, nearest);
                             nearest = _o348.nearest;
-                            const LANES(court_ring_parting_out) _o349 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o349.lift;
-                            const LANES(court_ring_impact_settling_out) _o350 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o350.settles;
-                            M lodges = _o350.lodges;
-                            M slides = _o350.slides;
-                            M parts = _o350.parts;
-                            M unsure = _o350.unsure;
-                            const LANES(court_settled_out) _o351 =
-                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m339, _o351.mode, mode);
-                            held = lanes_select(_m339, _o351.held, held);
-                            outcome = lanes_select(_m339, _o351.outcome, outcome);
-                            slip_left = lanes_select(_m339, _o351.slip_left, slip_left);
-                        }
-                        const LANES(court_here_out) _o352 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o352.here;
-                        const M _m353 = lanes_both(_m336, here);
-                        if (lanes_any(_m353)) {
-                            const LANES(court_backboard_turning_out) _o354 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o354.turning_x;
-                            V turning_y = _o354.turning_y;
-                            V turning_z = _o354.turning_z;
-                            const LANES(court_pressed_on_out) _o355 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o355.press;
-                            V weight = _o355.weight;
-                            V drag = _o355.drag;
-                            V thrust_x = _o355.thrust_x;
-                            V thrust_y = _o355.thrust_y;
-                            V thrust_z = _o355.thrust_z;
-                            const LANES(court_alone_out) _o356 =
-                                LANES(court_alone)();
-                            V nearest = _o356.nearest;
-                            V wedge = _o356.wedge;
-                            const LANES(court_ring_closing_out) _o357 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o357.gap;
-                            V nearing = _o357.nearing;
-                            V swerve = _o357.swerve;
-                            V facing = _o357.facing;
-                            const LANES(court_neared_body_out) _o358 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o358.nearest;
-                            wedge = _o358.wedge;
-                            const LANES(court_bridge_closing_out) _o359 =
+                            wedge = _o348.wedge;
+                            const LANES(court_bridge_closing_out) _o349 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o359.gap;
-                            nearing = _o359.nearing;
-                            swerve = _o359.swerve;
-                            facing = _o359.facing;
-                            const LANES(court_neared_body_out) _o360 =
+                            gap = _o349.gap;
+                            nearing = _o349.nearing;
+                            swerve = _o349.swerve;
+                            facing = _o349.facing;
+                            const LANES(court_neared_body_out) _o350 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o360.nearest;
-                            wedge = _o360.wedge;
-                            const LANES(court_end_beside_out) _o361 =
+                            nearest = _o350.nearest;
+                            wedge = _o350.wedge;
+                            const LANES(court_end_beside_out) _o351 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o361.gap;
-                            const LANES(court_neared_out) _o362 =
+                            gap = _o351.gap;
+                            const LANES(court_neared_out) _o352 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o362.nearest;
-                            const LANES(court_backboard_parting_out) _o363 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o363.lift;
-                            const LANES(court_ring_impact_settling_out) _o364 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o364.settles;
-                            M lodges = _o364.lodges;
-                            M slides = _o364.slides;
-                            M parts = _o364.parts;
-                            M unsure = _o364.unsure;
-                            const LANES(court_settled_out) _o365 =
-                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m353, _o365.mode, mode);
-                            held = lanes_select(_m353, _o365.held, held);
-                            outcome = lanes_select(_m353, _o365.outcome, outcome);
-                            slip_left = lanes_select(_m353, _o365.slip_left, slip_left);
+                            nearest = _o352.nearest;
+                            const LANES(court_ring_parting_out) _o353 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+                            V lift = _o353.lift;
+                            const LANES(court_ring_impact_settling_out) _o354 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o354.settles;
+                            M lodges = _o354.lodges;
+                            M slides = _o354.slides;
+                            M parts = _o354.parts;
+                            M unsure = _o354.unsure;
+                            const LANES(court_settled_out) _o355 =
+                                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m343, _o355.mode, mode);
+                            held = lanes_select(_m343, _o355.held, held);
+                            outcome = lanes_select(_m343, _o355.outcome, outcome);
+                            slip_left = lanes_select(_m343, _o355.slip_left, slip_left);
                         }
-                        const LANES(court_here_out) _o366 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o366.here;
-                        const M _m367 = lanes_both(_m336, here);
-                        if (lanes_any(_m367)) {
-                            const LANES(court_bridge_turning_out) _o368 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o368.turning_x;
-                            V turning_y = _o368.turning_y;
-                            V turning_z = _o368.turning_z;
-                            const LANES(court_pressed_on_out) _o369 =
+                        const LANES(court_here_out) _o356 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o356.here;
+                        const M _m357 = lanes_both(_m340, here);
+                        if (lanes_any(_m357)) {
+                            const LANES(court_backboard_turning_out) _o358 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o358.turning_x;
+                            V turning_y = _o358.turning_y;
+                            V turning_z = _o358.turning_z;
+                            const LANES(court_pressed_on_out) _o359 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o369.press;
-                            V weight = _o369.weight;
-                            V drag = _o369.drag;
-                            V thrust_x = _o369.thrust_x;
-                            V thrust_y = _o369.thrust_y;
-                            V thrust_z = _o369.thrust_z;
-                            const LANES(court_alone_out) _o370 =
+                            V press = _o359.press;
+                            V weight = _o359.weight;
+                            V drag = _o359.drag;
+                            V thrust_x = _o359.thrust_x;
+                            V thrust_y = _o359.thrust_y;
+                            V thrust_z = _o359.thrust_z;
+                            const LANES(court_alone_out) _o360 =
                                 LANES(court_alone)();
-                            V nearest = _o370.nearest;
-                            V wedge = _o370.wedge;
-                            const LANES(court_ring_closing_out) _o371 =
+                            V nearest = _o360.nearest;
+                            V wedge = _o360.wedge;
+                            const LANES(court_ring_closing_out) _o361 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o371.gap;
-                            V nearing = _o371.nearing;
-                            V swerve = _o371.swerve;
-                            V facing = _o371.facing;
-                            const LANES(court_neared_body_out) _o372 =
+                            V gap = _o361.gap;
+                            V nearing = _o361.nearing;
+                            V swerve = _o361.swerve;
+                            V facing = _o361.facing;
+                            const LANES(court_neared_body_out) _o362 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o372.nearest;
-                            wedge = _o372.wedge;
-                            const LANES(court_backboard_closing_out) _o373 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o373.gap;
-                            nearing = _o373.nearing;
-                            swerve = _o373.swerve;
-                            facing = _o373.facing;
-                            const LANES(court_neared_body_out) _o374 =
+                            nearest = _o362.nearest;
+                            wedge = _o362.wedge;
+                            const LANES(court_bridge_closing_out) _o363 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o363.gap;
+                            nearing = _o363.nearing;
+                            swerve = _o363.swerve;
+                            facing = _o363.facing;
+                            const LANES(court_neared_body_out) _o364 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o374.nearest;
-                            wedge = _o374.wedge;
-                            const LANES(court_end_beside_out) _o375 =
+                            nearest = _o364.nearest;
+                            wedge = _o364.wedge;
+                            const LANES(court_end_beside_out) _o365 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o375.gap;
-                            const LANES(court_neared_out) _o376 =
+                            gap = _o365.gap;
+                            const LANES(court_neared_out) _o366 =
                                 LANES(court_neared)(gap, nearest);
+                            nearest = _o366.nearest;
+                            const LANES(court_backboard_parting_out) _o367 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o367.lift;
+                            const LANES(court_ring_impact_settling_out) _o368 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o368.settles;
+                            M lodges = _o368.lodges;
+                            M slides = _o368.slides;
+                            M parts = _o368.parts;
+                            M unsure = _o368.unsure;
+                            const LANES(court_settled_out) _o369 =
+                                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m357, _o369.mode, mode);
+                            held = lanes_select(_m357, _o369.held, held);
+                            outcome = lanes_select(_m357, _o369.outcome, outcome);
+                            slip_left = lanes_select(_m357, _o369.slip_left, slip_left);
+                        }
+                        const LANES(court_here_out) _o370 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o370.here;
+                        const M _m371 = lanes_both(_m340, here);
+                        if (lanes_any(_m371)) {
+                            const LANES(court_bridge_turning_out) _o372 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o372.turning_x;
+                            V turning_y = _o372.turning_y;
+                            V turning_z = _o372.turning_z;
+                            const LANES(court_pressed_on_out) _o373 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o373.press;
+                            V weight = _o373.weight;
+                            V drag = _o373.drag;
+                            V thrust_x = _o373.thrust_x;
+                            V thrust_y = _o373.thrust_y;
+                            V thrust_z = _o373.thrust_z;
+                            const LANES(court_alone_out) _o374 =
+                                LANES(court_alone)();
+                            V nearest = _o374.nearest;
+                            V wedge = _o374.wedge;
+                            const LANES(court_ring_closing_out) _o375 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o375.gap;
+                            V nearing = _o375.nearing;
+                            V swerve = _o375.swerve;
+                            V facing = _o375.facing;
+                            const LANES(court_neared_body_out) _o376 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o376.nearest;
-                            const LANES(court_bridge_parting_out) _o377 =
+                            wedge = _o376.wedge;
+                            const LANES(court_backboard_closing_out) _o377 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            gap = _o377.gap;
+                            nearing = _o377.nearing;
+                            swerve = _o377.swerve;
+                            facing = _o377.facing;
+                            const LANES(court_neared_body_out) _o378 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o378.nearest;
+                            wedge = _o378.wedge;
+                            const LANES(court_end_beside_out) _o379 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o379.gap;
+                            const LANES(court_neared_out) _o380 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o380.nearest;
+                            const LANES(court_bridge_parting_out) _o381 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o377.lift;
-                            const LANES(court_ring_impact_settling_out) _o378 =
+                            V lift = _o381.lift;
+                            const LANES(court_ring_impact_settling_out) _o382 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o378.settles;
-                            M lodges = _o378.lodges;
-                            M slides = _o378.slides;
-                            M parts = _o378.parts;
-                            M unsure = _o378.unsure;
-                            const LANES(court_settled_out) _o379 =
-                                LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m367, _o379.mode, mode);
-                            held = lanes_select(_m367, _o379.held, held);
-                            outcome = lanes_select(_m367, _o379.outcome, outcome);
-                            slip_left = lanes_select(_m367, _o379.slip_left, slip_left);
+                            M settles = _o382.settles;
+                            M lodges = _o382.lodges;
+                            M slides = _o382.slides;
+                            M parts = _o382.parts;
+                            M unsure = _o382.unsure;
+                            const LANES(court_settled_out) _o383 =
+                                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m371, _o383.mode, mode);
+                            held = lanes_select(_m371, _o383.held, held);
+                            outcome = lanes_select(_m371, _o383.outcome, outcome);
+                            slip_left = lanes_select(_m371, _o383.slip_left, slip_left);
                         }
                     }
                 }
@@ -4725,7 +4741,7 @@ static void LANES(court_plain)(const court_job *job)
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[LANES_SHOTS + LANES_SHOTS / 2];
+    _Alignas(64) size_t shot[2 * LANES_SHOTS];
     LANES(court_column) x; /* of the state */
     LANES(court_column) y; /* of the state */
     LANES(court_column) z; /* of the state */
@@ -5463,7 +5479,7 @@ LANES_INLINE void LANES(court_bounded_wait)(LANES(court_bounded_lists) *lists, s
 /* Put shots that have waited into rows from one on; return how many. */
 LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *lists, size_t row, const court_job *job)
 {
-    const size_t room = LANES_SHOTS + LANES_SHOTS / 2 - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t room = 2 * LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
@@ -7218,7 +7234,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             V cos_12 = _o319.cos_12;
             V sin_12 = _o319.sin_12;
             const LANES(court_ring_round_pace_out) _o320 =
-                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, p_wire_radius);
             V stride = _o320.stride;
             V strongest = _o320.strongest;
             V fastest = _o320.fastest;
@@ -7900,7 +7916,7 @@ static void LANES(court_bounded)(const court_job *job)
         if (job->stop && *job->stop)
             return;
         int following = shots == 0;
-        if (lists->waiting >= LANES_SHOTS / 2 || (shots == 0 && begun == job->shots)) {
+        if (lists->waiting + LANES_WIDTH > LANES_SHOTS || (shots == 0 && begun == job->shots)) {
             shots += LANES(court_bounded_resume)(lists, shots, job);
             following = 0;
         }
@@ -10682,314 +10698,330 @@ static void LANES(court_bounded)(const court_job *job)
                     dnz = lanes_select(_m464, _o465.dnz, dnz);
                     turn = lanes_select(_m464, _o465.turn, turn);
                 }
+                const LANES(court_untaken_out) _o466 =
+                    LANES(court_untaken)();
+                M struck_0 = _o466.mine;
+                const LANES(court_ring_impact_taken_out) _o467 =
+                    LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
+                V its_0_ring_impact = _o467.its_0;
+                V its_1_ring_impact = _o467.its_1;
                 {
-                    const double *const _t467[][2] = {
+                    const double *const _t469[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t468[][1] = {
+                    static const double _t470[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k466 = 0; _k466 < 3; _k466++) {
-                        const V own_1 = lanes_load(_t467[_k466][0] + (i & varying));
-                        const V own_2 = lanes_load(_t467[_k466][1] + (i & varying));
-                        const V own_index = K(_t468[_k466][0]);
-                        const LANES(court_here_out) _o469 =
+                    for (size_t _k468 = 0; _k468 < 3; _k468++) {
+                        const V own_1 = lanes_load(_t469[_k468][0] + (i & varying));
+                        const V own_2 = lanes_load(_t469[_k468][1] + (i & varying));
+                        const V own_index = K(_t470[_k468][0]);
+                        const LANES(court_here_out) _o471 =
                             LANES(court_here)(own_index, which);
-                        M here = _o469.here;
-                        const M _m470 = lanes_both(_m428, here);
-                        if (lanes_any(_m470)) {
-                            const LANES(court_ring_impact_doubt_out) _o471 =
-                                LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            M unsure = _o471.unsure;
-                            const LANES(court_undecided_out) _o472 =
-                                LANES(court_undecided)(uncertain, unsure);
-                            uncertain = lanes_select(_m470, _o472.uncertain, uncertain);
-                            const LANES(court_carry_ring_impact_out) _o473 =
-                                LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            dvx = lanes_select(_m470, _o473.dvx, dvx);
-                            dvy = lanes_select(_m470, _o473.dvy, dvy);
-                            dvz = lanes_select(_m470, _o473.dvz, dvz);
-                            dwx = lanes_select(_m470, _o473.dwx, dwx);
-                            dwy = lanes_select(_m470, _o473.dwy, dwy);
-                            dwz = lanes_select(_m470, _o473.dwz, dwz);
-                            const LANES(court_ring_impact_out) _o474 =
-                                LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m470, _o474.vx, vx);
-                            vy = lanes_select(_m470, _o474.vy, vy);
-                            vz = lanes_select(_m470, _o474.vz, vz);
-                            wx = lanes_select(_m470, _o474.wx, wx);
-                            wy = lanes_select(_m470, _o474.wy, wy);
-                            wz = lanes_select(_m470, _o474.wz, wz);
+                        M here = _o471.here;
+                        const M _m472 = lanes_both(_m428, here);
+                        if (lanes_any(_m472)) {
+                            const LANES(court_ring_impact_taken_out) _o473 =
+                                LANES(court_ring_impact_taken)(own_2, own_1);
+                            struck_0 = lanes_choose(_m472, _o473.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m472, _o473.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m472, _o473.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m475 = lanes_both(_m428, touches);
+                const M _m474 = lanes_both(_m428, struck_0);
+                if (lanes_any(_m474)) {
+                    const LANES(court_ring_impact_doubt_out) _o475 =
+                        LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    M unsure = _o475.unsure;
+                    const LANES(court_undecided_out) _o476 =
+                        LANES(court_undecided)(uncertain, unsure);
+                    uncertain = lanes_select(_m474, _o476.uncertain, uncertain);
+                    const LANES(court_carry_ring_impact_out) _o477 =
+                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    dvx = lanes_select(_m474, _o477.dvx, dvx);
+                    dvy = lanes_select(_m474, _o477.dvy, dvy);
+                    dvz = lanes_select(_m474, _o477.dvz, dvz);
+                    dwx = lanes_select(_m474, _o477.dwx, dwx);
+                    dwy = lanes_select(_m474, _o477.dwy, dwy);
+                    dwz = lanes_select(_m474, _o477.dwz, dwz);
+                    const LANES(court_ring_impact_out) _o478 =
+                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    vx = lanes_select(_m474, _o478.vx, vx);
+                    vy = lanes_select(_m474, _o478.vy, vy);
+                    vz = lanes_select(_m474, _o478.vz, vz);
+                    wx = lanes_select(_m474, _o478.wx, wx);
+                    wy = lanes_select(_m474, _o478.wy, wy);
+                    wz = lanes_select(_m474, _o478.wz, wz);
+                }
+                const M _m479 = lanes_both(_m428, touches);
                 {
-                    const LANES(court_touched_out) _o476 =
+                    const LANES(court_touched_out) _o480 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m475, _o476.first, first);
-                    last = lanes_select(_m475, _o476.last, last);
+                    first = lanes_select(_m479, _o480.first, first);
+                    last = lanes_select(_m479, _o480.last, last);
                 }
-                const M _m477 = lanes_both(_m428, touches);
-                if (lanes_any(_m477)) {
-                    const LANES(court_slowed_out) _o478 =
-                        LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o478.slow;
-                    assured = lanes_select(_m477, _o478.assured, assured);
-                    const M _m479 = lanes_both(_m477, slow);
-                    if (lanes_any(_m479)) {
-                        const LANES(court_gripped_out) _o480 =
+                const M _m481 = lanes_both(_m428, touches);
+                if (lanes_any(_m481)) {
+                    const LANES(court_slowed_out) _o482 =
+                        LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, position_error, vx, vy, vz);
+                    M slow = _o482.slow;
+                    M nearly = _o482.nearly;
+                    assured = lanes_select(_m481, _o482.assured, assured);
+                    const M _m483 = lanes_both(_m481, slow);
+                    if (lanes_any(_m483)) {
+                        const LANES(court_gripped_out) _o484 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o480.rolled_x;
-                        V rolled_y = _o480.rolled_y;
-                        V rolled_z = _o480.rolled_z;
-                        V slip = _o480.slip;
-                        V bounce = _o480.bounce;
-                        const LANES(court_here_out) _o481 =
+                        V rolled_x = _o484.rolled_x;
+                        V rolled_y = _o484.rolled_y;
+                        V rolled_z = _o484.rolled_z;
+                        V slip = _o484.slip;
+                        V bounce = _o484.bounce;
+                        const LANES(court_here_out) _o485 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o481.here;
-                        const M _m482 = lanes_both(_m479, here);
-                        if (lanes_any(_m482)) {
-                            const LANES(court_ring_turning_out) _o483 =
+                        M here = _o485.here;
+                        const M _m486 = lanes_both(_m483, here);
+                        if (lanes_any(_m486)) {
+                            const LANES(court_ring_turning_out) _o487 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o483.turning_x;
-                            V turning_y = _o483.turning_y;
-                            V turning_z = _o483.turning_z;
-                            const LANES(court_pressed_on_out) _o484 =
+                            V turning_x = _o487.turning_x;
+                            V turning_y = _o487.turning_y;
+                            V turning_z = _o487.turning_z;
+                            const LANES(court_pressed_on_out) _o488 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o484.press;
-                            V weight = _o484.weight;
-                            V drag = _o484.drag;
-                            V thrust_x = _o484.thrust_x;
-                            V thrust_y = _o484.thrust_y;
-                            V thrust_z = _o484.thrust_z;
-                            const LANES(court_alone_out) _o485 =
+                            V press = _o488.press;
+                            V weight = _o488.weight;
+                            V drag = _o488.drag;
+                            V thrust_x = _o488.thrust_x;
+                            V thrust_y = _o488.thrust_y;
+                            V thrust_z = _o488.thrust_z;
+                            const LANES(court_alone_out) _o489 =
                                 LANES(court_alone)();
-                            V nearest = _o485.nearest;
-                            V wedge = _o485.wedge;
-                            const LANES(court_backboard_closing_out) _o486 =
+                            V nearest = _o489.nearest;
+                            V wedge = _o489.wedge;
+                            const LANES(court_backboard_closing_out) _o490 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o486.gap;
-                            V nearing = _o486.nearing;
-                            V swerve = _o486.swerve;
-                            V facing = _o486.facing;
-                            const LANES(court_neared_body_out) _o487 =
+                            V gap = _o490.gap;
+                            V nearing = _o490.nearing;
+                            V swerve = _o490.swerve;
+                            V facing = _o490.facing;
+                            const LANES(court_neared_body_out) _o491 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o487.nearest;
-                            wedge = _o487.wedge;
-                            const LANES(court_bridge_closing_out) _o488 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o488.gap;
-                            nearing = _o488.nearing;
-                            swerve = _o488.swerve;
-                            facing = _o488.facing;
-                            const LANES(court_neared_body_out) _o489 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o489.nearest;
-                            wedge = _o489.wedge;
-                            const LANES(court_end_beside_out) _o490 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o490.gap;
-                            const LANES(court_neared_out) _o491 =
-                                LANES(court_neared)(gap, nearest);
                             nearest = _o491.nearest;
-                            const LANES(court_ring_parting_out) _o492 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o492.lift;
-                            const LANES(court_ring_impact_settling_out) _o493 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o493.settles;
-                            M lodges = _o493.lodges;
-                            M slides = _o493.slides;
-                            M parts = _o493.parts;
-                            assured = lanes_select(_m482, _o493.assured, assured);
-                            M unsure = _o493.unsure;
-                            const LANES(court_settled_out) _o494 =
-                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m482, _o494.mode, mode);
-                            held = lanes_select(_m482, _o494.held, held);
-                            outcome = lanes_select(_m482, _o494.outcome, outcome);
-                            slip_left = lanes_select(_m482, _o494.slip_left, slip_left);
-                            uncertain = lanes_select(_m482, _o494.uncertain, uncertain);
-                        }
-                        const LANES(court_here_out) _o495 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o495.here;
-                        const M _m496 = lanes_both(_m479, here);
-                        if (lanes_any(_m496)) {
-                            const LANES(court_backboard_turning_out) _o497 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o497.turning_x;
-                            V turning_y = _o497.turning_y;
-                            V turning_z = _o497.turning_z;
-                            const LANES(court_pressed_on_out) _o498 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o498.press;
-                            V weight = _o498.weight;
-                            V drag = _o498.drag;
-                            V thrust_x = _o498.thrust_x;
-                            V thrust_y = _o498.thrust_y;
-                            V thrust_z = _o498.thrust_z;
-                            const LANES(court_alone_out) _o499 =
-                                LANES(court_alone)();
-                            V nearest = _o499.nearest;
-                            V wedge = _o499.wedge;
-                            const LANES(court_ring_closing_out) _o500 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o500.gap;
-                            V nearing = _o500.nearing;
-                            V swerve = _o500.swerve;
-                            V facing = _o500.facing;
-                            const LANES(court_neared_body_out) _o501 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o501.nearest;
-                            wedge = _o501.wedge;
-                            const LANES(court_bridge_closing_out) _o502 =
+                            wedge = _o491.wedge;
+                            const LANES(court_bridge_closing_out) _o492 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o502.gap;
-                            nearing = _o502.nearing;
-                            swerve = _o502.swerve;
-                            facing = _o502.facing;
-                            const LANES(court_neared_body_out) _o503 =
+                            gap = _o492.gap;
+                            nearing = _o492.nearing;
+                            swerve = _o492.swerve;
+                            facing = _o492.facing;
+                            const LANES(court_neared_body_out) _o493 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o503.nearest;
-                            wedge = _o503.wedge;
-                            const LANES(court_end_beside_out) _o504 =
+                            nearest = _o493.nearest;
+                            wedge = _o493.wedge;
+                            const LANES(court_end_beside_out) _o494 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o504.gap;
-                            const LANES(court_neared_out) _o505 =
+                            gap = _o494.gap;
+                            const LANES(court_neared_out) _o495 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o505.nearest;
-                            const LANES(court_backboard_parting_out) _o506 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o506.lift;
-                            const LANES(court_ring_impact_settling_out) _o507 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o507.settles;
-                            M lodges = _o507.lodges;
-                            M slides = _o507.slides;
-                            M parts = _o507.parts;
-                            assured = lanes_select(_m496, _o507.assured, assured);
-                            M unsure = _o507.unsure;
-                            const LANES(court_settled_out) _o508 =
-                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m496, _o508.mode, mode);
-                            held = lanes_select(_m496, _o508.held, held);
-                            outcome = lanes_select(_m496, _o508.outcome, outcome);
-                            slip_left = lanes_select(_m496, _o508.slip_left, slip_left);
-                            uncertain = lanes_select(_m496, _o508.uncertain, uncertain);
+                            nearest = _o495.nearest;
+                            const LANES(court_ring_parting_out) _o496 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+                            V lift = _o496.lift;
+                            const LANES(court_ring_impact_settling_out) _o497 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o497.settles;
+                            M lodges = _o497.lodges;
+                            M slides = _o497.slides;
+                            M parts = _o497.parts;
+                            assured = lanes_select(_m486, _o497.assured, assured);
+                            M unsure = _o497.unsure;
+                            const LANES(court_settled_out) _o498 =
+                                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m486, _o498.mode, mode);
+                            held = lanes_select(_m486, _o498.held, held);
+                            outcome = lanes_select(_m486, _o498.outcome, outcome);
+                            slip_left = lanes_select(_m486, _o498.slip_left, slip_left);
+                            uncertain = lanes_select(_m486, _o498.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o509 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o509.here;
-                        const M _m510 = lanes_both(_m479, here);
-                        if (lanes_any(_m510)) {
-                            const LANES(court_bridge_turning_out) _o511 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o511.turning_x;
-                            V turning_y = _o511.turning_y;
-                            V turning_z = _o511.turning_z;
-                            const LANES(court_pressed_on_out) _o512 =
+                        const LANES(court_here_out) _o499 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o499.here;
+                        const M _m500 = lanes_both(_m483, here);
+                        if (lanes_any(_m500)) {
+                            const LANES(court_backboard_turning_out) _o501 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o501.turning_x;
+                            V turning_y = _o501.turning_y;
+                            V turning_z = _o501.turning_z;
+                            const LANES(court_pressed_on_out) _o502 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o512.press;
-                            V weight = _o512.weight;
-                            V drag = _o512.drag;
-                            V thrust_x = _o512.thrust_x;
-                            V thrust_y = _o512.thrust_y;
-                            V thrust_z = _o512.thrust_z;
-                            const LANES(court_alone_out) _o513 =
+                            V press = _o502.press;
+                            V weight = _o502.weight;
+                            V drag = _o502.drag;
+                            V thrust_x = _o502.thrust_x;
+                            V thrust_y = _o502.thrust_y;
+                            V thrust_z = _o502.thrust_z;
+                            const LANES(court_alone_out) _o503 =
                                 LANES(court_alone)();
-                            V nearest = _o513.nearest;
-                            V wedge = _o513.wedge;
-                            const LANES(court_ring_closing_out) _o514 =
+                            V nearest = _o503.nearest;
+                            V wedge = _o503.wedge;
+                            const LANES(court_ring_closing_out) _o504 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o514.gap;
-                            V nearing = _o514.nearing;
-                            V swerve = _o514.swerve;
-                            V facing = _o514.facing;
-                            const LANES(court_neared_body_out) _o515 =
+                            V gap = _o504.gap;
+                            V nearing = _o504.nearing;
+                            V swerve = _o504.swerve;
+                            V facing = _o504.facing;
+                            const LANES(court_neared_body_out) _o505 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o515.nearest;
-                            wedge = _o515.wedge;
-                            const LANES(court_backboard_closing_out) _o516 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o516.gap;
-                            nearing = _o516.nearing;
-                            swerve = _o516.swerve;
-                            facing = _o516.facing;
-                            const LANES(court_neared_body_out) _o517 =
+                            nearest = _o505.nearest;
+                            wedge = _o505.wedge;
+                            const LANES(court_bridge_closing_out) _o506 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o506.gap;
+                            nearing = _o506.nearing;
+                            swerve = _o506.swerve;
+                            facing = _o506.facing;
+                            const LANES(court_neared_body_out) _o507 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o517.nearest;
-                            wedge = _o517.wedge;
-                            const LANES(court_end_beside_out) _o518 =
+                            nearest = _o507.nearest;
+                            wedge = _o507.wedge;
+                            const LANES(court_end_beside_out) _o508 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o518.gap;
-                            const LANES(court_neared_out) _o519 =
+                            gap = _o508.gap;
+                            const LANES(court_neared_out) _o509 =
                                 LANES(court_neared)(gap, nearest);
+                            nearest = _o509.nearest;
+                            const LANES(court_backboard_parting_out) _o510 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o510.lift;
+                            const LANES(court_ring_impact_settling_out) _o511 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o511.settles;
+                            M lodges = _o511.lodges;
+                            M slides = _o511.slides;
+                            M parts = _o511.parts;
+                            assured = lanes_select(_m500, _o511.assured, assured);
+                            M unsure = _o511.unsure;
+                            const LANES(court_settled_out) _o512 =
+                                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m500, _o512.mode, mode);
+                            held = lanes_select(_m500, _o512.held, held);
+                            outcome = lanes_select(_m500, _o512.outcome, outcome);
+                            slip_left = lanes_select(_m500, _o512.slip_left, slip_left);
+                            uncertain = lanes_select(_m500, _o512.uncertain, uncertain);
+                        }
+                        const LANES(court_here_out) _o513 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o513.here;
+                        const M _m514 = lanes_both(_m483, here);
+                        if (lanes_any(_m514)) {
+                            const LANES(court_bridge_turning_out) _o515 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o515.turning_x;
+                            V turning_y = _o515.turning_y;
+                            V turning_z = _o515.turning_z;
+                            const LANES(court_pressed_on_out) _o516 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o516.press;
+                            V weight = _o516.weight;
+                            V drag = _o516.drag;
+                            V thrust_x = _o516.thrust_x;
+                            V thrust_y = _o516.thrust_y;
+                            V thrust_z = _o516.thrust_z;
+                            const LANES(court_alone_out) _o517 =
+                                LANES(court_alone)();
+                            V nearest = _o517.nearest;
+                            V wedge = _o517.wedge;
+                            const LANES(court_ring_closing_out) _o518 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o518.gap;
+                            V nearing = _o518.nearing;
+                            V swerve = _o518.swerve;
+                            V facing = _o518.facing;
+                            const LANES(court_neared_body_out) _o519 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o519.nearest;
-                            const LANES(court_bridge_parting_out) _o520 =
+                            wedge = _o519.wedge;
+                            const LANES(court_backboard_closing_out) _o520 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            gap = _o520.gap;
+                            nearing = _o520.nearing;
+                            swerve = _o520.swerve;
+                            facing = _o520.facing;
+                            const LANES(court_neared_body_out) _o521 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o521.nearest;
+                            wedge = _o521.wedge;
+                            const LANES(court_end_beside_out) _o522 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o522.gap;
+                            const LANES(court_neared_out) _o523 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o523.nearest;
+                            const LANES(court_bridge_parting_out) _o524 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o520.lift;
-                            const LANES(court_ring_impact_settling_out) _o521 =
+                            V lift = _o524.lift;
+                            const LANES(court_ring_impact_settling_out) _o525 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o521.settles;
-                            M lodges = _o521.lodges;
-                            M slides = _o521.slides;
-                            M parts = _o521.parts;
-                            assured = lanes_select(_m510, _o521.assured, assured);
-                            M unsure = _o521.unsure;
-                            const LANES(court_settled_out) _o522 =
-                                LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m510, _o522.mode, mode);
-                            held = lanes_select(_m510, _o522.held, held);
-                            outcome = lanes_select(_m510, _o522.outcome, outcome);
-                            slip_left = lanes_select(_m510, _o522.slip_left, slip_left);
-                            uncertain = lanes_select(_m510, _o522.uncertain, uncertain);
+                            M settles = _o525.settles;
+                            M lodges = _o525.lodges;
+                            M slides = _o525.slides;
+                            M parts = _o525.parts;
+                            assured = lanes_select(_m514, _o525.assured, assured);
+                            M unsure = _o525.unsure;
+                            const LANES(court_settled_out) _o526 =
+                                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m514, _o526.mode, mode);
+                            held = lanes_select(_m514, _o526.held, held);
+                            outcome = lanes_select(_m514, _o526.outcome, outcome);
+                            slip_left = lanes_select(_m514, _o526.slip_left, slip_left);
+                            uncertain = lanes_select(_m514, _o526.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m523 = lanes_both(rows, limited);
-            if (lanes_any(_m523)) {
-                const LANES(court_timed_out) _o524 =
+            const M _m527 = lanes_both(rows, limited);
+            if (lanes_any(_m527)) {
+                const LANES(court_timed_out) _o528 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o524.timed;
-                const M _m525 = lanes_both(_m523, timed);
-                if (lanes_any(_m525)) {
-                    const LANES(court_carry_time_out) _o526 =
+                M timed = _o528.timed;
+                const M _m529 = lanes_both(_m527, timed);
+                if (lanes_any(_m529)) {
+                    const LANES(court_carry_time_out) _o530 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m525, _o526.dx, dx);
-                    dy = lanes_select(_m525, _o526.dy, dy);
-                    dz = lanes_select(_m525, _o526.dz, dz);
-                    dvx = lanes_select(_m525, _o526.dvx, dvx);
-                    dvy = lanes_select(_m525, _o526.dvy, dvy);
-                    dvz = lanes_select(_m525, _o526.dvz, dvz);
-                    clock_error = lanes_select(_m525, _o526.clock_error, clock_error);
+                    dx = lanes_select(_m529, _o530.dx, dx);
+                    dy = lanes_select(_m529, _o530.dy, dy);
+                    dz = lanes_select(_m529, _o530.dz, dz);
+                    dvx = lanes_select(_m529, _o530.dvx, dvx);
+                    dvy = lanes_select(_m529, _o530.dvy, dvy);
+                    dvz = lanes_select(_m529, _o530.dvz, dvz);
+                    clock_error = lanes_select(_m529, _o530.clock_error, clock_error);
                 }
             }
-            const M _m527 = lanes_both(rows, hopped);
-            if (lanes_any(_m527)) {
-                const LANES(court_carry_hop_out) _o528 =
+            const M _m531 = lanes_both(rows, hopped);
+            if (lanes_any(_m531)) {
+                const LANES(court_carry_hop_out) _o532 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m527, _o528.dx, dx);
-                dy = lanes_select(_m527, _o528.dy, dy);
-                dz = lanes_select(_m527, _o528.dz, dz);
+                dx = lanes_select(_m531, _o532.dx, dx);
+                dy = lanes_select(_m531, _o532.dy, dy);
+                dz = lanes_select(_m531, _o532.dz, dz);
             }
-            const LANES(court_closing_out) _o529 =
+            const LANES(court_closing_out) _o533 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o529.closed;
-            const M _m530 = lanes_both(rows, closed);
+            M closed = _o533.closed;
+            const M _m534 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o531 =
+                const LANES(court_claimed_errors_out) _o535 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m530, _o531.position_error, position_claim);
-                velocity_claim = lanes_select(_m530, _o531.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m530, _o531.spin_error, spin_claim);
-                time_claim = lanes_select(_m530, _o531.time_error, time_claim);
+                position_claim = lanes_select(_m534, _o535.position_error, position_claim);
+                velocity_claim = lanes_select(_m534, _o535.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m534, _o535.spin_error, spin_claim);
+                time_claim = lanes_select(_m534, _o535.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 2607fe1f6b8b831b,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 49326d868b68e405,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -457,6 +457,18 @@ LANES(court_passing_in_contact)(M over, V p_ring_radius, V through, V x, V y, V 
     const M _s0 = lanes_less(lanes_add(lanes_mul(x, x), lanes_mul(y, y)), lanes_mul(p_ring_radius, p_ring_radius));
     const V _s1 = lanes_select(lanes_both(lanes_both(lanes_not(over), lanes_at_most(K(0.0), z)), _s0), lanes_select(lanes_equal(through, K(1.0)), K(0.0), K(-1.0)), through);
     return (LANES(court_passing_in_contact_out)){ lanes_select(lanes_both(lanes_both(lanes_both(over, lanes_less(z, K(0.0))), _s0), lanes_equal(_s1, K(0.0))), K(1.0), _s1) };
+}
+
+/* An event that is on no surface of a kind yet.
+   Table 1. No operations. */
+typedef struct {
+    M mine;
+} LANES(court_untaken_out);
+
+LANES_INLINE LANES(court_untaken_out)
+LANES(court_untaken)(void)
+{
+    return (LANES(court_untaken_out)){ lanes_nowhere() };
 }
 
 /* 1 where the ball leaves a surface.
@@ -1696,18 +1708,22 @@ LANES(court_pressed_on)(V p_ball_radius, V p_gravity, V nx, V ny, V nz, V rolled
     return (LANES(court_pressed_on_out)){ _s1, _s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s6, _s6))), lanes_add(lanes_mul(nx, _s1), _s5), lanes_add(lanes_mul(ny, _s1), _s4), lanes_sub(lanes_add(lanes_mul(nz, _s1), _s6), p_gravity) };
 }
 
-/* Where a ball hardly leaves the surface that it has touched.
-   a hop of less than a micrometre. 8 operations: 2 additions, 5 multiplications, 1 comparison. */
+/* Where a ball hardly leaves the surface that it has touched, and is looked at.
+   a hop of less than a micrometre. 21 operations: 5 additions, 10 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction. */
 typedef struct {
     M slow;
+    M nearly;
     V assured;
 } LANES(court_slowed_out);
 
 LANES_INLINE LANES(court_slowed_out)
-LANES(court_slowed)(V p_ball_radius, V nx, V ny, V nz, V vx, V vy, V vz)
+LANES(court_slowed)(V p_ball_radius, V p_gravity, V nx, V ny, V nz, V position_error, V vx, V vy, V vz)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    return (LANES(court_slowed_out)){ lanes_less(lanes_mul(_s0, _s0), lanes_mul(K(1.1920928955078125e-07), p_ball_radius)), K(0.0) };
+    const V _s1 = lanes_mul(_s0, _s0);
+    const V _s2 = lanes_mul(lanes_mul(K(2.9103830456733704e-11), p_ball_radius), lanes_add(p_gravity, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), p_ball_radius)));
+    const M _s3 = lanes_less(_s1, _s2);
+    return (LANES(court_slowed_out)){ lanes_either(_s3, lanes_both(lanes_less(_s1, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)), lanes_less(K(0.0), position_error))), _s3, K(0.0) };
 }
 
 /* The velocity of a ball whose contact point stops; its slip, and how fast it leaves.
@@ -1793,9 +1809,9 @@ typedef struct {
 LANES_INLINE LANES(court_begun_errors_out)
 LANES(court_begun_errors)(V p_ball_radius, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V vx, V vy, V vz)
 {
-    const V _s0 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const V _s0 = lanes_mul(K(1.4551915228366852e-11), p_ball_radius);
     const V _s1 = lanes_neg(_s0);
-    const V _s2 = lanes_mul(lanes_mul(K(1.4551915228366852e-11), p_ball_radius), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), p_ball_radius)));
+    const V _s2 = lanes_mul(lanes_mul(K(5.820766091346741e-11), p_ball_radius), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), p_ball_radius)));
     const V _s3 = lanes_neg(_s2);
     const V _s4 = lanes_div(_s2, p_ball_radius);
     const V _s5 = lanes_neg(_s4);
@@ -1853,7 +1869,7 @@ LANES(court_beside_body)(V p_ball_radius, V dent, V doubt, V fastest, V gap, V i
     const M _s3 = lanes_both(_s1, _s2);
     const V _s4 = lanes_mul(nearing, nearing);
     const V _s5 = lanes_add(strongest, lanes_mul(dent, lanes_mul(fastest, fastest)));
-    const V _s6 = lanes_select(_s1, lanes_mul(K(3.637978807091713e-12), p_ball_radius), gap);
+    const V _s6 = lanes_select(_s1, lanes_mul(K(1.4551915228366852e-11), p_ball_radius), gap);
     const V _s7 = lanes_add(_s4, lanes_mul(lanes_mul(K(2.0), _s5), _s6));
     const V _s8 = lanes_sqrt(_s7);
     const V _s9 = lanes_select(lanes_at_most(K(0.0), _s7), lanes_div(lanes_select(_s2, lanes_mul(K(2.0), _s6), lanes_add(nearing, _s8)), lanes_select(_s2, lanes_sub(_s8, nearing), lanes_max(K(0.0), _s5))), K(INFINITY));
@@ -2239,7 +2255,7 @@ LANES(court_kept_on)(V began, V body, V clock, V doubt, M ends, V held, V last, 
 }
 
 /* Whether the ball stays on a surface, slides, leaves, or is wedged between two.
-   Table 1. 12 operations: 1 comparison, 1 conjunction, 3 disjunctions, 7 selections. */
+   Table 1. 16 operations: 1 comparison, 4 conjunctions, 3 disjunctions, 8 selections. */
 typedef struct {
     V mode;
     V held;
@@ -2249,9 +2265,9 @@ typedef struct {
 } LANES(court_settled_out);
 
 LANES_INLINE LANES(court_settled_out)
-LANES(court_settled)(V index, M lodges, V outcome, M parts, M settles, M slides, V uncertain, M unsure)
+LANES(court_settled)(V index, M lodges, M nearly, V outcome, M parts, M settles, M slides, V uncertain, M unsure)
 {
-    return (LANES(court_settled_out)){ lanes_select(settles, K(1.0), lanes_select(parts, K(3.0), K(0.0))), lanes_select(lanes_either(settles, parts), index, K(-1.0)), lanes_select(lanes_both(lanes_either(lodges, slides), lanes_less(outcome, K(0.0))), lanes_select(lodges, K(5.0), K(2.0)), outcome), lanes_select(slides, K(1.0), K(0.0)), lanes_select(lanes_either(lodges, unsure), K(1.0), uncertain) };
+    return (LANES(court_settled_out)){ lanes_select(nearly, lanes_select(settles, K(1.0), lanes_select(parts, K(3.0), K(0.0))), K(0.0)), lanes_select(lanes_both(nearly, lanes_either(settles, parts)), index, K(-1.0)), lanes_select(lanes_both(lanes_both(nearly, lanes_either(lodges, slides)), lanes_less(outcome, K(0.0))), lanes_select(lodges, K(5.0), K(2.0)), outcome), lanes_select(lanes_both(nearly, slides), K(1.0), K(0.0)), lanes_select(lanes_either(lodges, unsure), K(1.0), uncertain) };
 }
 
 /* The square of the friction that rolling takes, per unit mass, and its rate.
@@ -2362,6 +2378,20 @@ LANES(court_tightened)(V clock, V strain, V strain_rate)
     return (LANES(court_tightened_out)){ strain, strain_rate, clock };
 }
 
+/* What the law of one body has for its own.
+   data. 1 operation: 1 complement. */
+typedef struct {
+    M mine;
+    V its_0;
+    V its_1;
+} LANES(court_ring_impact_taken_out);
+
+LANES_INLINE LANES(court_ring_impact_taken_out)
+LANES(court_ring_impact_taken)(V p_ring_restitution, V p_ring_friction)
+{
+    return (LANES(court_ring_impact_taken_out)){ lanes_not(lanes_nowhere()), p_ring_restitution, p_ring_friction };
+}
+
 /* Where a decision within a contact lies within its error.
    the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 typedef struct {
@@ -2427,7 +2457,7 @@ LANES(court_ring_impact_settling)(V p_ball_radius, V bounce, V drag, V lift, V n
     const V _s17 = lanes_mul(_s12, _s0);
     const V _s18 = lanes_mul(K(4.0), drag);
     const V _s19 = lanes_add(lanes_add(lanes_mul(_s16, _s2), lanes_div(lanes_mul(_s18, lanes_mul(_s2, _s2)), _s17)), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s2), _s0));
-    const V _s20 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const V _s20 = lanes_mul(K(1.4551915228366852e-11), p_ball_radius);
     const M _s21 = lanes_both(_s15, lanes_at_most(_s19, _s20));
     const V _s22 = lanes_mul(K(3.725290298461914e-09), p_ball_radius);
     const M _s23 = lanes_at_most(wedge, _s22);
@@ -3363,7 +3393,7 @@ LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V al
 }
 
 /* A step of the series, and bounds of the motion in it.
-   Routh's equations. 275 operations: 80 additions, 4 subtractions, 120 multiplications, 6 divisions, 7 square roots, 1 negation, 53 absolute values, 2 comparisons, 2 selections. */
+   Routh's equations. 268 operations: 77 additions, 4 subtractions, 126 multiplications, 6 divisions, 7 square roots, 1 negation, 43 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride;
     V strongest;
@@ -3379,64 +3409,72 @@ typedef struct {
 } LANES(court_ring_round_pace_out);
 
 LANES_INLINE LANES(court_ring_round_pace_out)
-LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_12, V cosine_0, V cosine_12, V force_0, V force_1, V force_10, V force_11, V force_2, V force_3, V force_4, V force_5, V force_6, V force_7, V force_8, V force_9, V p_gravity, V omega_0, V p_ring_radius, V sin_0, V sin_12, V sine_0, V sine_12, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_12, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_12, V cosine_0, V cosine_12, V force_0, V force_1, V force_10, V force_11, V force_2, V force_3, V force_4, V force_5, V force_6, V force_7, V force_8, V force_9, V p_gravity, V omega_0, V p_ring_radius, V sin_0, V sin_12, V sine_0, V sine_12, V turn_rate_0, V turn_rate_11, V turn_rate_12, V p_wire_radius)
 {
     const V _s0 = lanes_abs(climb_0);
     const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
     const V _s2 = lanes_abs(along_0);
-    const V _s3 = lanes_abs(turn_rate_0);
-    const V _s4 = lanes_add(lanes_mul(_s0, _s1), lanes_add(_s2, _s3));
-    const V _s5 = lanes_add(lanes_mul(K(0.015625), p_gravity), _s4);
-    const V _s6 = lanes_abs(climb_11);
-    const V _s7 = lanes_abs(along_11);
-    const V _s8 = lanes_abs(turn_rate_11);
-    const V _s9 = lanes_abs(climb_12);
-    const V _s10 = lanes_abs(along_12);
-    const V _s11 = lanes_abs(turn_rate_12);
-    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(_s6, _s1), lanes_add(_s7, _s8))), lanes_add(lanes_div(_s4, _s1), lanes_sqrt(lanes_div(p_gravity, _s1)))), lanes_add(lanes_mul(_s9, _s1), lanes_add(_s10, _s11)));
-    const V _s13 = lanes_mul(_s5, lanes_add(lanes_add(lanes_add(lanes_abs(cos_12), lanes_abs(cosine_12)), lanes_abs(sin_12)), lanes_abs(sine_12)));
-    const V _s14 = lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.7763568394002505e-15), _s5), lanes_max(_s12, _s13))));
-    const V _s15 = lanes_sqrt(lanes_sqrt(_s14));
-    const V _s16 = lanes_mul(_s15, lanes_sqrt(lanes_sqrt(_s15)));
-    const V _s17 = lanes_add(lanes_div(_s14, lanes_mul(K(3.0), lanes_mul(_s16, _s16))), lanes_mul(K(0.6666666666666666), _s16));
-    const V _s18 = lanes_add(lanes_div(_s14, lanes_mul(K(3.0), lanes_mul(_s17, _s17))), lanes_mul(K(0.6666666666666666), _s17));
-    const V _s19 = lanes_min(_s18, K(0.0625));
-    const V _s20 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s11, _s19), _s8), _s19), lanes_abs(turn_rate_10)), _s19), lanes_abs(turn_rate_9));
-    const V _s21 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s20, _s19), lanes_abs(turn_rate_8)), _s19), lanes_abs(turn_rate_7)), _s19), lanes_abs(turn_rate_6));
-    const V _s22 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s21, _s19), lanes_abs(turn_rate_5)), _s19), lanes_abs(turn_rate_4)), _s19), lanes_abs(turn_rate_3));
-    const V _s23 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s22, _s19), lanes_abs(turn_rate_2)), _s19), lanes_abs(turn_rate_1)), _s19), _s3);
-    const V _s24 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s10, _s19), _s7), _s19), lanes_abs(along_10)), _s19), lanes_abs(along_9));
-    const V _s25 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s24, _s19), lanes_abs(along_8)), _s19), lanes_abs(along_7)), _s19), lanes_abs(along_6));
-    const V _s26 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s25, _s19), lanes_abs(along_5)), _s19), lanes_abs(along_4)), _s19), lanes_abs(along_3));
-    const V _s27 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s26, _s19), lanes_abs(along_2)), _s19), lanes_abs(along_1)), _s19), _s2);
-    const V _s28 = lanes_mul(_s27, lanes_div(K(1.0), lanes_sub(p_ring_radius, _s1)));
-    const V _s29 = lanes_abs(climb_10);
-    const V _s30 = lanes_abs(climb_9);
-    const V _s31 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s9, _s19), _s6), _s19), _s29), _s19), _s30);
-    const V _s32 = lanes_abs(climb_8);
-    const V _s33 = lanes_abs(climb_7);
-    const V _s34 = lanes_abs(climb_6);
-    const V _s35 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s31, _s19), _s32), _s19), _s33), _s19), _s34);
-    const V _s36 = lanes_abs(climb_5);
-    const V _s37 = lanes_abs(climb_4);
-    const V _s38 = lanes_abs(climb_3);
-    const V _s39 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s35, _s19), _s36), _s19), _s37), _s19), _s38);
-    const V _s40 = lanes_abs(climb_2);
-    const V _s41 = lanes_abs(climb_1);
-    const V _s42 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s39, _s19), _s40), _s19), _s41), _s19), _s0);
-    const V _s43 = lanes_mul(_s42, _s42);
-    const V _s44 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s9), _s19), lanes_mul(K(11.0), _s6)), _s19), lanes_mul(K(10.0), _s29)), _s19);
-    const V _s45 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s44, lanes_mul(K(9.0), _s30)), _s19), lanes_mul(K(8.0), _s32)), _s19), lanes_mul(K(7.0), _s33));
-    const V _s46 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s45, _s19), lanes_mul(K(6.0), _s34)), _s19), lanes_mul(K(5.0), _s36)), _s19), lanes_mul(K(4.0), _s37));
-    const V _s47 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s46, _s19), lanes_mul(K(3.0), _s38)), _s19), lanes_mul(K(2.0), _s40)), _s19), _s41);
-    const V _s48 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(110.0), lanes_abs(force_11)), _s19), lanes_mul(K(90.0), lanes_abs(force_10))), _s19), lanes_mul(K(72.0), lanes_abs(force_9)));
-    const V _s49 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s48, _s19), lanes_mul(K(56.0), lanes_abs(force_8))), _s19), lanes_mul(K(42.0), lanes_abs(force_7))), _s19);
-    const V _s50 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s49, lanes_mul(K(30.0), lanes_abs(force_6))), _s19), lanes_mul(K(20.0), lanes_abs(force_5))), _s19);
-    const V _s51 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s50, lanes_mul(K(12.0), lanes_abs(force_4))), _s19), lanes_mul(K(6.0), lanes_abs(force_3))), _s19);
-    const V _s52 = lanes_mul(lanes_mul(climb_0, climb_0), _s1);
-    const V _s53 = lanes_neg(lanes_add(lanes_add(lanes_mul(along_0, omega_0), lanes_mul(cosine_0, _s52)), lanes_mul(lanes_mul(climb_1, sine_0), _s1)));
-    const V _s54 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _s1)));
-    return (LANES(court_ring_round_pace_out)){ _s19, lanes_add(lanes_add(lanes_mul(K(0.6), p_gravity), lanes_mul(K(0.4), lanes_mul(_s23, lanes_add(_s28, _s42)))), lanes_add(lanes_mul(_s28, _s27), lanes_mul(_s1, _s43))), lanes_add(lanes_mul(_s1, _s42), _s27), lanes_mul(_s1, lanes_add(_s43, _s47)), force_0, force_1, lanes_add(_s51, lanes_mul(K(2.0), lanes_abs(force_2))), lanes_mul(lanes_mul(K(0.8), p_gravity), lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s53), lanes_mul(sin_0, _s54)), lanes_add(lanes_mul(cos_0, _s54), lanes_mul(sin_0, _s53)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _s1), lanes_mul(sine_0, _s52)) };
+    const V _s3 = lanes_add(lanes_mul(_s0, _s1), lanes_add(_s2, lanes_abs(turn_rate_0)));
+    const V _s4 = lanes_add(lanes_mul(K(0.015625), p_gravity), _s3);
+    const V _s5 = lanes_abs(climb_11);
+    const V _s6 = lanes_abs(along_11);
+    const V _s7 = lanes_abs(climb_12);
+    const V _s8 = lanes_abs(along_12);
+    const V _s9 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(_s5, _s1), lanes_add(_s6, lanes_abs(turn_rate_11)))), lanes_add(lanes_div(_s3, _s1), lanes_sqrt(lanes_div(p_gravity, _s1)))), lanes_add(lanes_mul(_s7, _s1), lanes_add(_s8, lanes_abs(turn_rate_12))));
+    const V _s10 = lanes_mul(_s4, lanes_add(lanes_add(lanes_add(lanes_abs(cos_12), lanes_abs(cosine_12)), lanes_abs(sin_12)), lanes_abs(sine_12)));
+    const V _s11 = lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.7763568394002505e-15), _s4), lanes_max(_s9, _s10))));
+    const V _s12 = lanes_sqrt(lanes_sqrt(_s11));
+    const V _s13 = lanes_mul(_s12, lanes_sqrt(lanes_sqrt(_s12)));
+    const V _s14 = lanes_add(lanes_div(_s11, lanes_mul(K(3.0), lanes_mul(_s13, _s13))), lanes_mul(K(0.6666666666666666), _s13));
+    const V _s15 = lanes_add(lanes_div(_s11, lanes_mul(K(3.0), lanes_mul(_s14, _s14))), lanes_mul(K(0.6666666666666666), _s14));
+    const V _s16 = lanes_min(_s15, K(0.0625));
+    const V _s17 = lanes_abs(climb_10);
+    const V _s18 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s7), _s16), lanes_mul(K(11.0), _s5)), _s16), lanes_mul(K(10.0), _s17)), _s16);
+    const V _s19 = lanes_abs(climb_9);
+    const V _s20 = lanes_abs(climb_8);
+    const V _s21 = lanes_abs(climb_7);
+    const V _s22 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s18, lanes_mul(K(9.0), _s19)), _s16), lanes_mul(K(8.0), _s20)), _s16), lanes_mul(K(7.0), _s21));
+    const V _s23 = lanes_abs(climb_6);
+    const V _s24 = lanes_abs(climb_5);
+    const V _s25 = lanes_abs(climb_4);
+    const V _s26 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s22, _s16), lanes_mul(K(6.0), _s23)), _s16), lanes_mul(K(5.0), _s24)), _s16), lanes_mul(K(4.0), _s25));
+    const V _s27 = lanes_abs(climb_3);
+    const V _s28 = lanes_abs(climb_2);
+    const V _s29 = lanes_abs(climb_1);
+    const V _s30 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s26, _s16), lanes_mul(K(3.0), _s27)), _s16), lanes_mul(K(2.0), _s28)), _s16), _s29);
+    const V _s31 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s16), _s5), _s16), _s17), _s16), _s19);
+    const V _s32 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s31, _s16), _s20), _s16), _s21), _s16), _s23);
+    const V _s33 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s32, _s16), _s24), _s16), _s25), _s16), _s27);
+    const V _s34 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s33, _s16), _s28), _s16), _s29), _s16), _s0);
+    const V _s35 = lanes_mul(_s1, lanes_add(_s30, lanes_mul(_s34, _s34)));
+    const V _s36 = lanes_abs(along_10);
+    const V _s37 = lanes_abs(along_9);
+    const V _s38 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s8, _s16), _s6), _s16), _s36), _s16), _s37);
+    const V _s39 = lanes_abs(along_8);
+    const V _s40 = lanes_abs(along_7);
+    const V _s41 = lanes_abs(along_6);
+    const V _s42 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s38, _s16), _s39), _s16), _s40), _s16), _s41);
+    const V _s43 = lanes_abs(along_5);
+    const V _s44 = lanes_abs(along_4);
+    const V _s45 = lanes_abs(along_3);
+    const V _s46 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s42, _s16), _s43), _s16), _s44), _s16), _s45);
+    const V _s47 = lanes_abs(along_2);
+    const V _s48 = lanes_abs(along_1);
+    const V _s49 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s46, _s16), _s47), _s16), _s48), _s16), _s2);
+    const V _s50 = lanes_add(lanes_mul(_s1, _s34), _s49);
+    const V _s51 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s8), _s16), lanes_mul(K(11.0), _s6)), _s16), lanes_mul(K(10.0), _s36)), _s16);
+    const V _s52 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s51, lanes_mul(K(9.0), _s37)), _s16), lanes_mul(K(8.0), _s39)), _s16), lanes_mul(K(7.0), _s40));
+    const V _s53 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s52, _s16), lanes_mul(K(6.0), _s41)), _s16), lanes_mul(K(5.0), _s43)), _s16), lanes_mul(K(4.0), _s44));
+    const V _s54 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s53, _s16), lanes_mul(K(3.0), _s45)), _s16), lanes_mul(K(2.0), _s47)), _s16), _s48);
+    const V _s55 = lanes_add(_s35, lanes_add(lanes_mul(lanes_mul(_s49, lanes_div(K(1.0), lanes_sub(p_ring_radius, _s1))), _s50), _s54));
+    const V _s56 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(110.0), lanes_abs(force_11)), _s16), lanes_mul(K(90.0), lanes_abs(force_10))), _s16), lanes_mul(K(72.0), lanes_abs(force_9)));
+    const V _s57 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s56, _s16), lanes_mul(K(56.0), lanes_abs(force_8))), _s16), lanes_mul(K(42.0), lanes_abs(force_7))), _s16);
+    const V _s58 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s57, lanes_mul(K(30.0), lanes_abs(force_6))), _s16), lanes_mul(K(20.0), lanes_abs(force_5))), _s16);
+    const V _s59 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s58, lanes_mul(K(12.0), lanes_abs(force_4))), _s16), lanes_mul(K(6.0), lanes_abs(force_3))), _s16);
+    const V _s60 = lanes_mul(lanes_mul(climb_0, climb_0), _s1);
+    const V _s61 = lanes_neg(lanes_add(lanes_add(lanes_mul(along_0, omega_0), lanes_mul(cosine_0, _s60)), lanes_mul(lanes_mul(climb_1, sine_0), _s1)));
+    const V _s62 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _s1)));
+    return (LANES(court_ring_round_pace_out)){ _s16, _s55, _s50, _s35, force_0, force_1, lanes_add(_s59, lanes_mul(K(2.0), lanes_abs(force_2))), lanes_mul(lanes_mul(K(0.8), p_gravity), lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s61), lanes_mul(sin_0, _s62)), lanes_add(lanes_mul(cos_0, _s62), lanes_mul(sin_0, _s61)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _s1), lanes_mul(sine_0, _s60)) };
 }
 
 /* The square of the friction that rolling on the ring takes, and its rate.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 2607fe1f6b8b831b,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 49326d868b68e405,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -251,6 +251,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "passing_doubt": ("t", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ring_radius", "p_gravity",),
     "passing_from": ("z",),
     "passing_in_contact": ("over", "p_ring_radius", "through", "x", "y", "z",),
+    "untaken": (),
     "left": ("index", "last",),
     "meeting_plane": ("bend", "rate", "time",),
     "timely": ("arrives", "delay", "late", "time", "when",),
@@ -316,7 +317,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "roll_pace": ("p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "lift_5", "lift_6", "lift_7", "nx_8", "ny_8", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "nz_6", "nz_7", "nz_8", "per_reach", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vx_7", "vx_8", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vy_7", "vy_8", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "vz_7", "vz_8",),
     "roll_turn_rate": ("p_ball_radius", "nx", "ny", "nz", "wx", "wy", "wz",),
     "pressed_on": ("p_ball_radius", "p_gravity", "nx", "ny", "nz", "rolled_x", "rolled_y", "rolled_z", "turning_x", "turning_y", "turning_z", "wx", "wy", "wz",),
-    "slowed": ("p_ball_radius", "nx", "ny", "nz", "vx", "vy", "vz",),
+    "slowed": ("p_ball_radius", "p_gravity", "nx", "ny", "nz", "position_error", "vx", "vy", "vz",),
     "gripped": ("p_ball_radius", "nx", "ny", "nz", "vx", "vy", "vz", "wx", "wy", "wz",),
     "alone": (),
     "neared_body": ("facing", "gap", "nearest", "nearing", "press", "swerve", "wedge",),
@@ -343,12 +344,13 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "beginning_contact": (),
     "hopping": (),
     "kept_on": ("began", "body", "clock", "doubt", "ends", "held", "last", "reached", "rests", "rolling", "rolls", "which",),
-    "settled": ("index", "lodges", "outcome", "parts", "settles", "slides", "uncertain", "unsure",),
+    "settled": ("index", "lodges", "nearly", "outcome", "parts", "settles", "slides", "uncertain", "unsure",),
     "pulled": ("p_gravity", "nx_0", "nx_1", "ny_0", "ny_1", "nz_0", "nz_1", "turn_rate_0", "turn_rate_1", "tx_0", "tx_1", "ty_0", "ty_1", "tz_0", "tz_1",),
     "untaut": (),
     "losing": ("grip_lost", "strain",),
     "lost_grip": ("clock", "strain", "strain_rate", "taut", "taut_clock", "taut_rate",),
     "tightened": ("clock", "strain", "strain_rate",),
+    "ring_impact_taken": ("p_ring_restitution", "p_ring_friction",),
     "ring_impact_doubt": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "turn", "p_ball_radius", "p_ring_restitution", "p_ring_friction", "p_tangential_restitution", "p_restitution_speed",),
     "ring_impact_settling": ("p_ball_radius", "bounce", "drag", "lift", "nearest", "press", "p_ring_friction", "p_ring_restitution", "rolled_x", "rolled_y", "rolled_z", "slip", "turning_x", "turning_y", "turning_z", "velocity_error", "wedge", "weight", "wx", "wy", "wz",),
     "ring_impact_strained": ("drag", "drag_rate", "force", "force_rate", "p_ring_friction",),
@@ -377,7 +379,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_parting": ("p_gravity", "p_ring_radius", "vx", "vy", "vz", "x", "y", "z",),
     "ring_round_start": ("p_ball_radius", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "wx", "wy", "wz", "x", "y", "z",),
     "ring_round_moved": ("along_0", "along_1", "along_10", "along_11", "along_12", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_12", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_1", "cos_10", "cos_11", "cos_12", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cos_9", "cosine_0", "cosine_1", "cosine_10", "cosine_11", "cosine_12", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_ring_radius", "sin_0", "sin_1", "sin_10", "sin_11", "sin_12", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sin_9", "sine_0", "sine_1", "sine_10", "sine_11", "sine_12", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "t", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_11", "turn_rate_12", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
-    "ring_round_pace": ("along_0", "along_1", "along_10", "along_11", "along_12", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_12", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_12", "cosine_0", "cosine_12", "force_0", "force_1", "force_10", "force_11", "force_2", "force_3", "force_4", "force_5", "force_6", "force_7", "force_8", "force_9", "p_gravity", "omega_0", "p_ring_radius", "sin_0", "sin_12", "sine_0", "sine_12", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_11", "turn_rate_12", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
+    "ring_round_pace": ("along_0", "along_1", "along_10", "along_11", "along_12", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_12", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_12", "cosine_0", "cosine_12", "force_0", "force_1", "force_10", "force_11", "force_2", "force_3", "force_4", "force_5", "force_6", "force_7", "force_8", "force_9", "p_gravity", "omega_0", "p_ring_radius", "sin_0", "sin_12", "sine_0", "sine_12", "turn_rate_0", "turn_rate_11", "turn_rate_12", "p_wire_radius",),
     "ring_round_pulled": ("climb_0", "climb_1", "cosine_0", "cosine_1", "p_gravity", "omega_0", "omega_1", "turn_rate_0", "turn_rate_1",),
     "ring_swung": ("p_ball_radius", "berth", "circled", "climb", "climb_0", "doubt", "fastest", "force", "force_bend", "force_rate", "p_gravity", "position_error", "stride", "sway", "velocity_error", "which", "p_wire_radius",),
     "ring_round_0": ("along_0", "p_ball_radius", "climb_0", "cos_0", "cosine_0", "p_gravity", "near_0", "p_ring_radius", "sin_0", "sine_0", "turn_rate_0", "p_wire_radius",),
@@ -487,6 +489,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "passing_doubt": ("unsure",),
     "passing_from": ("over",),
     "passing_in_contact": ("through",),
+    "untaken": ("mine",),
     "left": ("leaving",),
     "meeting_plane": ("arrives", "ceiling",),
     "timely": ("possible",),
@@ -552,7 +555,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "roll_pace": ("stride", "strongest", "fastest", "force", "force_rate", "force_bend", "brace",),
     "roll_turn_rate": ("turn_rate",),
     "pressed_on": ("press", "weight", "drag", "thrust_x", "thrust_y", "thrust_z",),
-    "slowed": ("slow", "assured",),
+    "slowed": ("slow", "nearly", "assured",),
     "gripped": ("rolled_x", "rolled_y", "rolled_z", "slip", "bounce",),
     "alone": ("nearest", "wedge",),
     "neared_body": ("nearest", "wedge",),
@@ -585,6 +588,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "losing": ("loses",),
     "lost_grip": ("grip_lost",),
     "tightened": ("taut", "taut_rate", "taut_clock",),
+    "ring_impact_taken": ("mine", "its_0", "its_1",),
     "ring_impact_doubt": ("unsure",),
     "ring_impact_settling": ("settles", "lodges", "slides", "parts", "assured", "unsure",),
     "ring_impact_strained": ("strain", "strain_rate",),
@@ -773,7 +777,7 @@ def flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity:
     Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications.
     Returns x, y, z, vx, vy, vz.
     """
-    _r0, *_ = _room
+    _r0, = _room[:1]
     return x + _multiply(t, vx, _r0), y + _multiply(t, vy, _r0), z + _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), vx, vy, vz - _multiply(p_gravity, t, _r0)
 
 
@@ -836,7 +840,7 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any, _room: Any 
     Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections.
     Returns clearance, delay.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _negative(_add(rate, rate_margin, _r0), _r0)
     _s1 = 0.0 < _s0
     return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(6.0, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(6.0, margin, _r2), _s0, _r2), _inf, _r0)
@@ -848,7 +852,7 @@ def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error:
     a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection.
     Returns position_level, velocity_level, excess.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s1 = share * _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = share * _s0
@@ -873,7 +877,7 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _ro
     what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
     Returns extent, speed, excess.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _absolute(x, _r0)
     _s1 = _absolute(y, _r1)
     _s2 = _absolute(z, _r2)
@@ -895,7 +899,7 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     running error analysis. 27 operations: 17 additions, 8 multiplications, 2 absolute values.
     Returns margin.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s1 = _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_board_thickness) + p_bridge_depth) + p_bridge_half_width) + p_end_depth
@@ -909,7 +913,7 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _room[:25]
     _s0 = _add(dx, _multiply(dvx, t, _r0), _r0)
     _s1 = _absolute(vx, _r1)
     _s2 = _multiply(2.0, t, _r2)
@@ -956,7 +960,7 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _room[:17]
     _s0 = _absolute(vx, _r0)
     _s1 = _add(clock_error, _multiply(4.440892098500626e-16, _add(clock, t, _r1), _r1), _r1)
     _s2 = _absolute(dvx, _r2)
@@ -985,7 +989,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
@@ -1007,7 +1011,7 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
@@ -1057,7 +1061,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     Table 2. 133 operations: 27 additions, 19 subtractions, 15 multiplications, 3 square roots, 4 negations, 20 absolute values, 21 comparisons, 24 selections.
     Returns valid, doubt.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = _subtract(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _s1 * _s1, _r1)
@@ -1100,7 +1104,7 @@ def passing_start(last: Any, outcome: Any, uncertain: Any, x: Any, y: Any, z: An
     Table 2, success. 22 operations: 2 additions, 1 subtraction, 4 multiplications, 1 negation, 1 absolute value, 6 comparisons, 5 conjunctions, 2 selections.
     Returns through, uncertain.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _logical_and(_logical_and((0.0 <= last), (z < 0.0)), ((-p_end_depth) <= z))
     _s1 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s2 = p_ring_radius * p_ring_radius
@@ -1114,7 +1118,7 @@ def passing(through: Any, t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: 
     Eq. 3, its roots in the ring's plane. 66 operations: 9 additions, 2 subtractions, 18 multiplications, 1 division, 1 square root, 16 comparisons, 9 conjunctions, 2 disjunctions, 8 selections.
     Returns through.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = z < 0.0
     _s1 = _add(z, _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), _r0)
     _s2 = _s1 < 0.0
@@ -1144,7 +1148,7 @@ def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ext
     running error analysis. 107 operations: 18 additions, 4 subtractions, 31 multiplications, 1 division, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections.
     Returns unsure.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _add(z, _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), _r0)
     _s1 = _multiply(vz, vz, _r1)
     _s2 = 1.0 / p_gravity
@@ -1195,6 +1199,15 @@ def passing_in_contact(over: Any, p_ring_radius: Any, through: Any, x: Any, y: A
     _s0 = ((x * x) + (y * y)) < (p_ring_radius * p_ring_radius)
     _s1 = _where(_logical_and(_logical_and(_logical_not(over), (0.0 <= z)), _s0), _where((through == 1.0), 0.0, -1.0), through)
     return _where(_logical_and(_logical_and(_logical_and(over, (z < 0.0)), _s0), (_s1 == 0.0)), 1.0, _s1),
+
+
+def untaken() -> tuple[Any, ...]:
+    """An event that is on no surface of a kind yet.
+
+    Table 1. No operations.
+    Returns mine.
+    """
+    return False,
 
 
 def left(index: Any, last: Any) -> tuple[Any, ...]:
@@ -1438,7 +1451,7 @@ def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
     Returns finite.
     """
-    _r0, *_ = _room
+    _r0, = _room[:1]
     _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _inf), (_absolute(y, _r0) < _inf)), (_absolute(z, _r0) < _inf)), (_absolute(vx, _r0) < _inf)), (_absolute(vy, _r0) < _inf))
     _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _inf)), (_absolute(wx, _r0) < _inf)), (_absolute(wy, _r0) < _inf)), (_absolute(wz, _r0) < _inf))
     return _s1,
@@ -1694,7 +1707,7 @@ def roll_0(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, nx_0: Any, ny_
     Newton, Euler and rolling without slip. 42 operations: 7 additions, 5 subtractions, 29 multiplications, 1 negation.
     Returns lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1, turn_rate_1.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = 0.6 * p_gravity
     _s1 = _multiply(bent_x, per_reach, _r0) * vx_0
     _s2 = _multiply(bent_y, per_reach, _r0) * vy_0
@@ -1712,7 +1725,7 @@ def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, n
     Newton, Euler and rolling without slip. 81 operations: 25 additions, 4 subtractions, 51 multiplications, 1 negation.
     Returns lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2, turn_rate_2.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = _multiply(_multiply(bent_x, per_reach, _r0), vx_1, _r0)
     _s1 = _multiply(_multiply(bent_y, per_reach, _r1), vy_1, _r1)
     _s2 = _multiply(_multiply(bent_z, per_reach, _r2), vz_1, _r2)
@@ -1733,7 +1746,7 @@ def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 125 operations: 43 additions, 4 subtractions, 77 multiplications, 1 negation.
     Returns lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3, turn_rate_3.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(_multiply(bent_x, per_reach, _r1), vx_2, _r1)
     _s2 = _multiply(2.0, ny_2, _r2)
@@ -1757,7 +1770,7 @@ def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 161 operations: 61 additions, 4 subtractions, 95 multiplications, 1 negation.
     Returns lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4, turn_rate_4.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(3.0, nx_3, _r1)
     _s2 = _multiply(_multiply(bent_x, per_reach, _r2), vx_3, _r2)
@@ -1787,7 +1800,7 @@ def roll_4(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 207 operations: 79 additions, 4 subtractions, 123 multiplications, 1 negation.
     Returns lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5, turn_rate_5.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(3.0, nx_3, _r1)
     _s2 = _multiply(4.0, nx_4, _r2)
@@ -1824,7 +1837,7 @@ def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 243 operations: 97 additions, 4 subtractions, 141 multiplications, 1 negation.
     Returns lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6, turn_rate_6.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(3.0, nx_3, _r1)
     _s2 = _multiply(4.0, nx_4, _r2)
@@ -1873,7 +1886,7 @@ def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 289 operations: 115 additions, 4 subtractions, 169 multiplications, 1 negation.
     Returns lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7, turn_rate_7.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(3.0, nx_3, _r1)
     _s2 = _multiply(4.0, nx_4, _r2)
@@ -1924,7 +1937,7 @@ def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Newton, Euler and rolling without slip. 325 operations: 133 additions, 4 subtractions, 187 multiplications, 1 negation.
     Returns lift_7, tx_7, ty_7, tz_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = _multiply(2.0, nx_2, _r0)
     _s1 = _multiply(3.0, nx_3, _r1)
     _s2 = _multiply(4.0, nx_4, _r2)
@@ -1993,7 +2006,7 @@ def roll_moved(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tur
     its series. 140 operations: 59 additions, 81 multiplications.
     Returns x, vx, y, vy, z, vz, turn_rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = _multiply(0.1111111111111111, t, _r0)
     _s1 = _add(_multiply(0.16666666666666666, vx_5, _r1), _multiply(t, _add(_multiply(0.14285714285714285, vx_6, _r2), _multiply(t, _add(_multiply(0.125, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
     _s2 = _add(_multiply(0.3333333333333333, vx_2, _r1), _multiply(t, _add(_multiply(0.25, vx_3, _r2), _multiply(t, _add(_multiply(0.2, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
@@ -2021,7 +2034,7 @@ def roll_placed(p_ball_radius: Any, gap: Any, nx: Any, ny: Any, nz: Any, turn_ra
     v = R_B (w × n). 36 operations: 5 additions, 9 subtractions, 21 multiplications, 1 division.
     Returns x, y, z, vx, vy, vz, wx, wy, wz.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s1 = vx - _multiply(nx, _s0, _r1)
     _s2 = vy - _multiply(ny, _s0, _r1)
@@ -2036,7 +2049,7 @@ def roll_pace(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any
     the last terms of the series. 159 operations: 53 additions, 49 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections.
     Returns stride, strongest, fastest, force, force_rate, force_bend, brace.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
     _s0 = _add(_add(_add(_absolute(turn_rate_0, _r0), _absolute(vx_0, _r1), _r1), _absolute(vy_0, _r0), _r0), _absolute(vz_0, _r1), _r1)
     _s1 = _add(0.015625 * p_gravity, _s0, _r0)
     _s2 = _absolute(per_reach, _r2)
@@ -2080,7 +2093,7 @@ def pressed_on(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, ro
     N = -a·n - v·n', F = beta (-a_t + s n × n'). 54 operations: 13 additions, 5 subtractions, 33 multiplications, 1 square root, 2 negations.
     Returns press, weight, drag, thrust_x, thrust_y, thrust_z.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = -_multiply(p_gravity, nz, _r0)
     _s1 = _negative(_s0, _r0) - _add(_add(_multiply(rolled_x, turning_x, _r1), _multiply(rolled_y, turning_y, _r2), _r2), _multiply(rolled_z, turning_z, _r1), _r1)
     _s2 = _add(_add(_multiply(nx, wx, _r1), _multiply(ny, wy, _r0), _r0), _multiply(nz, wz, _r1), _r1)
@@ -2091,15 +2104,18 @@ def pressed_on(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, ro
     return _s1, _s0, _sqrt(_add(_add(_multiply(_s4, _s4, _r0), _multiply(_s5, _s5, _r1), _r1), _multiply(_s6, _s6, _r0), _r0)), _multiply(nx, _s1, _r0) + _s5, _multiply(ny, _s1, _r0) + _s4, _add(_multiply(nz, _s1, _r0), _s6, _r0) - p_gravity
 
 
-def slowed(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Where a ball hardly leaves the surface that it has touched.
+def slowed(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, position_error: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a ball hardly leaves the surface that it has touched, and is looked at.
 
-    a hop of less than a micrometre. 8 operations: 2 additions, 5 multiplications, 1 comparison.
-    Returns slow, assured.
+    a hop of less than a micrometre. 21 operations: 5 additions, 10 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction.
+    Returns slow, nearly, assured.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    return _multiply(_s0, _s0, _r0) < (1.1920928955078125e-07 * p_ball_radius), 0.0
+    _s1 = _multiply(_s0, _s0, _r0)
+    _s2 = _multiply(2.9103830456733704e-11 * p_ball_radius, _add(p_gravity, _divide(_add(_add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2), _multiply(vz, vz, _r1), _r1), p_ball_radius, _r1), _r1), _r1)
+    _s3 = _s1 < _s2
+    return _logical_or(_s3, _logical_and((_s1 < (1.1920928955078125e-07 * p_ball_radius)), (0.0 < position_error))), _s3, 0.0
 
 
 def gripped(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2108,7 +2124,7 @@ def gripped(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz:
     the momenta that a contact keeps. 40 operations: 4 additions, 12 subtractions, 21 multiplications, 1 square root, 1 comparison, 1 selection.
     Returns rolled_x, rolled_y, rolled_z, slip, bounce.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s1 = _subtract(vx, _multiply(nx, _s0, _r1), _r1)
     _s2 = _subtract(_s1, _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r2), _multiply(ny, wz, _r3), _r3), _r3), _r3)
@@ -2134,7 +2150,7 @@ def neared_body(facing: Any, gap: Any, nearest: Any, nearing: Any, press: Any, s
     Table 1. 18 operations: 1 addition, 4 multiplications, 1 division, 2 absolute values, 5 comparisons, 1 conjunction, 4 selections.
     Returns nearest, wedge.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _absolute(gap, _r0)
     _s1 = _absolute(swerve, _r1)
     _s2 = _multiply(9.5367431640625e-07, press, _r2)
@@ -2158,10 +2174,10 @@ def begun_errors(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy
     its bound. 41 operations: 12 additions, 3 multiplications, 2 divisions, 3 negations, 3 absolute values, 9 comparisons, 9 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
-    _s0 = 3.637978807091713e-12 * p_ball_radius
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
+    _s0 = 1.4551915228366852e-11 * p_ball_radius
     _s1 = -_s0
-    _s2 = _multiply(1.4551915228366852e-11 * p_ball_radius, _add(1.0, _divide(_add(_add(_absolute(vx, _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0), p_ball_radius, _r0), _r0), _r0)
+    _s2 = _multiply(5.820766091346741e-11 * p_ball_radius, _add(1.0, _divide(_add(_add(_absolute(vx, _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0), p_ball_radius, _r0), _r0), _r0)
     _s3 = _negative(_s2, _r1)
     _s4 = _divide(_s2, p_ball_radius, _r2)
     _s5 = _negative(_s4, _r3)
@@ -2174,7 +2190,7 @@ def leaving_force(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, forc
     N = 0. 85 operations: 12 additions, 1 subtraction, 20 multiplications, 2 divisions, 2 square roots, 2 negations, 8 absolute values, 14 comparisons, 7 conjunctions, 3 disjunctions, 3 complements, 11 selections.
     Returns stride, which, rests, doubt.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _absolute(per_reach, _r0)
     _s1 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), _s0, _r1), _r1)
     _s2 = _multiply(5.684341886080802e-14, _s1, _r2)
@@ -2202,14 +2218,14 @@ def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 12 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections.
     Returns stride, which, doubt, late.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _multiply(7.105427357601002e-15, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = gap <= _s0
     _s2 = nearing < 0.0
     _s3 = _logical_and(_s1, _s2)
     _s4 = _multiply(nearing, nearing, _r1)
     _s5 = _add(strongest, _multiply(dent, _multiply(fastest, fastest, _r2), _r2), _r2)
-    _s6 = _select(_s1, 3.637978807091713e-12 * p_ball_radius, gap, _r3)
+    _s6 = _select(_s1, 1.4551915228366852e-11 * p_ball_radius, gap, _r3)
     _s7 = _add(_s4, _multiply(_multiply(2.0, _s5, _r4), _s6, _r4), _r4)
     _s8 = _sqrt(_s7, _r5)
     _s9 = _select(0.0 <= _s7, _divide(_select(_s2, _multiply(2.0, _s6, _r3), _add(nearing, _s8, _r4), _r6), _select(_s2, _subtract(_s8, nearing, _r5), _select(0.0 < _s5, _s5, 0.0, _r7), _r8), _r6), _inf, _r4)
@@ -2226,7 +2242,7 @@ def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections.
     Returns stride, which, doubt, late.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _multiply(7.105427357601002e-15, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = nearing < 0.0
     _s2 = _logical_and(_logical_and((gap <= _s0), _s1), (_negative(_s0, _r1) <= gap))
@@ -2249,7 +2265,7 @@ def beside_seam(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, st
     a parabola below the distance. 28 operations: 3 additions, 1 subtraction, 5 multiplications, 1 division, 1 square root, 1 negation, 2 absolute values, 6 comparisons, 8 selections.
     Returns stride.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _absolute(gap, _r0)
     _s1 = _s0 <= near
     _s2 = _select(_s1, 0.0, _s0, _r1)
@@ -2287,7 +2303,7 @@ def parted(doubt: Any, p_gravity: Any, lift: Any, nearest: Any, per_reach: Any, 
     Taylor's theorem of the gap. 67 operations: 10 additions, 21 multiplications, 6 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections.
     Returns when, doubt.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r0), _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0)
     _s1 = _divide(_multiply(0.25, nearest, _r1), _s0, _r1)
     _s2 = _absolute(per_reach, _r2)
@@ -2317,7 +2333,7 @@ def apart(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, 
     FAR. 29 operations: 3 additions, 4 multiplications, 1 division, 9 absolute values, 6 comparisons, 6 selections.
     Returns apart.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _absolute(dwx, _r0)
     _s1 = _absolute(dwy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
@@ -2340,7 +2356,7 @@ def neighbour(apart: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz:
     Table 1. 18 operations: 9 additions, 9 multiplications.
     Returns far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_nx, far_ny, far_nz, far_gap.
     """
-    _r0, *_ = _room
+    _r0, = _room[:1]
     return x + _multiply(apart, dx, _r0), y + _multiply(apart, dy, _r0), z + _multiply(apart, dz, _r0), vx + _multiply(apart, dvx, _r0), vy + _multiply(apart, dvy, _r0), vz + _multiply(apart, dvz, _r0), wx + _multiply(apart, dwx, _r0), wy + _multiply(apart, dwy, _r0), wz + _multiply(apart, dwz, _r0), 0.0, 0.0, 0.0, 0.0
 
 
@@ -2350,7 +2366,7 @@ def compared(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: A
     differences. 69 operations: 17 additions, 9 subtractions, 3 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = _divide(_subtract(far_x, x, _r0), apart, _r0)
     _s1 = _multiply(4.440892098500626e-16, _add(_add(_add(p_ball_radius, _absolute(x, _r1), _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1)
     _s2 = _negative(_s1, _r2)
@@ -2376,7 +2392,7 @@ def carry_hop(dvx: Any, dvy: Any, dvz: Any, dx: Any, dy: Any, dz: Any, vx: Any, 
     derivative of Eq. 3. 34 operations: 9 additions, 10 multiplications, 3 negations, 6 absolute values, 3 comparisons, 3 selections.
     Returns dx, dy, dz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(dx, _multiply(dvx, when, _r0), _r0)
     _s1 = _multiply(2.0, when, _r1)
     _s2 = _multiply(1.1102230246251565e-16, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
@@ -2476,7 +2492,7 @@ def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any,
     Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections.
     Returns body, reached, doubt, ends, hopped, last, mode, held, rolls.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = which == 5.0
     _s1 = _multiply(2.0, _select(held == 2.0, 2.0, _select(held == 1.0, 1.0, _select(held == 0.0, 0.0, -1.0, _r0), _r1), _r2), _r2)
     _s2 = which == 6.0
@@ -2487,13 +2503,13 @@ def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any,
     return _result(_s0, _add(4.0, _s1, _r1), _select(_s2, _add(5.0, _s1, _r2), _select(_s3, -1.0, _select(_s4, 3.0, body, _r0), _r3), _r4), _r0), _result(_s5, 2.0, _select(_s4, 6.0, _select(rests, 5.0, _select(_logical_or(_s6, rolling), -1.0, reached, _r4), _r3), _r0), _r0), _result(_s5, 0.0, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, -1.0, last, _r0), _result(_logical_or(_s0, rolling), 2.0, _select(_s2, 3.0, 0.0, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, -1.0, _r0), _result(_s0, _add(1.0, rolls, _r0), rolls, _r0)
 
 
-def settled(index: Any, lodges: Any, outcome: Any, parts: Any, settles: Any, slides: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
+def settled(index: Any, lodges: Any, nearly: Any, outcome: Any, parts: Any, settles: Any, slides: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
     """Whether the ball stays on a surface, slides, leaves, or is wedged between two.
 
-    Table 1. 12 operations: 1 comparison, 1 conjunction, 3 disjunctions, 7 selections.
+    Table 1. 16 operations: 1 comparison, 4 conjunctions, 3 disjunctions, 8 selections.
     Returns mode, held, outcome, slip_left, uncertain.
     """
-    return _where(settles, 1.0, _where(parts, 3.0, 0.0)), _where(_logical_or(settles, parts), index, -1.0), _where(_logical_and(_logical_or(lodges, slides), (outcome < 0.0)), _where(lodges, 5.0, 2.0), outcome), _where(slides, 1.0, 0.0), _where(_logical_or(lodges, unsure), 1.0, uncertain)
+    return _where(nearly, _where(settles, 1.0, _where(parts, 3.0, 0.0)), 0.0), _where(_logical_and(nearly, _logical_or(settles, parts)), index, -1.0), _where(_logical_and(_logical_and(nearly, _logical_or(lodges, slides)), (outcome < 0.0)), _where(lodges, 5.0, 2.0), outcome), _where(_logical_and(nearly, slides), 1.0, 0.0), _where(_logical_or(lodges, unsure), 1.0, uncertain)
 
 
 def pulled(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2502,7 +2518,7 @@ def pulled(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any
     F = beta (-a_t + s n × n'). 57 operations: 17 additions, 38 multiplications, 2 negations.
     Returns drag, drag_rate, strain, strain_rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _negative(_multiply(p_gravity, nz_0, _r0), _r0)
     _s1 = _multiply(0.4, nx_0, _r1)
     _s2 = _multiply(0.4, turn_rate_0, _r2)
@@ -2543,7 +2559,7 @@ def lost_grip(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_clock: 
     a cubic between the ends of a step. 97 operations: 22 additions, 9 subtractions, 28 multiplications, 5 divisions, 1 negation, 16 comparisons, 1 conjunction, 15 selections.
     Returns grip_lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _subtract(clock, taut_clock, _r0)
     _s1 = _subtract(strain, taut, _r1)
     _s2 = _negative(_divide(taut, _s1, _r2), _r2)
@@ -2586,13 +2602,22 @@ def tightened(clock: Any, strain: Any, strain_rate: Any) -> tuple[Any, ...]:
     return strain, strain_rate, clock
 
 
+def ring_impact_taken(p_ring_restitution: Any, p_ring_friction: Any) -> tuple[Any, ...]:
+    """What the law of one body has for its own.
+
+    data. 1 operation: 1 complement.
+    Returns mine, its_0, its_1.
+    """
+    return _logical_not(False), p_ring_restitution, p_ring_friction
+
+
 def ring_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, turn: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a decision within a contact lies within its error.
 
     the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
     Returns unsure.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = 0.4 + (0.4 * p_tangential_restitution)
     _s1 = _absolute(dwx, _r0)
     _s2 = _absolute(dwy, _r1)
@@ -2621,7 +2646,7 @@ def ring_impact_settling(p_ball_radius: Any, bounce: Any, drag: Any, lift: Any, 
     a geometric series of bounces. 149 operations: 20 additions, 4 subtractions, 47 multiplications, 8 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections.
     Returns settles, lodges, slides, parts, assured, unsure.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
     _s0 = 1.0 - p_ring_restitution
     _s1 = 0.0 < _s0
     _s2 = _divide(bounce, press, _r0)
@@ -2642,7 +2667,7 @@ def ring_impact_settling(p_ball_radius: Any, bounce: Any, drag: Any, lift: Any, 
     _s17 = _s12 * _s0
     _s18 = _multiply(4.0, drag, _r8)
     _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(1.6, slip, _r10), _s2, _r10), _s0, _r10), _r10)
-    _s20 = 3.637978807091713e-12 * p_ball_radius
+    _s20 = 1.4551915228366852e-11 * p_ball_radius
     _s21 = _logical_and(_s15, (_s19 <= _s20))
     _s22 = 3.725290298461914e-09 * p_ball_radius
     _s23 = wedge <= _s22
@@ -2678,7 +2703,7 @@ def ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, n
     momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections.
     Returns vx, vy, vz, wx, wy, wz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s1 = _subtract(vx, _multiply(nx, _s0, _r1), _r1)
     _s2 = _subtract(_s1, _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r2), _multiply(ny, wz, _r3), _r3), _r3), _r3)
@@ -2701,7 +2726,7 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33 = _room[:34]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s1 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
     _s2 = _subtract(_subtract(dvx, _multiply(dnx, _s0, _r1), _r1), _multiply(nx, _s1, _r3), _r3)
@@ -2817,7 +2842,7 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root.
     Returns nx, ny, nz.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(1.0, _s1, _r1), _r0)
@@ -2841,7 +2866,7 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
     derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
     Returns dnx, dny, dnz, turn.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = 1.0 / _s0
     _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
@@ -2860,7 +2885,7 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     bounds of the event condition. 161 operations: 31 additions, 19 subtractions, 74 multiplications, 1 division, 4 square roots, 16 comparisons, 16 selections.
     Returns clear.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)
     _s2 = 1.0 / p_gravity
@@ -2912,7 +2937,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections.
     Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35 = _room[:36]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
     _s2 = _add(_multiply(2.0, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(2.0, _s1, _r1)
@@ -2984,7 +3009,7 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections.
     Returns margin, leaving_margin, rate_margin.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = 1.00006103515625 * _s0
@@ -3007,7 +3032,7 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection.
     Returns time, gap, rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
@@ -3029,7 +3054,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     Newton from the left under a curvature bound. 143 operations: 29 additions, 16 subtractions, 53 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
     Returns gap, rate, bend, step, next, clearance.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
@@ -3095,7 +3120,7 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, *_ = _halves(_room)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
     _s1 = 1.00006103515625 * (p_ball_radius + p_wire_radius)
     _s2 = 2.0 * p_gravity
@@ -3194,7 +3219,7 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _halves(_room)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _halves(_room[:12])
     _s0 = 0.0 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
@@ -3255,7 +3280,7 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, *_ = _halves(_room)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _halves(_room[:25])
     _s0 = _add(tilt, _multiply(grit, t, _r0), _r0)
     _s1 = _multiply(t, _s0, _r1)
     _s2 = _s1 < flat
@@ -3333,7 +3358,7 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root.
     Returns rho_start, parting, drift.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
     _s1 = _add(_multiply(vx, x, _r1), _multiply(vy, y, _r0), _r0) / _s0
     return _s0, 2.0 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
@@ -3345,7 +3370,7 @@ def ring_lost(horizon: Any, extent: Any, speed: Any, position_error: Any, veloci
     bounds of the event condition. 26 operations: 5 additions, 4 subtractions, 10 multiplications, 1 division, 2 square roots, 2 comparisons, 2 selections.
     Returns lost.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = 1.0 / p_gravity
     _s2 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s1, _add(_add(2.0 * p_ball_radius, extent, _r0), 2.0 * p_wire_radius, _r0), _r0), _r0), _r0)
@@ -3360,7 +3385,7 @@ def ring_beside(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: An
     Table 2. 33 operations: 5 additions, 5 subtractions, 15 multiplications, 4 divisions, 2 square roots, 1 comparison, 1 selection.
     Returns gap, nearing, dent.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _r0)
@@ -3376,7 +3401,7 @@ def ring_closing(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: A
     derivatives of Table 2's distance. 75 operations: 12 additions, 5 subtractions, 48 multiplications, 8 divisions, 2 square roots.
     Returns gap, nearing, swerve, facing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s1 = _sqrt(_s0, _r0)
     _s2 = _subtract(_s1, p_ring_radius, _r2)
@@ -3398,7 +3423,7 @@ def ring_off(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any,
     Table 2. 11 operations: 2 additions, 3 subtractions, 4 multiplications, 2 square roots.
     Returns gap.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
     return _subtract(_sqrt(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _r1), p_ball_radius, _r1) - p_wire_radius,
 
@@ -3418,7 +3443,7 @@ def ring_turning(p_ball_radius: Any, p_ring_radius: Any, rolled_x: Any, rolled_y
     derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation.
     Returns turning_x, turning_y, turning_z.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s2 = _subtract(_s1, p_ring_radius, _r0)
@@ -3435,7 +3460,7 @@ def ring_parting(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, 
     derivatives of Table 2's distance. 120 operations: 14 additions, 11 subtractions, 74 multiplications, 18 divisions, 2 square roots, 1 negation.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s1 = _sqrt(_s0, _r0)
     _s2 = _subtract(_s1, p_ring_radius, _r2)
@@ -3470,7 +3495,7 @@ def ring_round_start(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, v
     Routh's equations. 36 operations: 7 additions, 3 subtractions, 20 multiplications, 4 divisions, 2 square roots.
     Returns cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0, sin_0, near_0.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = _divide(1.0, _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r3), _r3), _r3), _r3)
@@ -3489,7 +3514,7 @@ def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, a
     Routh's equations. 214 operations: 91 additions, 3 subtractions, 114 multiplications, 3 divisions, 2 square roots, 1 negation.
     Returns x, y, z, vx, vy, vz, wx, wy, wz, climb.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _add(cos_9, _multiply(t, _add(cos_10, _multiply(t, _add(cos_11, _multiply(cos_12, t, _r0), _r0), _r0), _r0), _r0), _r0)
     _s1 = _add(cos_6, _multiply(t, _add(cos_7, _multiply(t, _add(cos_8, _multiply(t, _s0, _r0), _r0), _r0), _r0), _r0), _r0)
     _s2 = _add(cos_3, _multiply(t, _add(cos_4, _multiply(t, _add(cos_5, _multiply(t, _s1, _r0), _r0), _r0), _r0), _r0), _r0)
@@ -3533,69 +3558,77 @@ def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, a
     return _s9 * _s21, _s22 * _s21, _s23 * _s20, _multiply(_s29, _s9, _r5) - _multiply(_s22, _s33, _r9), _multiply(_s29, _s22, _r1) + _multiply(_s9, _s33, _r9), _s28 * _s19, _s34 * _add(_multiply(_s28, _s22, _r9), _multiply(_s9, _s39, _r1), _r1), _s34 * _subtract(_multiply(_s22, _s39, _r10), _multiply(_s28, _s9, _r4), _r4), _s34 * _add(_multiply(_s19, _s33, _r7), _multiply(_s23, _s38, _r8), _r8), _s27
 
 
-def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_12: Any, cosine_0: Any, cosine_12: Any, force_0: Any, force_1: Any, force_10: Any, force_11: Any, force_2: Any, force_3: Any, force_4: Any, force_5: Any, force_6: Any, force_7: Any, force_8: Any, force_9: Any, p_gravity: Any, omega_0: Any, p_ring_radius: Any, sin_0: Any, sin_12: Any, sine_0: Any, sine_12: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_12: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_12: Any, cosine_0: Any, cosine_12: Any, force_0: Any, force_1: Any, force_10: Any, force_11: Any, force_2: Any, force_3: Any, force_4: Any, force_5: Any, force_6: Any, force_7: Any, force_8: Any, force_9: Any, p_gravity: Any, omega_0: Any, p_ring_radius: Any, sin_0: Any, sin_12: Any, sine_0: Any, sine_12: Any, turn_rate_0: Any, turn_rate_11: Any, turn_rate_12: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """A step of the series, and bounds of the motion in it.
 
-    Routh's equations. 275 operations: 80 additions, 4 subtractions, 120 multiplications, 6 divisions, 7 square roots, 1 negation, 53 absolute values, 2 comparisons, 2 selections.
+    Routh's equations. 268 operations: 77 additions, 4 subtractions, 126 multiplications, 6 divisions, 7 square roots, 1 negation, 43 absolute values, 2 comparisons, 2 selections.
     Returns stride, strongest, fastest, sway, force, force_rate, force_bend, brace, vx_1, vy_1, vz_1.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = _absolute(climb_0, _r0)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = _absolute(along_0, _r1)
-    _s3 = _absolute(turn_rate_0, _r2)
-    _s4 = _add(_multiply(_s0, _s1, _r3), _add(_s2, _s3, _r4), _r4)
-    _s5 = _add(0.015625 * p_gravity, _s4, _r3)
-    _s6 = _absolute(climb_11, _r5)
-    _s7 = _absolute(along_11, _r6)
-    _s8 = _absolute(turn_rate_11, _r7)
-    _s9 = _absolute(climb_12, _r8)
-    _s10 = _absolute(along_12, _r9)
-    _s11 = _absolute(turn_rate_12, _r10)
-    _s12 = _add(_multiply(_multiply(0.25, _add(_multiply(_s6, _s1, _r11), _add(_s7, _s8, _r12), _r12), _r12), _add(_divide(_s4, _s1, _r4), _sqrt((p_gravity / _s1)), _r4), _r12), _add(_multiply(_s9, _s1, _r4), _add(_s10, _s11, _r11), _r11), _r11)
-    _s13 = _multiply(_s5, _add(_add(_add(_absolute(cos_12, _r12), _absolute(cosine_12, _r4), _r4), _absolute(sin_12, _r12), _r12), _absolute(sine_12, _r4), _r4), _r4)
-    _s14 = _sqrt(_sqrt(_divide(_multiply(1.7763568394002505e-15, _s5, _r3), _select(_s12 < _s13, _s13, _s12, _r12), _r3), _r3), _r3)
-    _s15 = _sqrt(_sqrt(_s14, _r12), _r12)
-    _s16 = _multiply(_s15, _sqrt(_sqrt(_s15, _r4), _r4), _r4)
-    _s17 = _add(_divide(_s14, _multiply(3.0, _multiply(_s16, _s16, _r12), _r12), _r12), _multiply(0.6666666666666666, _s16, _r4), _r4)
-    _s18 = _add(_divide(_s14, _multiply(3.0, _multiply(_s17, _s17, _r12), _r12), _r12), _multiply(0.6666666666666666, _s17, _r4), _r4)
-    _s19 = _result(_s18 < 0.0625, _s18, 0.0625, _r0)
-    _s20 = _add(_multiply(_add(_multiply(_add(_multiply(_s11, _s19, _r10), _s8, _r10), _s19, _r10), _absolute(turn_rate_10, _r7), _r7), _s19, _r7), _absolute(turn_rate_9, _r10), _r10)
-    _s21 = _add(_multiply(_add(_multiply(_add(_multiply(_s20, _s19, _r10), _absolute(turn_rate_8, _r7), _r7), _s19, _r7), _absolute(turn_rate_7, _r10), _r10), _s19, _r10), _absolute(turn_rate_6, _r7), _r7)
-    _s22 = _add(_multiply(_add(_multiply(_add(_multiply(_s21, _s19, _r7), _absolute(turn_rate_5, _r10), _r10), _s19, _r10), _absolute(turn_rate_4, _r7), _r7), _s19, _r7), _absolute(turn_rate_3, _r10), _r10)
-    _s23 = _add(_multiply(_add(_multiply(_add(_multiply(_s22, _s19, _r10), _absolute(turn_rate_2, _r7), _r7), _s19, _r7), _absolute(turn_rate_1, _r10), _r10), _s19, _r10), _s3, _r10)
-    _s24 = _add(_multiply(_add(_multiply(_add(_multiply(_s10, _s19, _r9), _s7, _r9), _s19, _r9), _absolute(along_10, _r6), _r6), _s19, _r6), _absolute(along_9, _r9), _r9)
-    _s25 = _add(_multiply(_add(_multiply(_add(_multiply(_s24, _s19, _r9), _absolute(along_8, _r6), _r6), _s19, _r6), _absolute(along_7, _r9), _r9), _s19, _r9), _absolute(along_6, _r6), _r6)
-    _s26 = _add(_multiply(_add(_multiply(_add(_multiply(_s25, _s19, _r6), _absolute(along_5, _r9), _r9), _s19, _r9), _absolute(along_4, _r6), _r6), _s19, _r6), _absolute(along_3, _r9), _r9)
-    _s27 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s19, _r9), _absolute(along_2, _r6), _r6), _s19, _r6), _absolute(along_1, _r9), _r9), _s19, _r9), _s2, _r9)
-    _s28 = _multiply(_s27, 1.0 / (p_ring_radius - _s1), _r1)
-    _s29 = _absolute(climb_10, _r6)
-    _s30 = _absolute(climb_9, _r2)
-    _s31 = _add(_multiply(_add(_multiply(_add(_multiply(_s9, _s19, _r7), _s6, _r7), _s19, _r7), _s29, _r7), _s19, _r7), _s30, _r7)
-    _s32 = _absolute(climb_8, _r12)
-    _s33 = _absolute(climb_7, _r3)
-    _s34 = _absolute(climb_6, _r11)
-    _s35 = _add(_multiply(_add(_multiply(_add(_multiply(_s31, _s19, _r7), _s32, _r7), _s19, _r7), _s33, _r7), _s19, _r7), _s34, _r7)
-    _s36 = _absolute(climb_5, _r13)
-    _s37 = _absolute(climb_4, _r14)
-    _s38 = _absolute(climb_3, _r15)
-    _s39 = _add(_multiply(_add(_multiply(_add(_multiply(_s35, _s19, _r7), _s36, _r7), _s19, _r7), _s37, _r7), _s19, _r7), _s38, _r7)
-    _s40 = _absolute(climb_2, _r16)
-    _s41 = _absolute(climb_1, _r17)
-    _s42 = _add(_multiply(_add(_multiply(_add(_multiply(_s39, _s19, _r7), _s40, _r7), _s19, _r7), _s41, _r7), _s19, _r7), _s0, _r7)
-    _s43 = _multiply(_s42, _s42, _r0)
-    _s44 = _multiply(_add(_multiply(_add(_multiply(_multiply(12.0, _s9, _r8), _s19, _r8), _multiply(11.0, _s6, _r5), _r5), _s19, _r5), _multiply(10.0, _s29, _r6), _r6), _s19, _r6)
-    _s45 = _add(_multiply(_add(_multiply(_add(_s44, _multiply(9.0, _s30, _r2), _r2), _s19, _r2), _multiply(8.0, _s32, _r12), _r12), _s19, _r12), _multiply(7.0, _s33, _r3), _r3)
-    _s46 = _add(_multiply(_add(_multiply(_add(_multiply(_s45, _s19, _r3), _multiply(6.0, _s34, _r11), _r11), _s19, _r11), _multiply(5.0, _s36, _r13), _r13), _s19, _r13), _multiply(4.0, _s37, _r14), _r14)
-    _s47 = _add(_multiply(_add(_multiply(_add(_multiply(_s46, _s19, _r14), _multiply(3.0, _s38, _r15), _r15), _s19, _r15), _multiply(2.0, _s40, _r16), _r16), _s19, _r16), _s41, _r16)
-    _s48 = _add(_multiply(_add(_multiply(_multiply(110.0, _absolute(force_11, _r17), _r17), _s19, _r17), _multiply(90.0, _absolute(force_10, _r15), _r15), _r15), _s19, _r15), _multiply(72.0, _absolute(force_9, _r17), _r17), _r17)
-    _s49 = _multiply(_add(_multiply(_add(_multiply(_s48, _s19, _r17), _multiply(56.0, _absolute(force_8, _r15), _r15), _r15), _s19, _r15), _multiply(42.0, _absolute(force_7, _r17), _r17), _r17), _s19, _r17)
-    _s50 = _multiply(_add(_multiply(_add(_s49, _multiply(30.0, _absolute(force_6, _r15), _r15), _r15), _s19, _r15), _multiply(20.0, _absolute(force_5, _r17), _r17), _r17), _s19, _r17)
-    _s51 = _multiply(_add(_multiply(_add(_s50, _multiply(12.0, _absolute(force_4, _r15), _r15), _r15), _s19, _r15), _multiply(6.0, _absolute(force_3, _r17), _r17), _r17), _s19, _r17)
-    _s52 = _multiply(_multiply(climb_0, climb_0, _r4), _s1, _r4)
-    _s53 = _negative(_add(_add(_multiply(along_0, omega_0, _r15), _multiply(cosine_0, _s52, _r14), _r14), _multiply(_multiply(climb_1, sine_0, _r15), _s1, _r15), _r15), _r15)
-    _s54 = _subtract(along_1, _multiply(omega_0, _multiply(_multiply(climb_0, sine_0, _r14), _s1, _r14), _r14), _r14)
-    return _s19, _add(0.6 * p_gravity, _multiply(0.4, _multiply(_s23, _add(_s28, _s42, _r13), _r13), _r13), _r13) + _add(_multiply(_s28, _s27, _r1), _multiply(_s1, _s43, _r10), _r10), _multiply(_s1, _s42, _r7) + _s27, _s1 * _add(_s43, _s47, _r16), force_0, force_1, _s51 + _multiply(2.0, _absolute(force_2, _r16), _r16), (0.8 * p_gravity) * _multiply(climb_0, cosine_0, _r16), _multiply(cos_0, _s53, _r16) - _multiply(sin_0, _s54, _r17), _multiply(cos_0, _s54, _r14) + _multiply(sin_0, _s53, _r15), _multiply(_multiply(climb_1, cosine_0, _r15), _s1, _r15) - _multiply(sine_0, _s52, _r4)
+    _s3 = _add(_multiply(_s0, _s1, _r2), _add(_s2, _absolute(turn_rate_0, _r3), _r3), _r3)
+    _s4 = _add(0.015625 * p_gravity, _s3, _r2)
+    _s5 = _absolute(climb_11, _r4)
+    _s6 = _absolute(along_11, _r5)
+    _s7 = _absolute(climb_12, _r6)
+    _s8 = _absolute(along_12, _r7)
+    _s9 = _add(_multiply(_multiply(0.25, _add(_multiply(_s5, _s1, _r8), _add(_s6, _absolute(turn_rate_11, _r9), _r9), _r9), _r9), _add(_divide(_s3, _s1, _r3), _sqrt((p_gravity / _s1)), _r3), _r9), _add(_multiply(_s7, _s1, _r3), _add(_s8, _absolute(turn_rate_12, _r8), _r8), _r8), _r8)
+    _s10 = _multiply(_s4, _add(_add(_add(_absolute(cos_12, _r9), _absolute(cosine_12, _r3), _r3), _absolute(sin_12, _r9), _r9), _absolute(sine_12, _r3), _r3), _r3)
+    _s11 = _sqrt(_sqrt(_divide(_multiply(1.7763568394002505e-15, _s4, _r2), _select(_s9 < _s10, _s10, _s9, _r9), _r2), _r2), _r2)
+    _s12 = _sqrt(_sqrt(_s11, _r9), _r9)
+    _s13 = _multiply(_s12, _sqrt(_sqrt(_s12, _r3), _r3), _r3)
+    _s14 = _add(_divide(_s11, _multiply(3.0, _multiply(_s13, _s13, _r9), _r9), _r9), _multiply(0.6666666666666666, _s13, _r3), _r3)
+    _s15 = _add(_divide(_s11, _multiply(3.0, _multiply(_s14, _s14, _r9), _r9), _r9), _multiply(0.6666666666666666, _s14, _r3), _r3)
+    _s16 = _result(_s15 < 0.0625, _s15, 0.0625, _r0)
+    _s17 = _absolute(climb_10, _r9)
+    _s18 = _multiply(_add(_multiply(_add(_multiply(_multiply(12.0, _s7, _r2), _s16, _r2), _multiply(11.0, _s5, _r8), _r8), _s16, _r8), _multiply(10.0, _s17, _r2), _r2), _s16, _r2)
+    _s19 = _absolute(climb_9, _r8)
+    _s20 = _absolute(climb_8, _r10)
+    _s21 = _absolute(climb_7, _r11)
+    _s22 = _add(_multiply(_add(_multiply(_add(_s18, _multiply(9.0, _s19, _r12), _r12), _s16, _r12), _multiply(8.0, _s20, _r2), _r2), _s16, _r2), _multiply(7.0, _s21, _r12), _r12)
+    _s23 = _absolute(climb_6, _r2)
+    _s24 = _absolute(climb_5, _r13)
+    _s25 = _absolute(climb_4, _r14)
+    _s26 = _add(_multiply(_add(_multiply(_add(_multiply(_s22, _s16, _r12), _multiply(6.0, _s23, _r15), _r15), _s16, _r15), _multiply(5.0, _s24, _r12), _r12), _s16, _r12), _multiply(4.0, _s25, _r15), _r15)
+    _s27 = _absolute(climb_3, _r12)
+    _s28 = _absolute(climb_2, _r16)
+    _s29 = _absolute(climb_1, _r17)
+    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s16, _r15), _multiply(3.0, _s27, _r18), _r18), _s16, _r18), _multiply(2.0, _s28, _r15), _r15), _s16, _r15), _s29, _r15)
+    _s31 = _add(_multiply(_add(_multiply(_add(_multiply(_s7, _s16, _r6), _s5, _r6), _s16, _r6), _s17, _r6), _s16, _r6), _s19, _r6)
+    _s32 = _add(_multiply(_add(_multiply(_add(_multiply(_s31, _s16, _r6), _s20, _r6), _s16, _r6), _s21, _r6), _s16, _r6), _s23, _r6)
+    _s33 = _add(_multiply(_add(_multiply(_add(_multiply(_s32, _s16, _r6), _s24, _r6), _s16, _r6), _s25, _r6), _s16, _r6), _s27, _r6)
+    _s34 = _add(_multiply(_add(_multiply(_add(_multiply(_s33, _s16, _r6), _s28, _r6), _s16, _r6), _s29, _r6), _s16, _r6), _s0, _r6)
+    _s35 = _s1 * _add(_s30, _multiply(_s34, _s34, _r0), _r0)
+    _s36 = _absolute(along_10, _r0)
+    _s37 = _absolute(along_9, _r15)
+    _s38 = _add(_multiply(_add(_multiply(_add(_multiply(_s8, _s16, _r17), _s6, _r17), _s16, _r17), _s36, _r17), _s16, _r17), _s37, _r17)
+    _s39 = _absolute(along_8, _r16)
+    _s40 = _absolute(along_7, _r12)
+    _s41 = _absolute(along_6, _r14)
+    _s42 = _add(_multiply(_add(_multiply(_add(_multiply(_s38, _s16, _r17), _s39, _r17), _s16, _r17), _s40, _r17), _s16, _r17), _s41, _r17)
+    _s43 = _absolute(along_5, _r13)
+    _s44 = _absolute(along_4, _r2)
+    _s45 = _absolute(along_3, _r11)
+    _s46 = _add(_multiply(_add(_multiply(_add(_multiply(_s42, _s16, _r17), _s43, _r17), _s16, _r17), _s44, _r17), _s16, _r17), _s45, _r17)
+    _s47 = _absolute(along_2, _r10)
+    _s48 = _absolute(along_1, _r8)
+    _s49 = _add(_multiply(_add(_multiply(_add(_multiply(_s46, _s16, _r17), _s47, _r17), _s16, _r17), _s48, _r17), _s16, _r17), _s2, _r17)
+    _s50 = _multiply(_s1, _s34, _r6) + _s49
+    _s51 = _multiply(_add(_multiply(_add(_multiply(_multiply(12.0, _s8, _r7), _s16, _r7), _multiply(11.0, _s6, _r5), _r5), _s16, _r5), _multiply(10.0, _s36, _r0), _r0), _s16, _r0)
+    _s52 = _add(_multiply(_add(_multiply(_add(_s51, _multiply(9.0, _s37, _r15), _r15), _s16, _r15), _multiply(8.0, _s39, _r16), _r16), _s16, _r16), _multiply(7.0, _s40, _r12), _r12)
+    _s53 = _add(_multiply(_add(_multiply(_add(_multiply(_s52, _s16, _r12), _multiply(6.0, _s41, _r14), _r14), _s16, _r14), _multiply(5.0, _s43, _r13), _r13), _s16, _r13), _multiply(4.0, _s44, _r2), _r2)
+    _s54 = _add(_multiply(_add(_multiply(_add(_multiply(_s53, _s16, _r2), _multiply(3.0, _s45, _r11), _r11), _s16, _r11), _multiply(2.0, _s47, _r10), _r10), _s16, _r10), _s48, _r10)
+    _s55 = _s35 + _add(_multiply(_multiply(_s49, 1.0 / (p_ring_radius - _s1), _r17), _s50, _r17), _s54, _r10)
+    _s56 = _add(_multiply(_add(_multiply(_multiply(110.0, _absolute(force_11, _r10), _r10), _s16, _r10), _multiply(90.0, _absolute(force_10, _r17), _r17), _r17), _s16, _r17), _multiply(72.0, _absolute(force_9, _r10), _r10), _r10)
+    _s57 = _multiply(_add(_multiply(_add(_multiply(_s56, _s16, _r10), _multiply(56.0, _absolute(force_8, _r17), _r17), _r17), _s16, _r17), _multiply(42.0, _absolute(force_7, _r10), _r10), _r10), _s16, _r10)
+    _s58 = _multiply(_add(_multiply(_add(_s57, _multiply(30.0, _absolute(force_6, _r17), _r17), _r17), _s16, _r17), _multiply(20.0, _absolute(force_5, _r10), _r10), _r10), _s16, _r10)
+    _s59 = _multiply(_add(_multiply(_add(_s58, _multiply(12.0, _absolute(force_4, _r17), _r17), _r17), _s16, _r17), _multiply(6.0, _absolute(force_3, _r10), _r10), _r10), _s16, _r10)
+    _s60 = _multiply(_multiply(climb_0, climb_0, _r3), _s1, _r3)
+    _s61 = _negative(_add(_add(_multiply(along_0, omega_0, _r17), _multiply(cosine_0, _s60, _r8), _r8), _multiply(_multiply(climb_1, sine_0, _r17), _s1, _r17), _r17), _r17)
+    _s62 = _subtract(along_1, _multiply(omega_0, _multiply(_multiply(climb_0, sine_0, _r8), _s1, _r8), _r8), _r8)
+    return _s16, _s55, _s50, _s35, force_0, force_1, _s59 + _multiply(2.0, _absolute(force_2, _r11), _r11), (0.8 * p_gravity) * _multiply(climb_0, cosine_0, _r11), _multiply(cos_0, _s61, _r11) - _multiply(sin_0, _s62, _r10), _multiply(cos_0, _s62, _r8) + _multiply(sin_0, _s61, _r17), _multiply(_multiply(climb_1, cosine_0, _r17), _s1, _r17) - _multiply(sine_0, _s60, _r3)
 
 
 def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, omega_0: Any, omega_1: Any, turn_rate_0: Any, turn_rate_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3604,7 +3637,7 @@ def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, 
     Routh's equations. 24 operations: 6 additions, 18 multiplications.
     Returns drag, drag_rate, strain, strain_rate.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _multiply(0.4, _multiply(climb_0, turn_rate_0, _r0), _r0)
     _s1 = _add(p_gravity, _multiply(omega_0, turn_rate_0, _r1), _r1)
     _s2 = _multiply(0.4, _multiply(cosine_0, _s1, _r2), _r2)
@@ -3619,7 +3652,7 @@ def ring_swung(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0
     Routh's equations. 49 operations: 4 additions, 3 subtractions, 21 multiplications, 1 division, 1 absolute value, 8 comparisons, 6 conjunctions, 1 complement, 4 selections.
     Returns circled, endless, doubt.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _multiply(stride, stride, _r0)
     _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(0.125, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < 0.0, force_rate, 0.0, _r1), _r1), _r1), _multiply(_multiply(0.5, force_bend, _r2), _s1, _r2), _r2)))
@@ -3637,7 +3670,7 @@ def ring_round_0(along_0: Any, p_ball_radius: Any, climb_0: Any, cos_0: Any, cos
     Routh's equations. 32 operations: 2 additions, 4 subtractions, 22 multiplications, 1 division, 3 negations.
     Returns omega_0, around_0, tilted_0, pressed_0, force_0, cosine_1, sine_1, climb_1, along_1, turn_rate_1, cos_1, sin_1.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = along_0 * near_0
     _s1 = climb_0 * _s0
     _s2 = _multiply(along_0, sine_0, _r0) - _multiply(0.4, _multiply(cosine_0, turn_rate_0, _r1), _r1)
@@ -3652,7 +3685,7 @@ def ring_round_1(along_0: Any, along_1: Any, around_0: Any, p_ball_radius: Any, 
     Routh's equations. 70 operations: 15 additions, 4 subtractions, 46 multiplications, 1 division, 4 negations.
     Returns near_1, omega_1, around_1, tilted_1, pressed_1, force_1, cosine_2, sine_2, climb_2, along_2, turn_rate_2, cos_2, sin_2.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = -_multiply(_multiply(near_0, _multiply(cosine_1, near_0, _r0), _r0), _s0, _r0)
     _s2 = _multiply(along_0, _s1, _r0) + _multiply(along_1, near_0, _r1)
@@ -3669,7 +3702,7 @@ def ring_round_2(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around
     Routh's equations. 100 operations: 30 additions, 4 subtractions, 61 multiplications, 1 division, 4 negations.
     Returns near_2, omega_2, around_2, tilted_2, pressed_2, force_2, cosine_3, sine_3, climb_3, along_3, turn_rate_3, cos_3, sin_3.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_multiply(cosine_1, near_1, _r1), _multiply(cosine_2, near_0, _r2), _r2), _r0)
     _s2 = _add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_1, _r2), _r2) + _multiply(along_2, near_0, _r0)
@@ -3688,7 +3721,7 @@ def ring_round_3(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_
     Routh's equations. 129 operations: 44 additions, 4 subtractions, 76 multiplications, 1 division, 4 negations.
     Returns near_3, omega_3, around_3, tilted_3, pressed_3, force_3, cosine_4, sine_4, climb_4, along_4, turn_rate_4, cos_4, sin_4.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_multiply(cosine_1, near_2, _r1), _multiply(cosine_2, near_1, _r2), _r2), _multiply(cosine_3, near_0, _r1), _r1), _r0)
     _s2 = _add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_2, _r1), _r1), _multiply(along_2, near_1, _r0), _r0) + _multiply(along_3, near_0, _r1)
@@ -3709,7 +3742,7 @@ def ring_round_4(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 159 operations: 59 additions, 4 subtractions, 91 multiplications, 1 division, 4 negations.
     Returns near_4, omega_4, around_4, tilted_4, pressed_4, force_4, cosine_5, sine_5, climb_5, along_5, turn_rate_5, cos_5, sin_5.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_multiply(cosine_1, near_3, _r1), _multiply(cosine_2, near_2, _r2), _r2), _multiply(cosine_3, near_1, _r1), _r1), _multiply(cosine_4, near_0, _r2), _r2), _r0)
     _s2 = _add(_add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_3, _r2), _r2), _multiply(along_2, near_2, _r0), _r0), _multiply(along_3, near_1, _r2), _r2) + _multiply(along_4, near_0, _r0)
@@ -3735,7 +3768,7 @@ def ring_round_5(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 188 operations: 73 additions, 4 subtractions, 106 multiplications, 1 division, 4 negations.
     Returns near_5, omega_5, around_5, tilted_5, pressed_5, force_5, cosine_6, sine_6, climb_6, along_6, turn_rate_6, cos_6, sin_6.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_add(_multiply(cosine_1, near_4, _r1), _multiply(cosine_2, near_3, _r2), _r2), _multiply(cosine_3, near_2, _r1), _r1), _multiply(cosine_4, near_1, _r2), _r2), _multiply(cosine_5, near_0, _r1), _r1), _r0)
     _s2 = -_s1
@@ -3764,7 +3797,7 @@ def ring_round_6(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 218 operations: 88 additions, 4 subtractions, 121 multiplications, 1 division, 4 negations.
     Returns near_6, omega_6, around_6, tilted_6, pressed_6, force_6, cosine_7, sine_7, climb_7, along_7, turn_rate_7, cos_7, sin_7.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_5, _r0), _multiply(cosine_2, near_4, _r1), _r1), _multiply(cosine_3, near_3, _r0), _r0), _multiply(cosine_4, near_2, _r1), _r1), _multiply(cosine_5, near_1, _r0), _r0), _multiply(cosine_6, near_0, _r1), _r1)
     _s2 = -_multiply(_multiply(near_0, _s0, _r0), _s1, _r0)
@@ -3796,7 +3829,7 @@ def ring_round_7(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 247 operations: 102 additions, 4 subtractions, 136 multiplications, 1 division, 4 negations.
     Returns near_7, omega_7, around_7, tilted_7, pressed_7, force_7, cosine_8, sine_8, climb_8, along_8, turn_rate_8, cos_8, sin_8.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_6, _r0), _multiply(cosine_2, near_5, _r1), _r1), _multiply(cosine_3, near_4, _r0), _r0), _multiply(cosine_4, near_3, _r1), _r1), _multiply(cosine_5, near_2, _r0), _r0), _multiply(cosine_6, near_1, _r1), _r1)
     _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_s1, _multiply(cosine_7, near_0, _r2), _r2), _r0)
@@ -3829,7 +3862,7 @@ def ring_round_8(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 277 operations: 117 additions, 4 subtractions, 151 multiplications, 1 division, 4 negations.
     Returns near_8, omega_8, around_8, tilted_8, pressed_8, force_8, cosine_9, sine_9, climb_9, along_9, turn_rate_9, cos_9, sin_9.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_7, _r0), _multiply(cosine_2, near_6, _r1), _r1), _multiply(cosine_3, near_5, _r0), _r0), _multiply(cosine_4, near_4, _r1), _r1), _multiply(cosine_5, near_3, _r0), _r0), _multiply(cosine_6, near_2, _r1), _r1)
     _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_s1, _multiply(cosine_7, near_1, _r2), _r2), _multiply(cosine_8, near_0, _r1), _r1), _r0)
@@ -3864,7 +3897,7 @@ def ring_round_9(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     Routh's equations. 306 operations: 131 additions, 4 subtractions, 166 multiplications, 1 division, 4 negations.
     Returns near_9, omega_9, around_9, tilted_9, pressed_9, force_9, cosine_10, sine_10, climb_10, along_10, turn_rate_10, cos_10, sin_10.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_8, _r0), _multiply(cosine_2, near_7, _r1), _r1), _multiply(cosine_3, near_6, _r0), _r0), _multiply(cosine_4, near_5, _r1), _r1), _multiply(cosine_5, near_4, _r0), _r0), _multiply(cosine_6, near_3, _r1), _r1)
     _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_s1, _multiply(cosine_7, near_2, _r2), _r2), _multiply(cosine_8, near_1, _r1), _r1), _multiply(cosine_9, near_0, _r2), _r2), _r0)
@@ -3904,7 +3937,7 @@ def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along
     Routh's equations. 336 operations: 146 additions, 4 subtractions, 181 multiplications, 1 division, 4 negations.
     Returns near_10, omega_10, around_10, tilted_10, pressed_10, force_10, cosine_11, sine_11, climb_11, along_11, turn_rate_11, cos_11, sin_11.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_9, _r0), _multiply(cosine_10, near_0, _r1), _r1), _multiply(cosine_2, near_8, _r0), _r0), _multiply(cosine_3, near_7, _r1), _r1), _multiply(cosine_4, near_6, _r0), _r0), _multiply(cosine_5, near_5, _r1), _r1)
     _s2 = _multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_add(_s1, _multiply(cosine_6, near_4, _r2), _r2), _multiply(cosine_7, near_3, _r1), _r1), _multiply(cosine_8, near_2, _r2), _r2), _multiply(cosine_9, near_1, _r1), _r1), _r0)
@@ -3948,7 +3981,7 @@ def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, alon
     Routh's equations. 365 operations: 160 additions, 4 subtractions, 196 multiplications, 1 division, 4 negations.
     Returns near_11, omega_11, around_11, tilted_11, pressed_11, force_11, cosine_12, sine_12, climb_12, along_12, turn_rate_12, cos_12, sin_12.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_10, _r0), _multiply(cosine_10, near_1, _r1), _r1), _multiply(cosine_11, near_0, _r0), _r0), _multiply(cosine_2, near_9, _r1), _r1), _multiply(cosine_3, near_8, _r0), _r0), _multiply(cosine_4, near_7, _r1), _r1)
     _s2 = _add(_add(_add(_add(_add(_s1, _multiply(cosine_5, near_6, _r0), _r0), _multiply(cosine_6, near_5, _r1), _r1), _multiply(cosine_7, near_4, _r0), _r0), _multiply(cosine_8, near_3, _r1), _r1), _multiply(cosine_9, near_2, _r0), _r0)
@@ -3995,7 +4028,7 @@ def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: A
     Table 1. 18 operations: 6 comparisons, 3 disjunctions, 9 selections.
     Returns t, end, searching.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _select(after < low0, low0, after, _r0)
     _s1 = _s0 < high0
     _s2 = _select(after < low1, low1, after, _r1)
@@ -4011,7 +4044,7 @@ def backboard_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_board_distanc
     Table 2. 28 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections.
     Returns nx, ny, nz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = 1.0 / p_ball_radius
     _s1 = _add(p_board_distance, x, _r0)
     _s2 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
@@ -4037,7 +4070,7 @@ def backboard_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, sh
     derivative of Table 2's normal. 32 operations: 4 additions, 6 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
     Returns dnx, dny, dnz, turn.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = 1.0 / p_ball_radius
     _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < 0.0, 0.0, dx, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < 0.0, 0.0, _negative(dx, _r1), _r2), _r2)
     _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < 0.0, 0.0, dy, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < 0.0, 0.0, _negative(dy, _r0), _r3), _r3)
@@ -4050,7 +4083,7 @@ def backboard_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: 
     bounds of the event condition. 123 operations: 24 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections.
     Returns clear.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21 = _room[:22]
     _s0 = 1.0 / p_gravity
     _s1 = 0.5 * p_board_thickness
     _s2 = p_board_distance + _s1
@@ -4109,7 +4142,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections.
     Returns low0, high0, low1, high1, ceiling, latest, lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22 = _room[:23]
     _s0 = _absolute(vx, _r0)
     _s1 = 0.5 * p_board_thickness
     _s2 = p_ball_radius + _s1
@@ -4173,7 +4206,7 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     running error analysis. 83 operations: 31 additions, 1 subtraction, 45 multiplications, 2 absolute values, 2 comparisons, 2 selections.
     Returns margin, leaving_margin, rate_margin.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = (p_ball_radius + (0.5 * p_board_top)) - (0.5 * p_board_bottom)
     _s1 = p_ball_radius + p_board_half_width
     _s2 = p_ball_radius + (0.5 * p_board_thickness)
@@ -4201,7 +4234,7 @@ def backboard_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     Newton's method. 101 operations: 19 additions, 19 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections.
     Returns time, gap, rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(p_board_distance, _s0, _r1)
     _s2 = p_board_distance + p_board_thickness
@@ -4240,7 +4273,7 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     Newton from the left under a curvature bound. 190 operations: 33 additions, 25 subtractions, 49 multiplications, 2 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections.
     Returns gap, rate, bend, step, next, clearance.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4304,7 +4337,7 @@ def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     Table 2. 59 operations: 8 additions, 10 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections.
     Returns gap, nearing, dent.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4326,7 +4359,7 @@ def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     derivatives of Table 2's distance. 117 operations: 15 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections.
     Returns gap, nearing, swerve, facing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4362,7 +4395,7 @@ def backboard_off(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any
     Table 2. 31 operations: 6 additions, 7 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections.
     Returns gap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4381,7 +4414,7 @@ def backboard_tube(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: An
     Table 2. 65 operations: 9 additions, 3 subtractions, 6 multiplications, 1 division, 8 negations, 2 absolute values, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections.
     Returns bent_x, bent_y, bent_z, per_reach.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = 1.4210854715202004e-14 * p_ball_radius
     _s1 = (_s0 + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness)
     _s2 = _add(p_board_distance, x, _r0)
@@ -4407,7 +4440,7 @@ def backboard_turning(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     derivative of Table 2's normal. 31 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
     Returns turning_x, turning_y, turning_z.
     """
-    _r0, _r1, _r2, _r3, *_ = _room
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = 1.0 / p_ball_radius
     _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < 0.0, 0.0, rolled_x, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < 0.0, 0.0, _negative(rolled_x, _r1), _r2), _r2)
     _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < 0.0, 0.0, rolled_y, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < 0.0, 0.0, _negative(rolled_y, _r0), _r3), _r3)
@@ -4420,7 +4453,7 @@ def backboard_parting(p_board_bottom: Any, p_board_distance: Any, p_board_half_w
     derivatives of Table 2's distance. 112 operations: 13 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _s0 < 0.0
     _s2 = _subtract(p_board_bottom, z, _r1)
@@ -4509,7 +4542,7 @@ def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     Table 2. 57 operations: 6 additions, 6 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
     Returns gap, nearing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4547,7 +4580,7 @@ def bridge_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any
     Table 2. 28 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections.
     Returns nx, ny, nz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = 1.0 / p_ball_radius
     _s1 = _add(p_ring_radius, x, _r0)
     _s2 = _negative(_add(p_board_distance, x, _r1), _r1)
@@ -4573,7 +4606,7 @@ def bridge_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift
     derivative of Table 2's normal. 32 operations: 3 additions, 7 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
     Returns dnx, dny, dnz, turn.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = 1.0 / p_ball_radius
     _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < 0.0, 0.0, dx, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < 0.0, 0.0, _negative(dx, _r1), _r2), _r2)
     _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < 0.0, 0.0, dy, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < 0.0, 0.0, _negative(dy, _r1), _r0), _r0)
@@ -4587,7 +4620,7 @@ def bridge_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     bounds of the event condition. 124 operations: 25 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections.
     Returns clear.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21 = _room[:22]
     _s0 = 1.0 / p_gravity
     _s1 = 0.5 * p_board_distance
     _s2 = 0.5 * p_ring_radius
@@ -4645,7 +4678,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     bounds of the event condition. 136 operations: 28 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections.
     Returns low0, high0, low1, high1, ceiling, latest, lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22 = _room[:23]
     _s0 = _absolute(vx, _r0)
     _s1 = 0.5 * p_board_distance
     _s2 = p_ball_radius + _s1
@@ -4708,7 +4741,7 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     running error analysis. 81 operations: 31 additions, 1 subtraction, 45 multiplications, 2 comparisons, 2 selections.
     Returns margin, leaving_margin, rate_margin.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = p_ball_radius + (0.5 * p_bridge_depth)
     _s1 = p_ball_radius + p_bridge_half_width
     _s2 = (p_ball_radius + (0.5 * p_board_distance)) - (0.5 * p_ring_radius)
@@ -4736,7 +4769,7 @@ def bridge_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     Newton's method. 101 operations: 18 additions, 20 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections.
     Returns time, gap, rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(p_ring_radius, _s0, _r1)
     _s2 = _negative(_add(p_board_distance, _s0, _r0), _r0)
@@ -4775,7 +4808,7 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     Newton from the left under a curvature bound. 190 operations: 32 additions, 26 subtractions, 49 multiplications, 2 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections.
     Returns gap, rate, bend, step, next, clearance.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4839,7 +4872,7 @@ def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     Table 2. 59 operations: 7 additions, 11 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections.
     Returns gap, nearing, dent.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4861,7 +4894,7 @@ def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     derivatives of Table 2's distance. 117 operations: 14 additions, 18 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections.
     Returns gap, nearing, swerve, facing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4897,7 +4930,7 @@ def bridge_off(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p
     Table 2. 31 operations: 5 additions, 8 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections.
     Returns gap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -4916,7 +4949,7 @@ def bridge_tube(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, 
     Table 2. 65 operations: 8 additions, 5 subtractions, 6 multiplications, 1 division, 8 negations, 1 absolute value, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections.
     Returns bent_x, bent_y, bent_z, per_reach.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = 1.4210854715202004e-14 * p_ball_radius
     _s1 = (_s0 + (1.4210854715202004e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_ring_radius)
     _s2 = _add(p_ring_radius, x, _r0)
@@ -4942,7 +4975,7 @@ def bridge_turning(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     derivative of Table 2's normal. 31 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
     Returns turning_x, turning_y, turning_z.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = 1.0 / p_ball_radius
     _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < 0.0, 0.0, rolled_x, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < 0.0, 0.0, _negative(rolled_x, _r1), _r2), _r2)
     _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < 0.0, 0.0, rolled_y, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < 0.0, 0.0, _negative(rolled_y, _r1), _r0), _r0)
@@ -4956,7 +4989,7 @@ def bridge_parting(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_wid
     derivatives of Table 2's distance. 112 operations: 12 additions, 16 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(z, p_wire_radius, _r0)
     _s1 = _s0 < 0.0
     _s2 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
@@ -5045,7 +5078,7 @@ def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     Table 2. 57 operations: 5 additions, 7 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
     Returns gap, nearing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _subtract(z, p_wire_radius, _r0)
     _s1 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
     _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
@@ -5119,7 +5152,7 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections.
     Returns time, rate, bend, apex, height.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = 0.0 < leaving
     _s1 = _select(_s0, 0.0, _subtract(z, -p_end_depth, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
@@ -5135,7 +5168,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     running error analysis. 13 operations: 6 additions, 7 multiplications.
     Returns margin.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
     return _add(6.667843360785852e-16 * p_end_depth, _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
 
@@ -6965,7 +6998,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _near_9_2, _omega_9_2, _around_9_2, _tilted_9_2, _pressed_9_2, _force_9_2, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _cos_10_2, _sin_10_2 = ring_round_9(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
                 _near_10_2, _omega_10_2, _around_10_2, _tilted_10_2, _pressed_10_2, _force_10_2, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _cos_11_2, _sin_11_2 = ring_round_10(_along_0_2, _along_1_2, _along_10_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
                 _, _, _, _, _, _force_11_2, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, _cos_12_2, _sin_12_2 = ring_round_11(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_10_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_10_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _stride_2, _strongest_2, _fastest_2, _sway_2, _force_2, _force_rate_2, _force_bend_2, _brace_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_12_2, _cosine_0_2, _cosine_12_2, _force_0_2, _force_1_2, _force_10_2, _force_11_2, _force_2_2, _force_3_2, _force_4_2, _force_5_2, _force_6_2, _force_7_2, _force_8_2, _force_9_2, _p_gravity_2, _omega_0_2, _p_ring_radius_2, _sin_0_2, _sin_12_2, _sine_0_2, _sine_12_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _stride_2, _strongest_2, _fastest_2, _sway_2, _force_2, _force_rate_2, _force_bend_2, _brace_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_12_2, _cosine_0_2, _cosine_12_2, _force_0_2, _force_1_2, _force_10_2, _force_11_2, _force_2_2, _force_3_2, _force_4_2, _force_5_2, _force_6_2, _force_7_2, _force_8_2, _force_9_2, _p_gravity_2, _omega_0_2, _p_ring_radius_2, _sin_0_2, _sin_12_2, _sine_0_2, _sine_12_2, _turn_rate_0_2, _turn_rate_11_2, _turn_rate_12_2, _p_wire_radius_2, _room_2)
                 _stride_2, _which_2, _rests_2, *_ = leaving_force(_p_ball_radius_2, _brace_2, _inf, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, 0.0, _stride_2, 0.0, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
                 _gap_2, _nearing_2, _dent_2 = backboard_beside(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
                 _stride_2, _which_2, *_ = beside_body(_p_ball_radius_2, _dent_2, _inf, _fastest_2, _gap_2, 1.0, 0.0, _nearing_2, 0.0, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
@@ -7441,6 +7474,8 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _nx_1 = _choose(_here_1, _nx_2, _nx_1)
         _ny_1 = _choose(_here_1, _ny_2, _ny_1)
         _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _struck_0_1, = untaken()
+        _, _its_0_ring_impact_1, _its_1_ring_impact_1 = ring_impact_taken(_p_ring_restitution_1, _p_ring_friction_1)
         for _own_index_1, _own_1_1, _own_2_1, in (
             (0.0, _p_ring_friction_1, _p_ring_restitution_1,),
             (1.0, _p_backboard_friction_1, _p_backboard_restitution_1,),
@@ -7449,171 +7484,127 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _here_1, = here(_own_index_1, _which_1)
             _rows3, _count4 = _rows(_here_1, _count2)
             if _count4:
-                _nx_2 = _take(_nx_1, _rows3)
-                _ny_2 = _take(_ny_1, _rows3)
-                _nz_2 = _take(_nz_1, _rows3)
                 _own_1_2 = _take(_own_1_1, _rows3)
                 _own_2_2 = _take(_own_2_1, _rows3)
-                _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
-                _p_restitution_speed_2 = _take(_p_restitution_speed_1, _rows3)
-                _p_tangential_restitution_2 = _take(_p_tangential_restitution_1, _rows3)
-                _vx_2 = _take(_vx_1, _rows3)
-                _vy_2 = _take(_vy_1, _rows3)
-                _vz_2 = _take(_vz_1, _rows3)
-                _wx_2 = _take(_wx_1, _rows3)
-                _wy_2 = _take(_wy_1, _rows3)
-                _wz_2 = _take(_wz_1, _rows3)
-                _room_2 = room(_count4)
-                _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _own_2_2, _own_1_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
-                _vx_1 = _put(_vx_1, _rows3, _vx_2, _count2)
-                _vy_1 = _put(_vy_1, _rows3, _vy_2, _count2)
-                _vz_1 = _put(_vz_1, _rows3, _vz_2, _count2)
-                _wx_1 = _put(_wx_1, _rows3, _wx_2, _count2)
-                _wy_1 = _put(_wy_1, _rows3, _wy_2, _count2)
-                _wz_1 = _put(_wz_1, _rows3, _wz_2, _count2)
-        _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
-        _first_1 = _choose(_touches_1, _first_2, _first_1)
-        _last_1 = _choose(_touches_1, _last_2, _last_1)
-        _rows5, _count6 = _rows(_touches_1, _count2)
+                _struck_0_2, _its_0_ring_impact_2, _its_1_ring_impact_2 = ring_impact_taken(_own_2_2, _own_1_2)
+                _its_0_ring_impact_1 = _put(_its_0_ring_impact_1, _rows3, _its_0_ring_impact_2, _count2)
+                _its_1_ring_impact_1 = _put(_its_1_ring_impact_1, _rows3, _its_1_ring_impact_2, _count2)
+                _struck_0_1 = _put(_struck_0_1, _rows3, _struck_0_2, _count2)
+        _rows5, _count6 = _rows(_struck_0_1, _count2)
         if _count6:
-            _held_2 = _take(_held_1, _rows5)
-            _mode_2 = _take(_mode_1, _rows5)
+            _its_0_ring_impact_2 = _take(_its_0_ring_impact_1, _rows5)
+            _its_1_ring_impact_2 = _take(_its_1_ring_impact_1, _rows5)
             _nx_2 = _take(_nx_1, _rows5)
             _ny_2 = _take(_ny_1, _rows5)
             _nz_2 = _take(_nz_1, _rows5)
-            _outcome_2 = _take(_outcome_1, _rows5)
-            _p_backboard_friction_2 = _take(_p_backboard_friction_1, _rows5)
-            _p_backboard_restitution_2 = _take(_p_backboard_restitution_1, _rows5)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
-            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows5)
-            _p_board_distance_2 = _take(_p_board_distance_1, _rows5)
-            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows5)
-            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows5)
-            _p_board_top_2 = _take(_p_board_top_1, _rows5)
-            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows5)
-            _p_bridge_friction_2 = _take(_p_bridge_friction_1, _rows5)
-            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows5)
-            _p_bridge_restitution_2 = _take(_p_bridge_restitution_1, _rows5)
-            _p_end_depth_2 = _take(_p_end_depth_1, _rows5)
-            _p_gravity_2 = _take(_p_gravity_1, _rows5)
-            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows5)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows5)
-            _p_ring_restitution_2 = _take(_p_ring_restitution_1, _rows5)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows5)
-            _slip_left_2 = _take(_slip_left_1, _rows5)
+            _p_restitution_speed_2 = _take(_p_restitution_speed_1, _rows5)
+            _p_tangential_restitution_2 = _take(_p_tangential_restitution_1, _rows5)
             _vx_2 = _take(_vx_1, _rows5)
             _vy_2 = _take(_vy_1, _rows5)
             _vz_2 = _take(_vz_1, _rows5)
-            _which_2 = _take(_which_1, _rows5)
             _wx_2 = _take(_wx_1, _rows5)
             _wy_2 = _take(_wy_1, _rows5)
             _wz_2 = _take(_wz_1, _rows5)
-            _x_2 = _take(_x_1, _rows5)
-            _y_2 = _take(_y_1, _rows5)
-            _z_2 = _take(_z_1, _rows5)
             _room_2 = room(_count6)
-            _slow_2, *_ = slowed(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _rows7, _count8 = _rows(_slow_2, _count6)
-            if _count8:
-                _held_3 = _take(_held_2, _rows7)
-                _mode_3 = _take(_mode_2, _rows7)
-                _nx_3 = _take(_nx_2, _rows7)
-                _ny_3 = _take(_ny_2, _rows7)
-                _nz_3 = _take(_nz_2, _rows7)
-                _outcome_3 = _take(_outcome_2, _rows7)
-                _p_backboard_friction_3 = _take(_p_backboard_friction_2, _rows7)
-                _p_backboard_restitution_3 = _take(_p_backboard_restitution_2, _rows7)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows7)
-                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows7)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows7)
-                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows7)
-                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows7)
-                _p_board_top_3 = _take(_p_board_top_2, _rows7)
-                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows7)
-                _p_bridge_friction_3 = _take(_p_bridge_friction_2, _rows7)
-                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows7)
-                _p_bridge_restitution_3 = _take(_p_bridge_restitution_2, _rows7)
-                _p_end_depth_3 = _take(_p_end_depth_2, _rows7)
-                _p_gravity_3 = _take(_p_gravity_2, _rows7)
-                _p_ring_friction_3 = _take(_p_ring_friction_2, _rows7)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows7)
-                _p_ring_restitution_3 = _take(_p_ring_restitution_2, _rows7)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows7)
-                _slip_left_3 = _take(_slip_left_2, _rows7)
-                _vx_3 = _take(_vx_2, _rows7)
-                _vy_3 = _take(_vy_2, _rows7)
-                _vz_3 = _take(_vz_2, _rows7)
-                _which_3 = _take(_which_2, _rows7)
-                _wx_3 = _take(_wx_2, _rows7)
-                _wy_3 = _take(_wy_2, _rows7)
-                _wz_3 = _take(_wz_2, _rows7)
-                _x_3 = _take(_x_2, _rows7)
-                _y_3 = _take(_y_2, _rows7)
-                _z_3 = _take(_z_2, _rows7)
-                _room_3 = room(_count8)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _vx_1 = _put(_vx_1, _rows5, _vx_2, _count2)
+            _vy_1 = _put(_vy_1, _rows5, _vy_2, _count2)
+            _vz_1 = _put(_vz_1, _rows5, _vz_2, _count2)
+            _wx_1 = _put(_wx_1, _rows5, _wx_2, _count2)
+            _wy_1 = _put(_wy_1, _rows5, _wy_2, _count2)
+            _wz_1 = _put(_wz_1, _rows5, _wz_2, _count2)
+        _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
+        _first_1 = _choose(_touches_1, _first_2, _first_1)
+        _last_1 = _choose(_touches_1, _last_2, _last_1)
+        _rows7, _count8 = _rows(_touches_1, _count2)
+        if _count8:
+            _held_2 = _take(_held_1, _rows7)
+            _mode_2 = _take(_mode_1, _rows7)
+            _nx_2 = _take(_nx_1, _rows7)
+            _ny_2 = _take(_ny_1, _rows7)
+            _nz_2 = _take(_nz_1, _rows7)
+            _outcome_2 = _take(_outcome_1, _rows7)
+            _p_backboard_friction_2 = _take(_p_backboard_friction_1, _rows7)
+            _p_backboard_restitution_2 = _take(_p_backboard_restitution_1, _rows7)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows7)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows7)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows7)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows7)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows7)
+            _p_board_top_2 = _take(_p_board_top_1, _rows7)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows7)
+            _p_bridge_friction_2 = _take(_p_bridge_friction_1, _rows7)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows7)
+            _p_bridge_restitution_2 = _take(_p_bridge_restitution_1, _rows7)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows7)
+            _p_gravity_2 = _take(_p_gravity_1, _rows7)
+            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows7)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows7)
+            _p_ring_restitution_2 = _take(_p_ring_restitution_1, _rows7)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows7)
+            _slip_left_2 = _take(_slip_left_1, _rows7)
+            _vx_2 = _take(_vx_1, _rows7)
+            _vy_2 = _take(_vy_1, _rows7)
+            _vz_2 = _take(_vz_1, _rows7)
+            _which_2 = _take(_which_1, _rows7)
+            _wx_2 = _take(_wx_1, _rows7)
+            _wy_2 = _take(_wy_1, _rows7)
+            _wz_2 = _take(_wz_1, _rows7)
+            _x_2 = _take(_x_1, _rows7)
+            _y_2 = _take(_y_1, _rows7)
+            _z_2 = _take(_z_1, _rows7)
+            _room_2 = room(_count8)
+            _slow_2, _nearly_2, *_ = slowed(_p_ball_radius_2, _p_gravity_2, _nx_2, _ny_2, _nz_2, 0.0, _vx_2, _vy_2, _vz_2, _room_2)
+            _rows9, _count10 = _rows(_slow_2, _count8)
+            if _count10:
+                _held_3 = _take(_held_2, _rows9)
+                _mode_3 = _take(_mode_2, _rows9)
+                _nearly_3 = _take(_nearly_2, _rows9)
+                _nx_3 = _take(_nx_2, _rows9)
+                _ny_3 = _take(_ny_2, _rows9)
+                _nz_3 = _take(_nz_2, _rows9)
+                _outcome_3 = _take(_outcome_2, _rows9)
+                _p_backboard_friction_3 = _take(_p_backboard_friction_2, _rows9)
+                _p_backboard_restitution_3 = _take(_p_backboard_restitution_2, _rows9)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows9)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows9)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows9)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows9)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows9)
+                _p_board_top_3 = _take(_p_board_top_2, _rows9)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows9)
+                _p_bridge_friction_3 = _take(_p_bridge_friction_2, _rows9)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows9)
+                _p_bridge_restitution_3 = _take(_p_bridge_restitution_2, _rows9)
+                _p_end_depth_3 = _take(_p_end_depth_2, _rows9)
+                _p_gravity_3 = _take(_p_gravity_2, _rows9)
+                _p_ring_friction_3 = _take(_p_ring_friction_2, _rows9)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows9)
+                _p_ring_restitution_3 = _take(_p_ring_restitution_2, _rows9)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows9)
+                _slip_left_3 = _take(_slip_left_2, _rows9)
+                _vx_3 = _take(_vx_2, _rows9)
+                _vy_3 = _take(_vy_2, _rows9)
+                _vz_3 = _take(_vz_2, _rows9)
+                _which_3 = _take(_which_2, _rows9)
+                _wx_3 = _take(_wx_2, _rows9)
+                _wy_3 = _take(_wy_2, _rows9)
+                _wz_3 = _take(_wz_2, _rows9)
+                _x_3 = _take(_x_2, _rows9)
+                _y_3 = _take(_y_2, _rows9)
+                _z_3 = _take(_z_2, _rows9)
+                _room_3 = room(_count10)
                 _rolled_x_3, _rolled_y_3, _rolled_z_3, _slip_3, _bounce_3 = gripped(_p_ball_radius_3, _nx_3, _ny_3, _nz_3, _vx_3, _vy_3, _vz_3, _wx_3, _wy_3, _wz_3, _room_3)
                 _here_3, = here(0.0, _which_3)
-                _rows9, _count10 = _rows(_here_3, _count8)
-                if _count10:
-                    _bounce_4 = _take(_bounce_3, _rows9)
-                    _nx_4 = _take(_nx_3, _rows9)
-                    _ny_4 = _take(_ny_3, _rows9)
-                    _nz_4 = _take(_nz_3, _rows9)
-                    _outcome_4 = _take(_outcome_3, _rows9)
-                    _p_ball_radius_4 = _take(_p_ball_radius_3, _rows9)
-                    _p_board_bottom_4 = _take(_p_board_bottom_3, _rows9)
-                    _p_board_distance_4 = _take(_p_board_distance_3, _rows9)
-                    _p_board_half_width_4 = _take(_p_board_half_width_3, _rows9)
-                    _p_board_thickness_4 = _take(_p_board_thickness_3, _rows9)
-                    _p_board_top_4 = _take(_p_board_top_3, _rows9)
-                    _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows9)
-                    _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows9)
-                    _p_end_depth_4 = _take(_p_end_depth_3, _rows9)
-                    _p_gravity_4 = _take(_p_gravity_3, _rows9)
-                    _p_ring_friction_4 = _take(_p_ring_friction_3, _rows9)
-                    _p_ring_radius_4 = _take(_p_ring_radius_3, _rows9)
-                    _p_ring_restitution_4 = _take(_p_ring_restitution_3, _rows9)
-                    _p_wire_radius_4 = _take(_p_wire_radius_3, _rows9)
-                    _rolled_x_4 = _take(_rolled_x_3, _rows9)
-                    _rolled_y_4 = _take(_rolled_y_3, _rows9)
-                    _rolled_z_4 = _take(_rolled_z_3, _rows9)
-                    _slip_4 = _take(_slip_3, _rows9)
-                    _vx_4 = _take(_vx_3, _rows9)
-                    _vy_4 = _take(_vy_3, _rows9)
-                    _vz_4 = _take(_vz_3, _rows9)
-                    _wx_4 = _take(_wx_3, _rows9)
-                    _wy_4 = _take(_wy_3, _rows9)
-                    _wz_4 = _take(_wz_3, _rows9)
-                    _x_4 = _take(_x_3, _rows9)
-                    _y_4 = _take(_y_3, _rows9)
-                    _z_4 = _take(_z_3, _rows9)
-                    _room_4 = room(_count10)
-                    _turning_x_4, _turning_y_4, _turning_z_4 = ring_turning(_p_ball_radius_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _room_4)
-                    _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _nearest_4, _wedge_4 = alone()
-                    _gap_4, _nearing_4, _swerve_4, _facing_4 = backboard_closing(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
-                    _gap_4, _nearing_4, _swerve_4, _facing_4 = bridge_closing(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
-                    _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
-                    _lift_4, *_ = ring_parting(_p_gravity_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
-                    _settles_4, _lodges_4, _slides_4, _parts_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_ring_friction_4, _p_ring_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, _slip_left_4, *_ = settled(0.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, 0.0, _unsure_4)
-                    _held_3 = _put(_held_3, _rows9, _held_4, _count8)
-                    _mode_3 = _put(_mode_3, _rows9, _mode_4, _count8)
-                    _outcome_3 = _put(_outcome_3, _rows9, _outcome_4, _count8)
-                    _slip_left_3 = _put(_slip_left_3, _rows9, _slip_left_4, _count8)
-                _here_3, = here(1.0, _which_3)
-                _rows11, _count12 = _rows(_here_3, _count8)
+                _rows11, _count12 = _rows(_here_3, _count10)
                 if _count12:
                     _bounce_4 = _take(_bounce_3, _rows11)
+                    _nearly_4 = _take(_nearly_3, _rows11)
                     _nx_4 = _take(_nx_3, _rows11)
                     _ny_4 = _take(_ny_3, _rows11)
                     _nz_4 = _take(_nz_3, _rows11)
                     _outcome_4 = _take(_outcome_3, _rows11)
-                    _p_backboard_friction_4 = _take(_p_backboard_friction_3, _rows11)
-                    _p_backboard_restitution_4 = _take(_p_backboard_restitution_3, _rows11)
                     _p_ball_radius_4 = _take(_p_ball_radius_3, _rows11)
                     _p_board_bottom_4 = _take(_p_board_bottom_3, _rows11)
                     _p_board_distance_4 = _take(_p_board_distance_3, _rows11)
@@ -7624,7 +7615,9 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows11)
                     _p_end_depth_4 = _take(_p_end_depth_3, _rows11)
                     _p_gravity_4 = _take(_p_gravity_3, _rows11)
+                    _p_ring_friction_4 = _take(_p_ring_friction_3, _rows11)
                     _p_ring_radius_4 = _take(_p_ring_radius_3, _rows11)
+                    _p_ring_restitution_4 = _take(_p_ring_restitution_3, _rows11)
                     _p_wire_radius_4 = _take(_p_wire_radius_3, _rows11)
                     _rolled_x_4 = _take(_rolled_x_3, _rows11)
                     _rolled_y_4 = _take(_rolled_y_3, _rows11)
@@ -7640,30 +7633,33 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_4 = _take(_y_3, _rows11)
                     _z_4 = _take(_z_3, _rows11)
                     _room_4 = room(_count12)
-                    _turning_x_4, _turning_y_4, _turning_z_4 = backboard_turning(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _x_4, _y_4, _z_4, _room_4)
+                    _turning_x_4, _turning_y_4, _turning_z_4 = ring_turning(_p_ball_radius_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _room_4)
                     _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
                     _nearest_4, _wedge_4 = alone()
-                    _gap_4, _nearing_4, _swerve_4, _facing_4 = ring_closing(_p_ball_radius_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = backboard_closing(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _x_4, _y_4, _z_4, _room_4)
                     _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
                     _gap_4, _nearing_4, _swerve_4, _facing_4 = bridge_closing(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
                     _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
                     _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
                     _nearest_4, = neared(_gap_4, _nearest_4)
-                    _lift_4, *_ = backboard_parting(_p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _p_gravity_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
-                    _settles_4, _lodges_4, _slides_4, _parts_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_backboard_friction_4, _p_backboard_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, _slip_left_4, *_ = settled(1.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, 0.0, _unsure_4)
-                    _held_3 = _put(_held_3, _rows11, _held_4, _count8)
-                    _mode_3 = _put(_mode_3, _rows11, _mode_4, _count8)
-                    _outcome_3 = _put(_outcome_3, _rows11, _outcome_4, _count8)
-                    _slip_left_3 = _put(_slip_left_3, _rows11, _slip_left_4, _count8)
-                _here_3, = here(2.0, _which_3)
-                _rows13, _count14 = _rows(_here_3, _count8)
+                    _lift_4, *_ = ring_parting(_p_gravity_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _settles_4, _lodges_4, _slides_4, _parts_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_ring_friction_4, _p_ring_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, *_ = settled(0.0, _lodges_4, _nearly_4, _outcome_4, _parts_4, _settles_4, _slides_4, 0.0, _unsure_4)
+                    _held_3 = _put(_held_3, _rows11, _held_4, _count10)
+                    _mode_3 = _put(_mode_3, _rows11, _mode_4, _count10)
+                    _outcome_3 = _put(_outcome_3, _rows11, _outcome_4, _count10)
+                    _slip_left_3 = _put(_slip_left_3, _rows11, _slip_left_4, _count10)
+                _here_3, = here(1.0, _which_3)
+                _rows13, _count14 = _rows(_here_3, _count10)
                 if _count14:
                     _bounce_4 = _take(_bounce_3, _rows13)
+                    _nearly_4 = _take(_nearly_3, _rows13)
                     _nx_4 = _take(_nx_3, _rows13)
                     _ny_4 = _take(_ny_3, _rows13)
                     _nz_4 = _take(_nz_3, _rows13)
                     _outcome_4 = _take(_outcome_3, _rows13)
+                    _p_backboard_friction_4 = _take(_p_backboard_friction_3, _rows13)
+                    _p_backboard_restitution_4 = _take(_p_backboard_restitution_3, _rows13)
                     _p_ball_radius_4 = _take(_p_ball_radius_3, _rows13)
                     _p_board_bottom_4 = _take(_p_board_bottom_3, _rows13)
                     _p_board_distance_4 = _take(_p_board_distance_3, _rows13)
@@ -7671,9 +7667,7 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _p_board_thickness_4 = _take(_p_board_thickness_3, _rows13)
                     _p_board_top_4 = _take(_p_board_top_3, _rows13)
                     _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows13)
-                    _p_bridge_friction_4 = _take(_p_bridge_friction_3, _rows13)
                     _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows13)
-                    _p_bridge_restitution_4 = _take(_p_bridge_restitution_3, _rows13)
                     _p_end_depth_4 = _take(_p_end_depth_3, _rows13)
                     _p_gravity_4 = _take(_p_gravity_3, _rows13)
                     _p_ring_radius_4 = _take(_p_ring_radius_3, _rows13)
@@ -7692,6 +7686,59 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_4 = _take(_y_3, _rows13)
                     _z_4 = _take(_z_3, _rows13)
                     _room_4 = room(_count14)
+                    _turning_x_4, _turning_y_4, _turning_z_4 = backboard_turning(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _x_4, _y_4, _z_4, _room_4)
+                    _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _nearest_4, _wedge_4 = alone()
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = ring_closing(_p_ball_radius_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = bridge_closing(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
+                    _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _lift_4, *_ = backboard_parting(_p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _p_gravity_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _settles_4, _lodges_4, _slides_4, _parts_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_backboard_friction_4, _p_backboard_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, *_ = settled(1.0, _lodges_4, _nearly_4, _outcome_4, _parts_4, _settles_4, _slides_4, 0.0, _unsure_4)
+                    _held_3 = _put(_held_3, _rows13, _held_4, _count10)
+                    _mode_3 = _put(_mode_3, _rows13, _mode_4, _count10)
+                    _outcome_3 = _put(_outcome_3, _rows13, _outcome_4, _count10)
+                    _slip_left_3 = _put(_slip_left_3, _rows13, _slip_left_4, _count10)
+                _here_3, = here(2.0, _which_3)
+                _rows15, _count16 = _rows(_here_3, _count10)
+                if _count16:
+                    _bounce_4 = _take(_bounce_3, _rows15)
+                    _nearly_4 = _take(_nearly_3, _rows15)
+                    _nx_4 = _take(_nx_3, _rows15)
+                    _ny_4 = _take(_ny_3, _rows15)
+                    _nz_4 = _take(_nz_3, _rows15)
+                    _outcome_4 = _take(_outcome_3, _rows15)
+                    _p_ball_radius_4 = _take(_p_ball_radius_3, _rows15)
+                    _p_board_bottom_4 = _take(_p_board_bottom_3, _rows15)
+                    _p_board_distance_4 = _take(_p_board_distance_3, _rows15)
+                    _p_board_half_width_4 = _take(_p_board_half_width_3, _rows15)
+                    _p_board_thickness_4 = _take(_p_board_thickness_3, _rows15)
+                    _p_board_top_4 = _take(_p_board_top_3, _rows15)
+                    _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows15)
+                    _p_bridge_friction_4 = _take(_p_bridge_friction_3, _rows15)
+                    _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows15)
+                    _p_bridge_restitution_4 = _take(_p_bridge_restitution_3, _rows15)
+                    _p_end_depth_4 = _take(_p_end_depth_3, _rows15)
+                    _p_gravity_4 = _take(_p_gravity_3, _rows15)
+                    _p_ring_radius_4 = _take(_p_ring_radius_3, _rows15)
+                    _p_wire_radius_4 = _take(_p_wire_radius_3, _rows15)
+                    _rolled_x_4 = _take(_rolled_x_3, _rows15)
+                    _rolled_y_4 = _take(_rolled_y_3, _rows15)
+                    _rolled_z_4 = _take(_rolled_z_3, _rows15)
+                    _slip_4 = _take(_slip_3, _rows15)
+                    _vx_4 = _take(_vx_3, _rows15)
+                    _vy_4 = _take(_vy_3, _rows15)
+                    _vz_4 = _take(_vz_3, _rows15)
+                    _wx_4 = _take(_wx_3, _rows15)
+                    _wy_4 = _take(_wy_3, _rows15)
+                    _wz_4 = _take(_wz_3, _rows15)
+                    _x_4 = _take(_x_3, _rows15)
+                    _y_4 = _take(_y_3, _rows15)
+                    _z_4 = _take(_z_3, _rows15)
+                    _room_4 = room(_count16)
                     _turning_x_4, _turning_y_4, _turning_z_4 = bridge_turning(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
                     _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
                     _nearest_4, _wedge_4 = alone()
@@ -7703,19 +7750,19 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _nearest_4, = neared(_gap_4, _nearest_4)
                     _lift_4, *_ = bridge_parting(_p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_gravity_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
                     _settles_4, _lodges_4, _slides_4, _parts_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_bridge_friction_4, _p_bridge_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, _slip_left_4, *_ = settled(2.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, 0.0, _unsure_4)
-                    _held_3 = _put(_held_3, _rows13, _held_4, _count8)
-                    _mode_3 = _put(_mode_3, _rows13, _mode_4, _count8)
-                    _outcome_3 = _put(_outcome_3, _rows13, _outcome_4, _count8)
-                    _slip_left_3 = _put(_slip_left_3, _rows13, _slip_left_4, _count8)
-                _held_2 = _put(_held_2, _rows7, _held_3, _count6)
-                _mode_2 = _put(_mode_2, _rows7, _mode_3, _count6)
-                _outcome_2 = _put(_outcome_2, _rows7, _outcome_3, _count6)
-                _slip_left_2 = _put(_slip_left_2, _rows7, _slip_left_3, _count6)
-            _held_1 = _put(_held_1, _rows5, _held_2, _count2)
-            _mode_1 = _put(_mode_1, _rows5, _mode_2, _count2)
-            _outcome_1 = _put(_outcome_1, _rows5, _outcome_2, _count2)
-            _slip_left_1 = _put(_slip_left_1, _rows5, _slip_left_2, _count2)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, *_ = settled(2.0, _lodges_4, _nearly_4, _outcome_4, _parts_4, _settles_4, _slides_4, 0.0, _unsure_4)
+                    _held_3 = _put(_held_3, _rows15, _held_4, _count10)
+                    _mode_3 = _put(_mode_3, _rows15, _mode_4, _count10)
+                    _outcome_3 = _put(_outcome_3, _rows15, _outcome_4, _count10)
+                    _slip_left_3 = _put(_slip_left_3, _rows15, _slip_left_4, _count10)
+                _held_2 = _put(_held_2, _rows9, _held_3, _count8)
+                _mode_2 = _put(_mode_2, _rows9, _mode_3, _count8)
+                _outcome_2 = _put(_outcome_2, _rows9, _outcome_3, _count8)
+                _slip_left_2 = _put(_slip_left_2, _rows9, _slip_left_3, _count8)
+            _held_1 = _put(_held_1, _rows7, _held_2, _count2)
+            _mode_1 = _put(_mode_1, _rows7, _mode_2, _count2)
+            _outcome_1 = _put(_outcome_1, _rows7, _outcome_2, _count2)
+            _slip_left_1 = _put(_slip_left_1, _rows7, _slip_left_2, _count2)
         _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
         _count_1_0 = _put(_count_1_0, _rows1, _count_1_1, shots)
         _count_2_0 = _put(_count_2_0, _rows1, _count_2_1, shots)
@@ -9753,7 +9800,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _near_9_2, _omega_9_2, _around_9_2, _tilted_9_2, _pressed_9_2, _force_9_2, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _cos_10_2, _sin_10_2 = ring_round_9(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
                 _near_10_2, _omega_10_2, _around_10_2, _tilted_10_2, _pressed_10_2, _force_10_2, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _cos_11_2, _sin_11_2 = ring_round_10(_along_0_2, _along_1_2, _along_10_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
                 _, _, _, _, _, _force_11_2, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, _cos_12_2, _sin_12_2 = ring_round_11(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_10_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_10_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _stride_2, _strongest_2, _fastest_2, _sway_2, _force_2, _force_rate_2, _force_bend_2, _brace_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_12_2, _cosine_0_2, _cosine_12_2, _force_0_2, _force_1_2, _force_10_2, _force_11_2, _force_2_2, _force_3_2, _force_4_2, _force_5_2, _force_6_2, _force_7_2, _force_8_2, _force_9_2, _p_gravity_2, _omega_0_2, _p_ring_radius_2, _sin_0_2, _sin_12_2, _sine_0_2, _sine_12_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _stride_2, _strongest_2, _fastest_2, _sway_2, _force_2, _force_rate_2, _force_bend_2, _brace_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_12_2, _cosine_0_2, _cosine_12_2, _force_0_2, _force_1_2, _force_10_2, _force_11_2, _force_2_2, _force_3_2, _force_4_2, _force_5_2, _force_6_2, _force_7_2, _force_8_2, _force_9_2, _p_gravity_2, _omega_0_2, _p_ring_radius_2, _sin_0_2, _sin_12_2, _sine_0_2, _sine_12_2, _turn_rate_0_2, _turn_rate_11_2, _turn_rate_12_2, _p_wire_radius_2, _room_2)
                 _drag_2, _drag_rate_2, *_ = ring_round_pulled(_climb_0_2, _climb_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _omega_0_2, _omega_1_2, _turn_rate_0_2, _turn_rate_1_2, _room_2)
                 _strain_2, _strain_rate_2 = ring_impact_strained(_drag_2, _drag_rate_2, _force_2, _force_rate_2, _p_ring_friction_2)
                 _loses_2, = losing(_grip_lost_2, _strain_2)
@@ -10249,6 +10296,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     columns["limited"] = _limited_0
     columns["mode"] = _mode_0
     columns["outcome"] = _outcome_0
+    columns["position_error"] = _position_error_0
     columns["rolls"] = _rolls_0
     columns["taut"] = _taut_0
     columns["taut_clock"] = _taut_clock_0
@@ -10320,6 +10368,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_tangential_restitution_0 = columns["p_tangential_restitution"]
     _p_wire_radius_0 = columns["p_wire_radius"]
     _position_claim_0 = columns["position_claim"]
+    _position_error_0 = columns["position_error"]
     _slip_left_0 = columns["slip_left"]
     _spin_claim_0 = columns["spin_claim"]
     _time_claim_0 = columns["time_claim"]
@@ -10386,6 +10435,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _p_ring_restitution_1 = _take(_p_ring_restitution_0, _rows1)
         _p_tangential_restitution_1 = _take(_p_tangential_restitution_0, _rows1)
         _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _position_error_1 = _take(_position_error_0, _rows1)
         _slip_left_1 = _take(_slip_left_0, _rows1)
         _touches_1 = _take(_touches_0, _rows1)
         _uncertain_1 = _take(_uncertain_0, _rows1)
@@ -10471,6 +10521,8 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _dny_1 = _choose(_here_1, _dny_2, _dny_1)
         _dnz_1 = _choose(_here_1, _dnz_2, _dnz_1)
         _turn_1 = _choose(_here_1, _turn_2, _turn_1)
+        _struck_0_1, = untaken()
+        _, _its_0_ring_impact_1, _its_1_ring_impact_1 = ring_impact_taken(_p_ring_restitution_1, _p_ring_friction_1)
         for _own_index_1, _own_1_1, _own_2_1, in (
             (0.0, _p_ring_friction_1, _p_ring_restitution_1,),
             (1.0, _p_backboard_friction_1, _p_backboard_restitution_1,),
@@ -10479,202 +10531,155 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _here_1, = here(_own_index_1, _which_1)
             _rows5, _count6 = _rows(_here_1, _count2)
             if _count6:
-                _contacts_2 = _take(_contacts_1, _rows5)
-                _dnx_2 = _take(_dnx_1, _rows5)
-                _dny_2 = _take(_dny_1, _rows5)
-                _dnz_2 = _take(_dnz_1, _rows5)
-                _dvx_2 = _take(_dvx_1, _rows5)
-                _dvy_2 = _take(_dvy_1, _rows5)
-                _dvz_2 = _take(_dvz_1, _rows5)
-                _dwx_2 = _take(_dwx_1, _rows5)
-                _dwy_2 = _take(_dwy_1, _rows5)
-                _dwz_2 = _take(_dwz_1, _rows5)
-                _nx_2 = _take(_nx_1, _rows5)
-                _ny_2 = _take(_ny_1, _rows5)
-                _nz_2 = _take(_nz_1, _rows5)
                 _own_1_2 = _take(_own_1_1, _rows5)
                 _own_2_2 = _take(_own_2_1, _rows5)
-                _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
-                _p_restitution_speed_2 = _take(_p_restitution_speed_1, _rows5)
-                _p_tangential_restitution_2 = _take(_p_tangential_restitution_1, _rows5)
-                _turn_2 = _take(_turn_1, _rows5)
-                _uncertain_2 = _take(_uncertain_1, _rows5)
-                _vx_2 = _take(_vx_1, _rows5)
-                _vy_2 = _take(_vy_1, _rows5)
-                _vz_2 = _take(_vz_1, _rows5)
-                _wx_2 = _take(_wx_1, _rows5)
-                _wy_2 = _take(_wy_1, _rows5)
-                _wz_2 = _take(_wz_1, _rows5)
-                _room_2 = room(_count6)
-                _unsure_2, = ring_impact_doubt(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _turn_2, _p_ball_radius_2, _own_2_2, _own_1_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
-                _uncertain_2, = undecided(_uncertain_2, _unsure_2)
-                _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _own_2_2, _own_1_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
-                _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _own_2_2, _own_1_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
-                _dvx_1 = _put(_dvx_1, _rows5, _dvx_2, _count2)
-                _dvy_1 = _put(_dvy_1, _rows5, _dvy_2, _count2)
-                _dvz_1 = _put(_dvz_1, _rows5, _dvz_2, _count2)
-                _dwx_1 = _put(_dwx_1, _rows5, _dwx_2, _count2)
-                _dwy_1 = _put(_dwy_1, _rows5, _dwy_2, _count2)
-                _dwz_1 = _put(_dwz_1, _rows5, _dwz_2, _count2)
-                _uncertain_1 = _put(_uncertain_1, _rows5, _uncertain_2, _count2)
-                _vx_1 = _put(_vx_1, _rows5, _vx_2, _count2)
-                _vy_1 = _put(_vy_1, _rows5, _vy_2, _count2)
-                _vz_1 = _put(_vz_1, _rows5, _vz_2, _count2)
-                _wx_1 = _put(_wx_1, _rows5, _wx_2, _count2)
-                _wy_1 = _put(_wy_1, _rows5, _wy_2, _count2)
-                _wz_1 = _put(_wz_1, _rows5, _wz_2, _count2)
-        _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
-        _first_1 = _choose(_touches_1, _first_2, _first_1)
-        _last_1 = _choose(_touches_1, _last_2, _last_1)
-        _rows7, _count8 = _rows(_touches_1, _count2)
+                _struck_0_2, _its_0_ring_impact_2, _its_1_ring_impact_2 = ring_impact_taken(_own_2_2, _own_1_2)
+                _its_0_ring_impact_1 = _put(_its_0_ring_impact_1, _rows5, _its_0_ring_impact_2, _count2)
+                _its_1_ring_impact_1 = _put(_its_1_ring_impact_1, _rows5, _its_1_ring_impact_2, _count2)
+                _struck_0_1 = _put(_struck_0_1, _rows5, _struck_0_2, _count2)
+        _rows7, _count8 = _rows(_struck_0_1, _count2)
         if _count8:
-            _held_2 = _take(_held_1, _rows7)
-            _mode_2 = _take(_mode_1, _rows7)
+            _contacts_2 = _take(_contacts_1, _rows7)
+            _dnx_2 = _take(_dnx_1, _rows7)
+            _dny_2 = _take(_dny_1, _rows7)
+            _dnz_2 = _take(_dnz_1, _rows7)
+            _dvx_2 = _take(_dvx_1, _rows7)
+            _dvy_2 = _take(_dvy_1, _rows7)
+            _dvz_2 = _take(_dvz_1, _rows7)
+            _dwx_2 = _take(_dwx_1, _rows7)
+            _dwy_2 = _take(_dwy_1, _rows7)
+            _dwz_2 = _take(_dwz_1, _rows7)
+            _its_0_ring_impact_2 = _take(_its_0_ring_impact_1, _rows7)
+            _its_1_ring_impact_2 = _take(_its_1_ring_impact_1, _rows7)
             _nx_2 = _take(_nx_1, _rows7)
             _ny_2 = _take(_ny_1, _rows7)
             _nz_2 = _take(_nz_1, _rows7)
-            _outcome_2 = _take(_outcome_1, _rows7)
-            _p_backboard_friction_2 = _take(_p_backboard_friction_1, _rows7)
-            _p_backboard_restitution_2 = _take(_p_backboard_restitution_1, _rows7)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows7)
-            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows7)
-            _p_board_distance_2 = _take(_p_board_distance_1, _rows7)
-            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows7)
-            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows7)
-            _p_board_top_2 = _take(_p_board_top_1, _rows7)
-            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows7)
-            _p_bridge_friction_2 = _take(_p_bridge_friction_1, _rows7)
-            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows7)
-            _p_bridge_restitution_2 = _take(_p_bridge_restitution_1, _rows7)
-            _p_end_depth_2 = _take(_p_end_depth_1, _rows7)
-            _p_gravity_2 = _take(_p_gravity_1, _rows7)
-            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows7)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows7)
-            _p_ring_restitution_2 = _take(_p_ring_restitution_1, _rows7)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows7)
-            _slip_left_2 = _take(_slip_left_1, _rows7)
+            _p_restitution_speed_2 = _take(_p_restitution_speed_1, _rows7)
+            _p_tangential_restitution_2 = _take(_p_tangential_restitution_1, _rows7)
+            _turn_2 = _take(_turn_1, _rows7)
             _uncertain_2 = _take(_uncertain_1, _rows7)
-            _velocity_error_2 = _take(_velocity_error_1, _rows7)
             _vx_2 = _take(_vx_1, _rows7)
             _vy_2 = _take(_vy_1, _rows7)
             _vz_2 = _take(_vz_1, _rows7)
-            _which_2 = _take(_which_1, _rows7)
             _wx_2 = _take(_wx_1, _rows7)
             _wy_2 = _take(_wy_1, _rows7)
             _wz_2 = _take(_wz_1, _rows7)
-            _x_2 = _take(_x_1, _rows7)
-            _y_2 = _take(_y_1, _rows7)
-            _z_2 = _take(_z_1, _rows7)
             _room_2 = room(_count8)
-            _slow_2, _assured_2 = slowed(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _rows9, _count10 = _rows(_slow_2, _count8)
-            if _count10:
-                _assured_3 = _take(_assured_2, _rows9)
-                _held_3 = _take(_held_2, _rows9)
-                _mode_3 = _take(_mode_2, _rows9)
-                _nx_3 = _take(_nx_2, _rows9)
-                _ny_3 = _take(_ny_2, _rows9)
-                _nz_3 = _take(_nz_2, _rows9)
-                _outcome_3 = _take(_outcome_2, _rows9)
-                _p_backboard_friction_3 = _take(_p_backboard_friction_2, _rows9)
-                _p_backboard_restitution_3 = _take(_p_backboard_restitution_2, _rows9)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows9)
-                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows9)
-                _p_board_distance_3 = _take(_p_board_distance_2, _rows9)
-                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows9)
-                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows9)
-                _p_board_top_3 = _take(_p_board_top_2, _rows9)
-                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows9)
-                _p_bridge_friction_3 = _take(_p_bridge_friction_2, _rows9)
-                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows9)
-                _p_bridge_restitution_3 = _take(_p_bridge_restitution_2, _rows9)
-                _p_end_depth_3 = _take(_p_end_depth_2, _rows9)
-                _p_gravity_3 = _take(_p_gravity_2, _rows9)
-                _p_ring_friction_3 = _take(_p_ring_friction_2, _rows9)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows9)
-                _p_ring_restitution_3 = _take(_p_ring_restitution_2, _rows9)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows9)
-                _slip_left_3 = _take(_slip_left_2, _rows9)
-                _uncertain_3 = _take(_uncertain_2, _rows9)
-                _velocity_error_3 = _take(_velocity_error_2, _rows9)
-                _vx_3 = _take(_vx_2, _rows9)
-                _vy_3 = _take(_vy_2, _rows9)
-                _vz_3 = _take(_vz_2, _rows9)
-                _which_3 = _take(_which_2, _rows9)
-                _wx_3 = _take(_wx_2, _rows9)
-                _wy_3 = _take(_wy_2, _rows9)
-                _wz_3 = _take(_wz_2, _rows9)
-                _x_3 = _take(_x_2, _rows9)
-                _y_3 = _take(_y_2, _rows9)
-                _z_3 = _take(_z_2, _rows9)
-                _room_3 = room(_count10)
+            _unsure_2, = ring_impact_doubt(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _turn_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _uncertain_2, = undecided(_uncertain_2, _unsure_2)
+            _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _dvx_1 = _put(_dvx_1, _rows7, _dvx_2, _count2)
+            _dvy_1 = _put(_dvy_1, _rows7, _dvy_2, _count2)
+            _dvz_1 = _put(_dvz_1, _rows7, _dvz_2, _count2)
+            _dwx_1 = _put(_dwx_1, _rows7, _dwx_2, _count2)
+            _dwy_1 = _put(_dwy_1, _rows7, _dwy_2, _count2)
+            _dwz_1 = _put(_dwz_1, _rows7, _dwz_2, _count2)
+            _uncertain_1 = _put(_uncertain_1, _rows7, _uncertain_2, _count2)
+            _vx_1 = _put(_vx_1, _rows7, _vx_2, _count2)
+            _vy_1 = _put(_vy_1, _rows7, _vy_2, _count2)
+            _vz_1 = _put(_vz_1, _rows7, _vz_2, _count2)
+            _wx_1 = _put(_wx_1, _rows7, _wx_2, _count2)
+            _wy_1 = _put(_wy_1, _rows7, _wy_2, _count2)
+            _wz_1 = _put(_wz_1, _rows7, _wz_2, _count2)
+        _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
+        _first_1 = _choose(_touches_1, _first_2, _first_1)
+        _last_1 = _choose(_touches_1, _last_2, _last_1)
+        _rows9, _count10 = _rows(_touches_1, _count2)
+        if _count10:
+            _held_2 = _take(_held_1, _rows9)
+            _mode_2 = _take(_mode_1, _rows9)
+            _nx_2 = _take(_nx_1, _rows9)
+            _ny_2 = _take(_ny_1, _rows9)
+            _nz_2 = _take(_nz_1, _rows9)
+            _outcome_2 = _take(_outcome_1, _rows9)
+            _p_backboard_friction_2 = _take(_p_backboard_friction_1, _rows9)
+            _p_backboard_restitution_2 = _take(_p_backboard_restitution_1, _rows9)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows9)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows9)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows9)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows9)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows9)
+            _p_board_top_2 = _take(_p_board_top_1, _rows9)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows9)
+            _p_bridge_friction_2 = _take(_p_bridge_friction_1, _rows9)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows9)
+            _p_bridge_restitution_2 = _take(_p_bridge_restitution_1, _rows9)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows9)
+            _p_gravity_2 = _take(_p_gravity_1, _rows9)
+            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows9)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows9)
+            _p_ring_restitution_2 = _take(_p_ring_restitution_1, _rows9)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows9)
+            _position_error_2 = _take(_position_error_1, _rows9)
+            _slip_left_2 = _take(_slip_left_1, _rows9)
+            _uncertain_2 = _take(_uncertain_1, _rows9)
+            _velocity_error_2 = _take(_velocity_error_1, _rows9)
+            _vx_2 = _take(_vx_1, _rows9)
+            _vy_2 = _take(_vy_1, _rows9)
+            _vz_2 = _take(_vz_1, _rows9)
+            _which_2 = _take(_which_1, _rows9)
+            _wx_2 = _take(_wx_1, _rows9)
+            _wy_2 = _take(_wy_1, _rows9)
+            _wz_2 = _take(_wz_1, _rows9)
+            _x_2 = _take(_x_1, _rows9)
+            _y_2 = _take(_y_1, _rows9)
+            _z_2 = _take(_z_1, _rows9)
+            _room_2 = room(_count10)
+            _slow_2, _nearly_2, _assured_2 = slowed(_p_ball_radius_2, _p_gravity_2, _nx_2, _ny_2, _nz_2, _position_error_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _rows11, _count12 = _rows(_slow_2, _count10)
+            if _count12:
+                _assured_3 = _take(_assured_2, _rows11)
+                _held_3 = _take(_held_2, _rows11)
+                _mode_3 = _take(_mode_2, _rows11)
+                _nearly_3 = _take(_nearly_2, _rows11)
+                _nx_3 = _take(_nx_2, _rows11)
+                _ny_3 = _take(_ny_2, _rows11)
+                _nz_3 = _take(_nz_2, _rows11)
+                _outcome_3 = _take(_outcome_2, _rows11)
+                _p_backboard_friction_3 = _take(_p_backboard_friction_2, _rows11)
+                _p_backboard_restitution_3 = _take(_p_backboard_restitution_2, _rows11)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows11)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows11)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows11)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows11)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows11)
+                _p_board_top_3 = _take(_p_board_top_2, _rows11)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows11)
+                _p_bridge_friction_3 = _take(_p_bridge_friction_2, _rows11)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows11)
+                _p_bridge_restitution_3 = _take(_p_bridge_restitution_2, _rows11)
+                _p_end_depth_3 = _take(_p_end_depth_2, _rows11)
+                _p_gravity_3 = _take(_p_gravity_2, _rows11)
+                _p_ring_friction_3 = _take(_p_ring_friction_2, _rows11)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows11)
+                _p_ring_restitution_3 = _take(_p_ring_restitution_2, _rows11)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows11)
+                _slip_left_3 = _take(_slip_left_2, _rows11)
+                _uncertain_3 = _take(_uncertain_2, _rows11)
+                _velocity_error_3 = _take(_velocity_error_2, _rows11)
+                _vx_3 = _take(_vx_2, _rows11)
+                _vy_3 = _take(_vy_2, _rows11)
+                _vz_3 = _take(_vz_2, _rows11)
+                _which_3 = _take(_which_2, _rows11)
+                _wx_3 = _take(_wx_2, _rows11)
+                _wy_3 = _take(_wy_2, _rows11)
+                _wz_3 = _take(_wz_2, _rows11)
+                _x_3 = _take(_x_2, _rows11)
+                _y_3 = _take(_y_2, _rows11)
+                _z_3 = _take(_z_2, _rows11)
+                _room_3 = room(_count12)
                 _rolled_x_3, _rolled_y_3, _rolled_z_3, _slip_3, _bounce_3 = gripped(_p_ball_radius_3, _nx_3, _ny_3, _nz_3, _vx_3, _vy_3, _vz_3, _wx_3, _wy_3, _wz_3, _room_3)
                 _here_3, = here(0.0, _which_3)
-                _rows11, _count12 = _rows(_here_3, _count10)
-                if _count12:
-                    _bounce_4 = _take(_bounce_3, _rows11)
-                    _nx_4 = _take(_nx_3, _rows11)
-                    _ny_4 = _take(_ny_3, _rows11)
-                    _nz_4 = _take(_nz_3, _rows11)
-                    _outcome_4 = _take(_outcome_3, _rows11)
-                    _p_ball_radius_4 = _take(_p_ball_radius_3, _rows11)
-                    _p_board_bottom_4 = _take(_p_board_bottom_3, _rows11)
-                    _p_board_distance_4 = _take(_p_board_distance_3, _rows11)
-                    _p_board_half_width_4 = _take(_p_board_half_width_3, _rows11)
-                    _p_board_thickness_4 = _take(_p_board_thickness_3, _rows11)
-                    _p_board_top_4 = _take(_p_board_top_3, _rows11)
-                    _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows11)
-                    _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows11)
-                    _p_end_depth_4 = _take(_p_end_depth_3, _rows11)
-                    _p_gravity_4 = _take(_p_gravity_3, _rows11)
-                    _p_ring_friction_4 = _take(_p_ring_friction_3, _rows11)
-                    _p_ring_radius_4 = _take(_p_ring_radius_3, _rows11)
-                    _p_ring_restitution_4 = _take(_p_ring_restitution_3, _rows11)
-                    _p_wire_radius_4 = _take(_p_wire_radius_3, _rows11)
-                    _rolled_x_4 = _take(_rolled_x_3, _rows11)
-                    _rolled_y_4 = _take(_rolled_y_3, _rows11)
-                    _rolled_z_4 = _take(_rolled_z_3, _rows11)
-                    _slip_4 = _take(_slip_3, _rows11)
-                    _uncertain_4 = _take(_uncertain_3, _rows11)
-                    _velocity_error_4 = _take(_velocity_error_3, _rows11)
-                    _vx_4 = _take(_vx_3, _rows11)
-                    _vy_4 = _take(_vy_3, _rows11)
-                    _vz_4 = _take(_vz_3, _rows11)
-                    _wx_4 = _take(_wx_3, _rows11)
-                    _wy_4 = _take(_wy_3, _rows11)
-                    _wz_4 = _take(_wz_3, _rows11)
-                    _x_4 = _take(_x_3, _rows11)
-                    _y_4 = _take(_y_3, _rows11)
-                    _z_4 = _take(_z_3, _rows11)
-                    _room_4 = room(_count12)
-                    _turning_x_4, _turning_y_4, _turning_z_4 = ring_turning(_p_ball_radius_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _room_4)
-                    _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _nearest_4, _wedge_4 = alone()
-                    _gap_4, _nearing_4, _swerve_4, _facing_4 = backboard_closing(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
-                    _gap_4, _nearing_4, _swerve_4, _facing_4 = bridge_closing(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
-                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
-                    _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
-                    _nearest_4, = neared(_gap_4, _nearest_4)
-                    _lift_4, *_ = ring_parting(_p_gravity_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
-                    _settles_4, _lodges_4, _slides_4, _parts_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_ring_friction_4, _p_ring_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, _slip_left_4, _uncertain_4 = settled(0.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, _uncertain_4, _unsure_4)
-                    _assured_3 = _put(_assured_3, _rows11, _assured_4, _count10)
-                    _held_3 = _put(_held_3, _rows11, _held_4, _count10)
-                    _mode_3 = _put(_mode_3, _rows11, _mode_4, _count10)
-                    _outcome_3 = _put(_outcome_3, _rows11, _outcome_4, _count10)
-                    _slip_left_3 = _put(_slip_left_3, _rows11, _slip_left_4, _count10)
-                    _uncertain_3 = _put(_uncertain_3, _rows11, _uncertain_4, _count10)
-                _here_3, = here(1.0, _which_3)
-                _rows13, _count14 = _rows(_here_3, _count10)
+                _rows13, _count14 = _rows(_here_3, _count12)
                 if _count14:
                     _bounce_4 = _take(_bounce_3, _rows13)
+                    _nearly_4 = _take(_nearly_3, _rows13)
                     _nx_4 = _take(_nx_3, _rows13)
                     _ny_4 = _take(_ny_3, _rows13)
                     _nz_4 = _take(_nz_3, _rows13)
                     _outcome_4 = _take(_outcome_3, _rows13)
-                    _p_backboard_friction_4 = _take(_p_backboard_friction_3, _rows13)
-                    _p_backboard_restitution_4 = _take(_p_backboard_restitution_3, _rows13)
                     _p_ball_radius_4 = _take(_p_ball_radius_3, _rows13)
                     _p_board_bottom_4 = _take(_p_board_bottom_3, _rows13)
                     _p_board_distance_4 = _take(_p_board_distance_3, _rows13)
@@ -10685,7 +10690,9 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows13)
                     _p_end_depth_4 = _take(_p_end_depth_3, _rows13)
                     _p_gravity_4 = _take(_p_gravity_3, _rows13)
+                    _p_ring_friction_4 = _take(_p_ring_friction_3, _rows13)
                     _p_ring_radius_4 = _take(_p_ring_radius_3, _rows13)
+                    _p_ring_restitution_4 = _take(_p_ring_restitution_3, _rows13)
                     _p_wire_radius_4 = _take(_p_wire_radius_3, _rows13)
                     _rolled_x_4 = _take(_rolled_x_3, _rows13)
                     _rolled_y_4 = _take(_rolled_y_3, _rows13)
@@ -10703,32 +10710,35 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_4 = _take(_y_3, _rows13)
                     _z_4 = _take(_z_3, _rows13)
                     _room_4 = room(_count14)
-                    _turning_x_4, _turning_y_4, _turning_z_4 = backboard_turning(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _x_4, _y_4, _z_4, _room_4)
+                    _turning_x_4, _turning_y_4, _turning_z_4 = ring_turning(_p_ball_radius_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _room_4)
                     _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
                     _nearest_4, _wedge_4 = alone()
-                    _gap_4, _nearing_4, _swerve_4, _facing_4 = ring_closing(_p_ball_radius_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = backboard_closing(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _x_4, _y_4, _z_4, _room_4)
                     _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
                     _gap_4, _nearing_4, _swerve_4, _facing_4 = bridge_closing(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
                     _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
                     _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
                     _nearest_4, = neared(_gap_4, _nearest_4)
-                    _lift_4, *_ = backboard_parting(_p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _p_gravity_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
-                    _settles_4, _lodges_4, _slides_4, _parts_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_backboard_friction_4, _p_backboard_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, _slip_left_4, _uncertain_4 = settled(1.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, _uncertain_4, _unsure_4)
-                    _assured_3 = _put(_assured_3, _rows13, _assured_4, _count10)
-                    _held_3 = _put(_held_3, _rows13, _held_4, _count10)
-                    _mode_3 = _put(_mode_3, _rows13, _mode_4, _count10)
-                    _outcome_3 = _put(_outcome_3, _rows13, _outcome_4, _count10)
-                    _slip_left_3 = _put(_slip_left_3, _rows13, _slip_left_4, _count10)
-                    _uncertain_3 = _put(_uncertain_3, _rows13, _uncertain_4, _count10)
-                _here_3, = here(2.0, _which_3)
-                _rows15, _count16 = _rows(_here_3, _count10)
+                    _lift_4, *_ = ring_parting(_p_gravity_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _settles_4, _lodges_4, _slides_4, _parts_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_ring_friction_4, _p_ring_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, _uncertain_4 = settled(0.0, _lodges_4, _nearly_4, _outcome_4, _parts_4, _settles_4, _slides_4, _uncertain_4, _unsure_4)
+                    _assured_3 = _put(_assured_3, _rows13, _assured_4, _count12)
+                    _held_3 = _put(_held_3, _rows13, _held_4, _count12)
+                    _mode_3 = _put(_mode_3, _rows13, _mode_4, _count12)
+                    _outcome_3 = _put(_outcome_3, _rows13, _outcome_4, _count12)
+                    _slip_left_3 = _put(_slip_left_3, _rows13, _slip_left_4, _count12)
+                    _uncertain_3 = _put(_uncertain_3, _rows13, _uncertain_4, _count12)
+                _here_3, = here(1.0, _which_3)
+                _rows15, _count16 = _rows(_here_3, _count12)
                 if _count16:
                     _bounce_4 = _take(_bounce_3, _rows15)
+                    _nearly_4 = _take(_nearly_3, _rows15)
                     _nx_4 = _take(_nx_3, _rows15)
                     _ny_4 = _take(_ny_3, _rows15)
                     _nz_4 = _take(_nz_3, _rows15)
                     _outcome_4 = _take(_outcome_3, _rows15)
+                    _p_backboard_friction_4 = _take(_p_backboard_friction_3, _rows15)
+                    _p_backboard_restitution_4 = _take(_p_backboard_restitution_3, _rows15)
                     _p_ball_radius_4 = _take(_p_ball_radius_3, _rows15)
                     _p_board_bottom_4 = _take(_p_board_bottom_3, _rows15)
                     _p_board_distance_4 = _take(_p_board_distance_3, _rows15)
@@ -10736,9 +10746,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _p_board_thickness_4 = _take(_p_board_thickness_3, _rows15)
                     _p_board_top_4 = _take(_p_board_top_3, _rows15)
                     _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows15)
-                    _p_bridge_friction_4 = _take(_p_bridge_friction_3, _rows15)
                     _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows15)
-                    _p_bridge_restitution_4 = _take(_p_bridge_restitution_3, _rows15)
                     _p_end_depth_4 = _take(_p_end_depth_3, _rows15)
                     _p_gravity_4 = _take(_p_gravity_3, _rows15)
                     _p_ring_radius_4 = _take(_p_ring_radius_3, _rows15)
@@ -10759,6 +10767,63 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _y_4 = _take(_y_3, _rows15)
                     _z_4 = _take(_z_3, _rows15)
                     _room_4 = room(_count16)
+                    _turning_x_4, _turning_y_4, _turning_z_4 = backboard_turning(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _x_4, _y_4, _z_4, _room_4)
+                    _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _nearest_4, _wedge_4 = alone()
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = ring_closing(_p_ball_radius_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
+                    _gap_4, _nearing_4, _swerve_4, _facing_4 = bridge_closing(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _nx_4, _ny_4, _nz_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _thrust_x_4, _thrust_y_4, _thrust_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, _wedge_4 = neared_body(_facing_4, _gap_4, _nearest_4, _nearing_4, _press_4, _swerve_4, _wedge_4, _room_4)
+                    _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _lift_4, *_ = backboard_parting(_p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _p_gravity_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _settles_4, _lodges_4, _slides_4, _parts_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_backboard_friction_4, _p_backboard_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, _uncertain_4 = settled(1.0, _lodges_4, _nearly_4, _outcome_4, _parts_4, _settles_4, _slides_4, _uncertain_4, _unsure_4)
+                    _assured_3 = _put(_assured_3, _rows15, _assured_4, _count12)
+                    _held_3 = _put(_held_3, _rows15, _held_4, _count12)
+                    _mode_3 = _put(_mode_3, _rows15, _mode_4, _count12)
+                    _outcome_3 = _put(_outcome_3, _rows15, _outcome_4, _count12)
+                    _slip_left_3 = _put(_slip_left_3, _rows15, _slip_left_4, _count12)
+                    _uncertain_3 = _put(_uncertain_3, _rows15, _uncertain_4, _count12)
+                _here_3, = here(2.0, _which_3)
+                _rows17, _count18 = _rows(_here_3, _count12)
+                if _count18:
+                    _bounce_4 = _take(_bounce_3, _rows17)
+                    _nearly_4 = _take(_nearly_3, _rows17)
+                    _nx_4 = _take(_nx_3, _rows17)
+                    _ny_4 = _take(_ny_3, _rows17)
+                    _nz_4 = _take(_nz_3, _rows17)
+                    _outcome_4 = _take(_outcome_3, _rows17)
+                    _p_ball_radius_4 = _take(_p_ball_radius_3, _rows17)
+                    _p_board_bottom_4 = _take(_p_board_bottom_3, _rows17)
+                    _p_board_distance_4 = _take(_p_board_distance_3, _rows17)
+                    _p_board_half_width_4 = _take(_p_board_half_width_3, _rows17)
+                    _p_board_thickness_4 = _take(_p_board_thickness_3, _rows17)
+                    _p_board_top_4 = _take(_p_board_top_3, _rows17)
+                    _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows17)
+                    _p_bridge_friction_4 = _take(_p_bridge_friction_3, _rows17)
+                    _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows17)
+                    _p_bridge_restitution_4 = _take(_p_bridge_restitution_3, _rows17)
+                    _p_end_depth_4 = _take(_p_end_depth_3, _rows17)
+                    _p_gravity_4 = _take(_p_gravity_3, _rows17)
+                    _p_ring_radius_4 = _take(_p_ring_radius_3, _rows17)
+                    _p_wire_radius_4 = _take(_p_wire_radius_3, _rows17)
+                    _rolled_x_4 = _take(_rolled_x_3, _rows17)
+                    _rolled_y_4 = _take(_rolled_y_3, _rows17)
+                    _rolled_z_4 = _take(_rolled_z_3, _rows17)
+                    _slip_4 = _take(_slip_3, _rows17)
+                    _uncertain_4 = _take(_uncertain_3, _rows17)
+                    _velocity_error_4 = _take(_velocity_error_3, _rows17)
+                    _vx_4 = _take(_vx_3, _rows17)
+                    _vy_4 = _take(_vy_3, _rows17)
+                    _vz_4 = _take(_vz_3, _rows17)
+                    _wx_4 = _take(_wx_3, _rows17)
+                    _wy_4 = _take(_wy_3, _rows17)
+                    _wz_4 = _take(_wz_3, _rows17)
+                    _x_4 = _take(_x_3, _rows17)
+                    _y_4 = _take(_y_3, _rows17)
+                    _z_4 = _take(_z_3, _rows17)
+                    _room_4 = room(_count18)
                     _turning_x_4, _turning_y_4, _turning_z_4 = bridge_turning(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
                     _press_4, _weight_4, _drag_4, _thrust_x_4, _thrust_y_4, _thrust_z_4 = pressed_on(_p_ball_radius_4, _p_gravity_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _turning_x_4, _turning_y_4, _turning_z_4, _wx_4, _wy_4, _wz_4, _room_4)
                     _nearest_4, _wedge_4 = alone()
@@ -10770,25 +10835,25 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _nearest_4, = neared(_gap_4, _nearest_4)
                     _lift_4, *_ = bridge_parting(_p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_gravity_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
                     _settles_4, _lodges_4, _slides_4, _parts_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _drag_4, _lift_4, _nearest_4, _press_4, _p_bridge_friction_4, _p_bridge_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wedge_4, _weight_4, _wx_4, _wy_4, _wz_4, _room_4)
-                    _mode_4, _held_4, _outcome_4, _slip_left_4, _uncertain_4 = settled(2.0, _lodges_4, _outcome_4, _parts_4, _settles_4, _slides_4, _uncertain_4, _unsure_4)
-                    _assured_3 = _put(_assured_3, _rows15, _assured_4, _count10)
-                    _held_3 = _put(_held_3, _rows15, _held_4, _count10)
-                    _mode_3 = _put(_mode_3, _rows15, _mode_4, _count10)
-                    _outcome_3 = _put(_outcome_3, _rows15, _outcome_4, _count10)
-                    _slip_left_3 = _put(_slip_left_3, _rows15, _slip_left_4, _count10)
-                    _uncertain_3 = _put(_uncertain_3, _rows15, _uncertain_4, _count10)
-                _assured_2 = _put(_assured_2, _rows9, _assured_3, _count8)
-                _held_2 = _put(_held_2, _rows9, _held_3, _count8)
-                _mode_2 = _put(_mode_2, _rows9, _mode_3, _count8)
-                _outcome_2 = _put(_outcome_2, _rows9, _outcome_3, _count8)
-                _slip_left_2 = _put(_slip_left_2, _rows9, _slip_left_3, _count8)
-                _uncertain_2 = _put(_uncertain_2, _rows9, _uncertain_3, _count8)
-            _assured_1 = _put(_assured_1, _rows7, _assured_2, _count2)
-            _held_1 = _put(_held_1, _rows7, _held_2, _count2)
-            _mode_1 = _put(_mode_1, _rows7, _mode_2, _count2)
-            _outcome_1 = _put(_outcome_1, _rows7, _outcome_2, _count2)
-            _slip_left_1 = _put(_slip_left_1, _rows7, _slip_left_2, _count2)
-            _uncertain_1 = _put(_uncertain_1, _rows7, _uncertain_2, _count2)
+                    _mode_4, _held_4, _outcome_4, _slip_left_4, _uncertain_4 = settled(2.0, _lodges_4, _nearly_4, _outcome_4, _parts_4, _settles_4, _slides_4, _uncertain_4, _unsure_4)
+                    _assured_3 = _put(_assured_3, _rows17, _assured_4, _count12)
+                    _held_3 = _put(_held_3, _rows17, _held_4, _count12)
+                    _mode_3 = _put(_mode_3, _rows17, _mode_4, _count12)
+                    _outcome_3 = _put(_outcome_3, _rows17, _outcome_4, _count12)
+                    _slip_left_3 = _put(_slip_left_3, _rows17, _slip_left_4, _count12)
+                    _uncertain_3 = _put(_uncertain_3, _rows17, _uncertain_4, _count12)
+                _assured_2 = _put(_assured_2, _rows11, _assured_3, _count10)
+                _held_2 = _put(_held_2, _rows11, _held_3, _count10)
+                _mode_2 = _put(_mode_2, _rows11, _mode_3, _count10)
+                _outcome_2 = _put(_outcome_2, _rows11, _outcome_3, _count10)
+                _slip_left_2 = _put(_slip_left_2, _rows11, _slip_left_3, _count10)
+                _uncertain_2 = _put(_uncertain_2, _rows11, _uncertain_3, _count10)
+            _assured_1 = _put(_assured_1, _rows9, _assured_2, _count2)
+            _held_1 = _put(_held_1, _rows9, _held_2, _count2)
+            _mode_1 = _put(_mode_1, _rows9, _mode_2, _count2)
+            _outcome_1 = _put(_outcome_1, _rows9, _outcome_2, _count2)
+            _slip_left_1 = _put(_slip_left_1, _rows9, _slip_left_2, _count2)
+            _uncertain_1 = _put(_uncertain_1, _rows9, _uncertain_2, _count2)
         _assured_0 = _put(_assured_0, _rows1, _assured_1, shots)
         _clock_error_0 = _put(_clock_error_0, _rows1, _clock_error_1, shots)
         _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
@@ -10816,81 +10881,81 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _wx_0 = _put(_wx_0, _rows1, _wx_1, shots)
         _wy_0 = _put(_wy_0, _rows1, _wy_1, shots)
         _wz_0 = _put(_wz_0, _rows1, _wz_1, shots)
-    _rows17, _count18 = _rows(_limited_0, shots)
-    if _count18:
-        _claims_1 = _take(_claims_0, _rows17)
-        _clock_1 = _take(_clock_0, _rows17)
-        _clock_error_1 = _take(_clock_error_0, _rows17)
-        _dvx_1 = _take(_dvx_0, _rows17)
-        _dvy_1 = _take(_dvy_0, _rows17)
-        _dvz_1 = _take(_dvz_0, _rows17)
-        _dx_1 = _take(_dx_0, _rows17)
-        _dy_1 = _take(_dy_0, _rows17)
-        _dz_1 = _take(_dz_0, _rows17)
-        _p_gravity_1 = _take(_p_gravity_0, _rows17)
-        _vx_1 = _take(_vx_0, _rows17)
-        _vy_1 = _take(_vy_0, _rows17)
-        _vz_1 = _take(_vz_0, _rows17)
-        _when_1 = _take(_when_0, _rows17)
-        _which_1 = _take(_which_0, _rows17)
-        _x_1 = _take(_x_0, _rows17)
-        _y_1 = _take(_y_0, _rows17)
-        _z_1 = _take(_z_0, _rows17)
+    _rows19, _count20 = _rows(_limited_0, shots)
+    if _count20:
+        _claims_1 = _take(_claims_0, _rows19)
+        _clock_1 = _take(_clock_0, _rows19)
+        _clock_error_1 = _take(_clock_error_0, _rows19)
+        _dvx_1 = _take(_dvx_0, _rows19)
+        _dvy_1 = _take(_dvy_0, _rows19)
+        _dvz_1 = _take(_dvz_0, _rows19)
+        _dx_1 = _take(_dx_0, _rows19)
+        _dy_1 = _take(_dy_0, _rows19)
+        _dz_1 = _take(_dz_0, _rows19)
+        _p_gravity_1 = _take(_p_gravity_0, _rows19)
+        _vx_1 = _take(_vx_0, _rows19)
+        _vy_1 = _take(_vy_0, _rows19)
+        _vz_1 = _take(_vz_0, _rows19)
+        _when_1 = _take(_when_0, _rows19)
+        _which_1 = _take(_which_0, _rows19)
+        _x_1 = _take(_x_0, _rows19)
+        _y_1 = _take(_y_0, _rows19)
+        _z_1 = _take(_z_0, _rows19)
         _timed_1, = timed(_claims_1, 4.0, _which_1)
-        _rows19, _count20 = _rows(_timed_1, _count18)
-        if _count20:
-            _clock_2 = _take(_clock_1, _rows19)
-            _clock_error_2 = _take(_clock_error_1, _rows19)
-            _dvx_2 = _take(_dvx_1, _rows19)
-            _dvy_2 = _take(_dvy_1, _rows19)
-            _dvz_2 = _take(_dvz_1, _rows19)
-            _dx_2 = _take(_dx_1, _rows19)
-            _dy_2 = _take(_dy_1, _rows19)
-            _dz_2 = _take(_dz_1, _rows19)
-            _p_gravity_2 = _take(_p_gravity_1, _rows19)
-            _vx_2 = _take(_vx_1, _rows19)
-            _vy_2 = _take(_vy_1, _rows19)
-            _vz_2 = _take(_vz_1, _rows19)
-            _when_2 = _take(_when_1, _rows19)
-            _x_2 = _take(_x_1, _rows19)
-            _y_2 = _take(_y_1, _rows19)
-            _z_2 = _take(_z_1, _rows19)
-            _room_2 = room(_count20)
+        _rows21, _count22 = _rows(_timed_1, _count20)
+        if _count22:
+            _clock_2 = _take(_clock_1, _rows21)
+            _clock_error_2 = _take(_clock_error_1, _rows21)
+            _dvx_2 = _take(_dvx_1, _rows21)
+            _dvy_2 = _take(_dvy_1, _rows21)
+            _dvz_2 = _take(_dvz_1, _rows21)
+            _dx_2 = _take(_dx_1, _rows21)
+            _dy_2 = _take(_dy_1, _rows21)
+            _dz_2 = _take(_dz_1, _rows21)
+            _p_gravity_2 = _take(_p_gravity_1, _rows21)
+            _vx_2 = _take(_vx_1, _rows21)
+            _vy_2 = _take(_vy_1, _rows21)
+            _vz_2 = _take(_vz_1, _rows21)
+            _when_2 = _take(_when_1, _rows21)
+            _x_2 = _take(_x_1, _rows21)
+            _y_2 = _take(_y_1, _rows21)
+            _z_2 = _take(_z_1, _rows21)
+            _room_2 = room(_count22)
             _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
-            _clock_error_1 = _put(_clock_error_1, _rows19, _clock_error_2, _count18)
-            _dvx_1 = _put(_dvx_1, _rows19, _dvx_2, _count18)
-            _dvy_1 = _put(_dvy_1, _rows19, _dvy_2, _count18)
-            _dvz_1 = _put(_dvz_1, _rows19, _dvz_2, _count18)
-            _dx_1 = _put(_dx_1, _rows19, _dx_2, _count18)
-            _dy_1 = _put(_dy_1, _rows19, _dy_2, _count18)
-            _dz_1 = _put(_dz_1, _rows19, _dz_2, _count18)
-        _clock_error_0 = _put(_clock_error_0, _rows17, _clock_error_1, shots)
-        _dvx_0 = _put(_dvx_0, _rows17, _dvx_1, shots)
-        _dvy_0 = _put(_dvy_0, _rows17, _dvy_1, shots)
-        _dvz_0 = _put(_dvz_0, _rows17, _dvz_1, shots)
-        _dx_0 = _put(_dx_0, _rows17, _dx_1, shots)
-        _dy_0 = _put(_dy_0, _rows17, _dy_1, shots)
-        _dz_0 = _put(_dz_0, _rows17, _dz_1, shots)
-    _rows21, _count22 = _rows(_hopped_0, shots)
-    if _count22:
-        _dvx_1 = _take(_dvx_0, _rows21)
-        _dvy_1 = _take(_dvy_0, _rows21)
-        _dvz_1 = _take(_dvz_0, _rows21)
-        _dx_1 = _take(_dx_0, _rows21)
-        _dy_1 = _take(_dy_0, _rows21)
-        _dz_1 = _take(_dz_0, _rows21)
-        _vx_1 = _take(_vx_0, _rows21)
-        _vy_1 = _take(_vy_0, _rows21)
-        _vz_1 = _take(_vz_0, _rows21)
-        _when_1 = _take(_when_0, _rows21)
-        _x_1 = _take(_x_0, _rows21)
-        _y_1 = _take(_y_0, _rows21)
-        _z_1 = _take(_z_0, _rows21)
-        _room_1 = room(_count22)
+            _clock_error_1 = _put(_clock_error_1, _rows21, _clock_error_2, _count20)
+            _dvx_1 = _put(_dvx_1, _rows21, _dvx_2, _count20)
+            _dvy_1 = _put(_dvy_1, _rows21, _dvy_2, _count20)
+            _dvz_1 = _put(_dvz_1, _rows21, _dvz_2, _count20)
+            _dx_1 = _put(_dx_1, _rows21, _dx_2, _count20)
+            _dy_1 = _put(_dy_1, _rows21, _dy_2, _count20)
+            _dz_1 = _put(_dz_1, _rows21, _dz_2, _count20)
+        _clock_error_0 = _put(_clock_error_0, _rows19, _clock_error_1, shots)
+        _dvx_0 = _put(_dvx_0, _rows19, _dvx_1, shots)
+        _dvy_0 = _put(_dvy_0, _rows19, _dvy_1, shots)
+        _dvz_0 = _put(_dvz_0, _rows19, _dvz_1, shots)
+        _dx_0 = _put(_dx_0, _rows19, _dx_1, shots)
+        _dy_0 = _put(_dy_0, _rows19, _dy_1, shots)
+        _dz_0 = _put(_dz_0, _rows19, _dz_1, shots)
+    _rows23, _count24 = _rows(_hopped_0, shots)
+    if _count24:
+        _dvx_1 = _take(_dvx_0, _rows23)
+        _dvy_1 = _take(_dvy_0, _rows23)
+        _dvz_1 = _take(_dvz_0, _rows23)
+        _dx_1 = _take(_dx_0, _rows23)
+        _dy_1 = _take(_dy_0, _rows23)
+        _dz_1 = _take(_dz_0, _rows23)
+        _vx_1 = _take(_vx_0, _rows23)
+        _vy_1 = _take(_vy_0, _rows23)
+        _vz_1 = _take(_vz_0, _rows23)
+        _when_1 = _take(_when_0, _rows23)
+        _x_1 = _take(_x_0, _rows23)
+        _y_1 = _take(_y_0, _rows23)
+        _z_1 = _take(_z_0, _rows23)
+        _room_1 = room(_count24)
         _dx_1, _dy_1, _dz_1 = carry_hop(_dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1, _room_1)
-        _dx_0 = _put(_dx_0, _rows21, _dx_1, shots)
-        _dy_0 = _put(_dy_0, _rows21, _dy_1, shots)
-        _dz_0 = _put(_dz_0, _rows21, _dz_1, shots)
+        _dx_0 = _put(_dx_0, _rows23, _dx_1, shots)
+        _dy_0 = _put(_dy_0, _rows23, _dy_1, shots)
+        _dz_0 = _put(_dz_0, _rows23, _dz_1, shots)
     _closed_0, = closing(_claims_0, _outcome_0)
     _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
     _position_claim_0 = _choose(_closed_0, _position_claim_1, _position_claim_0)

@@ -510,7 +510,7 @@ def flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity:
     Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications.
     Returns x, y, z, vx, vy, vz.
     """
-    _r0, *_ = _room
+    _r0, = _room[:1]
     return x + _multiply(t, vx, _r0), y + _multiply(t, vy, _r0), z + _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), vx, vy, vz - _multiply(p_gravity, t, _r0)
 
 
@@ -573,7 +573,7 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any, _room: Any 
     Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections.
     Returns clearance, delay.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _negative(_add(rate, rate_margin, _r0), _r0)
     _s1 = 0.0 < _s0
     return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(6.0, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(6.0, margin, _r2), _s0, _r2), _inf, _r0)
@@ -585,7 +585,7 @@ def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error:
     a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection.
     Returns position_level, velocity_level, excess.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s1 = share * _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = share * _s0
@@ -610,7 +610,7 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _ro
     what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
     Returns extent, speed, excess.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _absolute(x, _r0)
     _s1 = _absolute(y, _r1)
     _s2 = _absolute(z, _r2)
@@ -632,7 +632,7 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     running error analysis. 25 operations: 15 additions, 8 multiplications, 2 absolute values.
     Returns margin.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s1 = _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_bridge_half_width) + p_end_depth) + p_ring_radius) + p_wire_radius
@@ -646,7 +646,7 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _room[:25]
     _s0 = _add(dx, _multiply(dvx, t, _r0), _r0)
     _s1 = _absolute(vx, _r1)
     _s2 = _multiply(2.0, t, _r2)
@@ -693,7 +693,7 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _room[:17]
     _s0 = _absolute(vx, _r0)
     _s1 = _add(clock_error, _multiply(4.440892098500626e-16, _add(clock, t, _r1), _r1), _r1)
     _s2 = _absolute(dvx, _r2)
@@ -722,7 +722,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
@@ -744,7 +744,7 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
@@ -788,7 +788,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections.
     Returns valid, doubt.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29 = _room[:30]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = p_ball_radius + p_wire_radius
@@ -1072,7 +1072,7 @@ def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
     Returns finite.
     """
-    _r0, *_ = _room
+    _r0, = _room[:1]
     _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _inf), (_absolute(y, _r0) < _inf)), (_absolute(z, _r0) < _inf)), (_absolute(vx, _r0) < _inf)), (_absolute(vy, _r0) < _inf))
     _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _inf)), (_absolute(wx, _r0) < _inf)), (_absolute(wy, _r0) < _inf)), (_absolute(wz, _r0) < _inf))
     return _s1,
@@ -1280,7 +1280,7 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division.
     Returns vx, vy, vz, wx, wy, wz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = 0.4 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(0.6, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
@@ -1297,7 +1297,7 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20 = _room[:21]
     _s0 = 0.4 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s2 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
@@ -1397,7 +1397,7 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root.
     Returns nx, ny, nz.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(1.0, _s1, _r1), _r0)
@@ -1421,7 +1421,7 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
     derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
     Returns dnx, dny, dnz, turn.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = 1.0 / _s0
     _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
@@ -1440,7 +1440,7 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections.
     Returns clear.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)
     _s2 = _add(position_error, _multiply(horizon, velocity_error, _r0), _r0)
@@ -1491,7 +1491,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections.
     Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34 = _room[:35]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
     _s2 = _add(_multiply(2.0, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(2.0, _s1, _r1)
@@ -1561,7 +1561,7 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections.
     Returns margin, leaving_margin, rate_margin.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = 1.00006103515625 * _s0
@@ -1584,7 +1584,7 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection.
     Returns time, gap, rate.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
@@ -1606,7 +1606,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     Newton from the left under a curvature bound. 143 operations: 29 additions, 16 subtractions, 53 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
     Returns gap, rate, bend, step, next, clearance.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
@@ -1672,7 +1672,7 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, *_ = _halves(_room)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
     _s1 = 1.00006103515625 * (p_ball_radius + p_wire_radius)
     _s2 = 2.0 * p_gravity
@@ -1771,7 +1771,7 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _halves(_room)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _halves(_room[:12])
     _s0 = 0.0 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
@@ -1832,7 +1832,7 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, *_ = _halves(_room)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _halves(_room[:25])
     _s0 = _add(tilt, _multiply(grit, t, _r0), _r0)
     _s1 = _multiply(t, _s0, _r1)
     _s2 = _s1 < flat
@@ -1910,7 +1910,7 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root.
     Returns rho_start, parting, drift.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
     _s1 = _add(_multiply(vx, x, _r1), _multiply(vy, y, _r0), _r0) / _s0
     return _s0, 2.0 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
@@ -1933,7 +1933,7 @@ def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: A
     Table 1. 18 operations: 6 comparisons, 3 disjunctions, 9 selections.
     Returns t, end, searching.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _select(after < low0, low0, after, _r0)
     _s1 = _s0 < high0
     _s2 = _select(after < low1, low1, after, _r1)
@@ -2004,7 +2004,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     running error analysis. 15 operations: 7 additions, 8 multiplications.
     Returns margin.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
     return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
 
@@ -2080,7 +2080,7 @@ def bridge_bounds(x: Any, y: Any, p_ring_radius: Any, p_board_distance: Any, p_b
     Eq. 2, Table 2. 10 operations: 3 additions, 2 subtractions, 2 multiplications, 1 square root, 2 negations.
     Returns g0, g1, g2, g3, g4.
     """
-    _r0, _r1, *_ = _room
+    _r0, _r1 = _room[:2]
     return -_add(p_bridge_half_width, y, _r0), y - p_bridge_half_width, p_ring_radius - _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), x, -_add(p_board_distance, x, _r1)
 
 
@@ -2090,7 +2090,7 @@ def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_rad
     Eq. 3 in Table 2, solved. 27 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 1 absolute value, 2 comparisons, 4 selections.
     Returns time, rate, bend, apex, height.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = 0.0 < leaving
     _s1 = _select(_s0, 0.0, _subtract(z, p_ball_radius + p_wire_radius, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
@@ -2106,7 +2106,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     running error analysis. 15 operations: 7 additions, 8 multiplications.
     Returns margin.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
     return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
 
@@ -2183,7 +2183,7 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections.
     Returns time, rate, bend, apex, height.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = 0.0 < leaving
     _s1 = _select(_s0, 0.0, _subtract(z, -p_end_depth, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
@@ -2199,7 +2199,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     running error analysis. 13 operations: 6 additions, 7 multiplications.
     Returns margin.
     """
-    _r0, _r1, _r2, *_ = _room
+    _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
     return _add(6.667843360785852e-16 * p_end_depth, _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
 

@@ -47,7 +47,10 @@ _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
 @release_options
 @from_option
 @click.option(
-    "--shots", type=COUNT, help="Of each cell, with --scatter or --from.  [default: 10,000]"
+    "--shots",
+    type=COUNT,
+    help="Of each cell, with --scatter or --from. Of more than a --folder has, only the rest is "
+    "thrown.  [default: 10,000]",
 )
 @click.option(
     "--out", type=MAP, help="Write the map: .nc (netCDF, for xarray) or .csv; SI, with the units."

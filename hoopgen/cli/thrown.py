@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +16,7 @@ from hoopgen.cli.options import (
     UNITS_IN_WORDS,
     backend_option,
     examples,
+    json_option,
     max_contacts_option,
     picture_option,
     seed_option,
@@ -25,6 +30,8 @@ from hoopgen.cli.types import whole
 if TYPE_CHECKING:
     import hoopgen
     from hoopgen.inputs import Backend
+    from hoopgen.study.landings import Landings
+    from hoopgen.study.spread import Spread
     from hoopgen.variables import Releases
 
 __all__ = ["fan", "landings"]
@@ -34,6 +41,9 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
 
 _REBOUNDS = ("rebound_distance", "rebound_time", "rebound_angle")
 """What is said of them."""
+
+_WITHIN = (0.5, 0.9)
+"""Shares of the misses, of which the distance is said."""
 
 _CONFIDENCE = 0.95
 """Of intervals, as `hoopgen estimate` has it."""
@@ -62,7 +72,15 @@ _WORK = together(seed_option, max_contacts_option, backend_option, threads_optio
 @picture_option("paths")
 @_WORK
 @units_option
-def fan(releasing: Releasing, shots: int, paths: int, picture: Path | None, **work: Any) -> None:
+@json_option
+def fan(
+    releasing: Releasing,
+    shots: int,
+    paths: int,
+    picture: Path | None,
+    as_json: bool,
+    **work: Any,
+) -> None:
     """Throw a player's shots and draw their paths from the side, by what becomes of them.
 
     Shots scatter about a release, or are drawn from measured ones, as for `hoopgen estimate`, which
@@ -70,13 +88,16 @@ def fan(releasing: Releasing, shots: int, paths: int, picture: Path | None, **wo
     """
     from hoopgen.told import footer, in_a_note
 
-    thrown, flown, told = _thrown(releasing, shots, record=picture is not None, **work)
+    thrown = _thrown(releasing, shots, record=picture is not None, **work)
     if picture is not None:
         from hoopgen import plots
 
-        note = in_a_note(told)
-        plots.save(plots.plot_fan(flown, thrown.parameters, paths=paths, note=note), picture)
-    click.echo(f"{_ended(flown)}\n\n{footer(9, told)}")
+        scene, note = thrown.released.parameters, in_a_note(thrown.told)
+        plots.save(plots.plot_fan(thrown.flown, scene, paths=paths, note=note), picture)
+    if as_json:
+        _echo(thrown.as_dict())
+    else:
+        click.echo(f"{thrown.line}\n\n{footer(9, thrown.told)}")
 
 
 @click.command(
@@ -99,11 +120,13 @@ def fan(releasing: Releasing, shots: int, paths: int, picture: Path | None, **wo
 @picture_option("places on the floor")
 @_WORK
 @units_option
+@json_option
 def landings(
     releasing: Releasing,
     shots: int,
     catching_height: float | None,
     picture: Path | None,
+    as_json: bool,
     **work: Any,
 ) -> None:
     """Throw a player's shots and say where the missed ones come down to the floor.
@@ -111,37 +134,85 @@ def landings(
     Where the ball's centre would be at floor level, after its last contact with the hoop; with
     --catching-height where it is caught, as `hoopgen estimate` says it of a measure.
     """
-    import numpy as np
-
-    import hoopgen
     from hoopgen.scenes import check_hoop
-    from hoopgen.study.rebounds import CATCHING_HEIGHT, check_height
+    from hoopgen.study.landings import landings_of
+    from hoopgen.study.rebounds import check_height
+    from hoopgen.study.spread import spread_lines
     from hoopgen.told import footer, in_a_note
 
     check_hoop("landings", releasing.engine)
-    height = CATCHING_HEIGHT if catching_height is None else check_height(catching_height)
-    thrown, flown, told = _thrown(releasing, shots, record=False, **work)
-    scene, where = thrown.parameters, "floor" if catching_height is None else "rebound"
-    names = (f"{where}_x", f"{where}_y")
-    there = hoopgen.measure(thrown.states, flown, scene, names, catching_height=height)
-    missed = flown.outcome == hoopgen.Outcome.MISSED
-    x, y = (there[name][missed] for name in names)
-    said = _where(np.hypot(x, y)) if catching_height is None else _caught(thrown, flown, height)
-    click.echo(f"{_ended(flown)}\n{said}\n\n{footer(9, told)}")
+    height = None if catching_height is None else check_height(catching_height)
+    thrown = _thrown(releasing, shots, record=False, **work)
+    there = landings_of(thrown.released, thrown.flown, height)
+    if height is None:
+        said, found = _where(there), {"landings": _within(there)}
+    else:
+        measured = _caught(thrown, height)
+        said = "\n".join(spread_lines(measured))
+        found = {"measured": {name: one.as_dict() for name, one in measured.items()}}
+    if as_json:
+        _echo(thrown.as_dict() | found)
+    else:
+        click.echo(f"{thrown.line}\n{said}\n\n{footer(9, thrown.told)}")
     if picture is not None:  # of no misses there is none, which is then an error
         from hoopgen import plots
 
-        place = (float(np.mean(thrown.states[:, 0])), float(np.mean(thrown.states[:, 1])))
-        drawn = plots.plot_landings(
-            x,
-            y,
-            scene,
-            place=place,
-            height=catching_height,
-            scene=flown.scene,
-            note=in_a_note(told),
-        )
-        plots.save(drawn, picture)
+        scene, note = thrown.released.parameters, in_a_note(thrown.told)
+        plots.save(plots.plot_landings(there.x, there.y, scene, note=note, **there.seen), picture)
+
+
+@dataclass(frozen=True)
+class _Thrown:
+    """A player's shots, what became of them, and what that rests on."""
+
+    released: Releases
+    flown: hoopgen.Shots
+    setting: Mapping[str, Any]
+    seed: int
+
+    @cached_property
+    def told(self) -> dict[str, str]:
+        """What it rests on, in words."""
+        from hoopgen.told import told_setting
+
+        return told_setting(self.setting, self.flown.scene) | {"seed": str(self.seed)}
+
+    @cached_property
+    def counts(self) -> dict[str, int]:
+        """Shots by outcome."""
+        outcome = self.flown.outcome
+        return {one.name.lower(): int((outcome == one).sum()) for one in self.flown.scene.outcomes}
+
+    @property
+    def doubt(self) -> tuple[int, int]:
+        """How many are uncertain, and how many of those are capped."""
+        uncertain, outcomes = self.flown.uncertain, self.flown.scene.outcomes
+        capped = uncertain & (self.flown.outcome == outcomes["CAPPED"])
+        return int(uncertain.sum()), int(capped.sum())
+
+    @property
+    def line(self) -> str:
+        """How they end."""
+        from hoopgen.phrases import doubtful, percent
+
+        total = len(self.flown)
+        said = [f"{percent(count / total)} {name}" for name, count in self.counts.items() if count]
+        if self.doubt[0]:
+            said.append(doubtful(*self.doubt))
+        return f"shots    {total:,}: {', '.join(said)}"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return everything, as an estimate has it."""
+        uncertain, capped = self.doubt
+        return {
+            "shots": len(self.flown),
+            "counts": self.counts,
+            "uncertain": uncertain,
+            "uncertain_capped": capped,
+            "seed": self.seed,
+            "setting": self.setting,
+            "scene": self.told["scene"],
+        }
 
 
 def _thrown(
@@ -153,60 +224,61 @@ def _thrown(
     max_contacts: int,
     backend: Backend,
     threads: int | None,
-) -> tuple[Releases, hoopgen.Shots, dict[str, str]]:
-    """Return a player's shots, what became of them, and what that rests on."""
+) -> _Thrown:
+    """Throw a player's shots."""
     import hoopgen
     from hoopgen.study.throws import setting_of
-    from hoopgen.told import told_setting
 
     setting = setting_of(*releasing.model(), releasing.engine)
-    thrown = setting.model.draw(0, count, seed, setting.parameters)
+    released = setting.model.draw(0, count, seed, setting.parameters)
     flown = hoopgen.simulate(
-        thrown.states,
-        thrown.parameters,
+        released.states,
+        released.parameters,
         scene=setting.scene,
         max_contacts=max_contacts,
         backend=backend,
         threads=threads,
         record=record,
     )
-    return thrown, flown, told_setting(setting.identity(), setting.scene) | {"seed": str(seed)}
+    return _Thrown(released, flown, setting.identity(), seed)
 
 
-def _ended(flown: hoopgen.Shots) -> str:
-    """Say how shots end."""
+def _echo(found: Mapping[str, Any]) -> None:
+    """Write what was found as JSON."""
+    from hoopgen.study.named import in_units
+    from hoopgen.words import for_json
+
+    told = in_units({name: for_json(value) for name, value in found.items()})
+    click.echo(json.dumps(told, indent=2, allow_nan=False))
+
+
+def _within(there: Landings) -> dict[str, Any]:
+    """Return within which distances of the basket shares of the balls come down, m."""
     import numpy as np
 
-    from hoopgen.phrases import doubtful, percent
-
-    shares = {one.name.lower(): np.mean(flown.outcome == one) for one in flown.scene.outcomes}
-    said = [f"{percent(float(share))} {name}" for name, share in shares.items() if share]
-    if flown.uncertain.any():
-        capped = flown.uncertain & (flown.outcome == flown.scene.outcomes["CAPPED"])
-        said.append(doubtful(int(flown.uncertain.sum()), int(capped.sum())))
-    return f"shots    {len(flown):,}: {', '.join(said)}"
+    away = there.away
+    quantiles = {f"{p:g}": {"value": float(np.quantile(away, p))} for p in _WITHIN if len(away)}
+    return {"unit": "m", "shots": len(away), "quantiles": quantiles}
 
 
-def _where(away: Any) -> str:
-    """Say how far from the basket balls come down."""
-    import numpy as np
-
+def _where(there: Landings) -> str:
+    """Say it."""
     from hoopgen.phrases import counted
     from hoopgen.words import say
 
-    there = away[np.isfinite(away)]
-    if not len(there):
+    within = _within(there)
+    if not within["shots"]:
         return "land     none of the missed ones reaches the floor"
-    half, most = (say("distance", float(np.quantile(there, share))) for share in (0.5, 0.9))
+    half, most = (say("distance", one["value"]) for one in within["quantiles"].values())
     return (
-        f"land     half of {counted(len(there), 'missed shot')} within {half} of the point below "
-        f"the ring's centre, 90% within {most}"
+        f"land     half of {counted(within['shots'], 'missed shot')} within {half} of the point "
+        f"below the ring's centre, 90% within {most}"
     )
 
 
-def _caught(thrown: Releases, flown: hoopgen.Shots, height: float) -> str:
-    """Say how far rebounds go, when they come down, and where to."""
-    from hoopgen.study.spread import counts_of, spread_lines, spreads
+def _caught(thrown: _Thrown, height: float) -> dict[str, Spread]:
+    """Return how far rebounds go, when they come down, and where to."""
+    from hoopgen.study.spread import counts_of, spreads
 
-    counts = counts_of(thrown, flown, _REBOUNDS, height)
-    return "\n".join(spread_lines(spreads(counts, _REBOUNDS, _CONFIDENCE, height)))
+    counts = counts_of(thrown.released, thrown.flown, _REBOUNDS, height)
+    return spreads(counts, _REBOUNDS, _CONFIDENCE, height)

@@ -186,7 +186,7 @@ def _environment() -> jinja2.Environment:
     environment.filters["number"] = lambda value: constant(float(value), NUMPY)
     environment.filters["c_number"] = lambda value: constant(float(value), C)
     environment.filters["local"] = lambda name: local(name, 0)
-    environment.filters["rows"] = lambda many: ", ".join([*(f"_r{k}" for k in range(many)), "*_"])
+    environment.filters["rows"] = lambda many: ", ".join(f"_r{k}" for k in range(many))
     environment.filters["annotated"] = lambda name: f"{name}: Any"
     environment.filters["before"] = lambda name: f"{name}_before"
     environment.filters["waiting"] = lambda name: f"waiting_{name}"

@@ -79,7 +79,7 @@ def plot_aim(
     note
         Below the title; by default what the bands are, the scene, and what is the same in all rows.
     width
-        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+        Of the page, inches, as of `plot_fan`.
     ax
         To draw on, how far the speed may be off alone.
 

@@ -14,7 +14,7 @@ from hoopgen.brief import brief
 from hoopgen.hoop.presets import NAMES, PRESETS, nearest_preset
 from hoopgen.phrases import counted, interval, percent
 from hoopgen.plots.court import on_floor
-from hoopgen.plots.key import CLASSES, classify
+from hoopgen.plots.key import CLASSES, Class, by_outcome, classify
 from hoopgen.told import told_by
 from hoopgen.variables import STATE_UNITS, is_state
 from hoopgen.words import Quantity, quantity
@@ -29,13 +29,12 @@ Numbers = NDArray[np.float64]
 _NEEDED: Mapping[str, tuple[str, ...]] = {
     "probability": ("probability",),
     "kind": ("kind", "outcome"),
+    "outcome": ("outcome",),
 }
 """What a map may show, and the variables of the dataset that it needs."""
 
 _ENDING = "ending"
 """The dimension of outcomes, in maps of a scene of one's own."""
-
-_INVALID = [one.outcome for one in CLASSES].index("invalid")
 
 _FACETS = 12
 """Panels on a page, at most."""
@@ -75,11 +74,11 @@ class Cells:
     Attributes
     ----------
     of
-        ``"probability"`` or ``"kind"``.
+        ``"probability"``, ``"kind"`` or ``"outcome"``.
     axes
         The one drawn across, the one drawn up, the one with a panel for each value.
     values
-        By axis: probabilities, or places in `CLASSES`.
+        By axis: probabilities, or places in `classes`.
     interval
         Its ends, as `values`, if there is one.
     confidence
@@ -90,6 +89,8 @@ class Cells:
         The scene alone, a sentence; empty if the dataset does not say it.
     label
         Of probabilities.
+    classes
+        What single shots can be; none of probabilities.
     hoop
         Parameters of the hoop of a map over places on the floor, x and y; of another None.
     """
@@ -102,13 +103,23 @@ class Cells:
     note: str
     scene: str
     label: str = "shots made (%)"
+    classes: tuple[Class, ...] = ()
     hoop: Mapping[str, float] | None = None
 
     @property
     def nowhere(self) -> NDArray[np.bool_]:
         """Which cells have no flight."""
-        missing = self.values == _INVALID if self.of == "kind" else np.isnan(self.values)
-        return np.asarray(missing)
+        if not self.classes:
+            return np.asarray(np.isnan(self.values))
+        invalid = [one.outcome for one in self.classes].index("invalid")
+        return np.asarray(self.values == invalid)
+
+    @property
+    def present(self) -> list[Class]:
+        """The classes that the key names: hatched cells are none, and probabilities have none."""
+        if not self.classes:
+            return []
+        return [self.classes[place] for place in np.unique(self.values[~self.nowhere])]
 
     def panels(self) -> list[Cells]:
         """Return the map for each value of the third variable, if there is one."""
@@ -196,15 +207,21 @@ def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
     def values(name: str) -> NDArray[Any]:
         return np.asarray(dataset[name].transpose(*dims))
 
+    classes: tuple[Class, ...] = ()
+    if chosen == "kind":
+        shown, classes = classify(values("outcome"), values("kind")), CLASSES
+    elif chosen == "outcome":
+        classes = by_outcome(_named(dataset["outcome"]))
+        shown = _coded(values("outcome"), len(classes))
+    else:
+        shown = values(chosen).astype(np.float64)
     bounds = ("low", "high")
     confidence = dataset.attrs.get("confidence")
     return Cells(
         of=chosen,
         hoop=_hoop(dataset) if {"x", "y"} == set(dims[:2]) else None,
         axes=tuple(_axis(dataset, name) for name in dims),
-        values=classify(values("outcome"), values("kind"))
-        if chosen == "kind"
-        else values(chosen).astype(np.float64),
+        values=shown,
         interval=(values("low"), values("high"))
         if all(name in dataset for name in bounds)
         else None,
@@ -212,7 +229,26 @@ def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
         note=_note(dataset),
         scene=_scene(dataset),
         label=label,
+        classes=classes,
     )
+
+
+def _named(outcome: xr.DataArray) -> list[str]:
+    """Return the names of outcomes, by their codes."""
+    names = str(outcome.attrs.get("flag_meanings", "")).split()
+    if "invalid" not in names:
+        raise ValueError(
+            "dataset: expected the names of its outcomes in their flag_meanings, as hoopgen.map "
+            f"gives them; got {', '.join(names) or 'none'}"
+        )
+    return names
+
+
+def _coded(codes: NDArray[Any], count: int) -> NDArray[Any]:
+    """Return codes of so many outcomes, if they are that."""
+    if codes.size and not 0 <= codes.min() <= codes.max() < count:
+        raise ValueError(f"outcome: expected codes from 0 to {count - 1}")
+    return codes
 
 
 def _hoop(dataset: xr.Dataset) -> Mapping[str, float] | None:
@@ -238,14 +274,9 @@ def _of_an_end(dataset: xr.Dataset, of: str | None) -> tuple[xr.Dataset, str]:
 
 def _choose(dataset: xr.Dataset, of: str | None) -> str:
     possible = [name for name, needs in _NEEDED.items() if all(one in dataset for one in needs)]
-    if not possible and "outcome" in dataset:
-        raise ValueError(
-            "dataset: single shots of a scene of one's own have no kinds to draw; map with a "
-            "scatter, or draw dataset['outcome']"
-        )
     if not possible:
         raise ValueError(
-            "dataset: expected the variable probability, or kind and outcome, as hoopgen.map gives "
+            "dataset: expected the variable probability, or outcome, as hoopgen.map gives "
             f"them; got {', '.join(map(str, dataset.data_vars)) or 'none'}"
         )
     if of is not None and of not in possible:
@@ -291,8 +322,14 @@ def _note(dataset: xr.Dataset) -> str:
     if "columns" in told:
         spread = f"measured releases: {', '.join(json.loads(told['columns']))}"
     sentences = (", ".join(same), spread, ", ".join(rest))
-    told_of_all = [f"{said[0].upper()}{said[1:]}." for said in sentences if said]
+    told_of_all = [f"{_begun(said)}." for said in sentences if said]
     return " ".join([scene, *told_of_all]).strip()
+
+
+def _begun(sentence: str) -> str:
+    """Return it with a capital letter, if it does not begin with a component of a state."""
+    begins = sentence.split(maxsplit=1)[0] in STATE_UNITS
+    return sentence if begins else f"{sentence[0].upper()}{sentence[1:]}"
 
 
 def _scene(dataset: xr.Dataset) -> str:

@@ -2,22 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.colours import ended
 from hoopgen.hoop.kinds import Kind
 from hoopgen.phrases import percent
 from hoopgen.plots.page import add_axes
-from hoopgen.plots.style import EDGES, INK, MADE, MISSED, NEITHER
+from hoopgen.plots.style import EDGES, INK, MADE, MISSED, NEITHER, SMALL, letter
 from hoopgen.results import Outcome
 
-__all__ = ["CLASSES", "Class", "classify", "draw_key", "key_height"]
+__all__ = [
+    "CLASSES",
+    "Class",
+    "by_outcome",
+    "classify",
+    "draw_key",
+    "draw_names",
+    "key_height",
+    "names_height",
+]
 
 
 @dataclass(frozen=True)
@@ -52,6 +63,12 @@ def _classes() -> tuple[Class, ...]:
 
 CLASSES = _classes()
 """All that a shot can be."""
+
+
+def by_outcome(names: Sequence[str]) -> tuple[Class, ...]:
+    """Return a class for each outcome of a scene, in small letters: its ends, then all others."""
+    ends = sum(name not in NEITHER for name in names)
+    return tuple(Class(name, "", colour) for name, colour in ended(names, ends).items())
 
 
 def _index() -> NDArray[np.int64]:
@@ -192,3 +209,43 @@ def draw_key(
 def _draw_swatch(axes: Axes, left: float, middle: float, colour: str) -> None:
     corner = left, middle - _SWATCH_HEIGHT / 2.0
     axes.add_patch(Rectangle(corner, _SWATCH, _SWATCH_HEIGHT, fc=colour, ec=EDGES, lw=0.4))
+
+
+# ---------------------------------------------------------------------------------- of names alone
+
+_BESIDE = 0.36  # inches: a swatch, and what is free around it and its name
+
+
+def _columns(names: Sequence[str], width: float) -> int:
+    longest = max(map(len, names), default=0)
+    return max(1, int(width / (letter(SMALL) * longest + _BESIDE)))
+
+
+def names_height(names: Sequence[str], width: float) -> float:
+    """Return the height of a key of names in a width, inches both."""
+    return -(-len(names) // _columns(names, width)) * _LINE + _SWATCH_HEIGHT
+
+
+def draw_names(figure: Figure, handles: Sequence[Artist], width: float) -> None:
+    """Write the key at the foot of a page: names, each beside its colour, as many as fit a row.
+
+    Parameters
+    ----------
+    figure
+        The page.
+    handles
+        Lines or areas, with their labels.
+    width
+        There is for it, inches.
+    """
+    names = [str(handle.get_label()) for handle in handles]
+    figure.legend(
+        handles=list(handles),
+        loc="lower left",
+        ncols=_columns(names, width),
+        frameon=False,
+        fontsize=SMALL,
+        borderaxespad=0.2,
+        handlelength=1.4,
+        columnspacing=1.2,
+    )

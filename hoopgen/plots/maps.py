@@ -21,7 +21,7 @@ from hoopgen.phrases import percent
 from hoopgen.plots.cells import Cells, read_cells
 from hoopgen.plots.contours import draw_contours
 from hoopgen.plots.court import FLOOR, draw_floor, on_floor
-from hoopgen.plots.key import CLASSES, Class, draw_key, key_height
+from hoopgen.plots.key import draw_key, draw_names, key_height, names_height
 from hoopgen.plots.page import add_axes, add_view, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
@@ -31,7 +31,7 @@ from hoopgen.plots.views import Limits
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["draw_kinds", "plot_map"]
+__all__ = ["draw_classes", "plot_map"]
 
 _BAND = "#A6CEE3"
 _LIGHT = COLOURS["paper"]
@@ -86,8 +86,8 @@ def plot_map(
 
     Over one variable a probability is a line with its interval; over two it is colours, a cell
     each, with contours that keep within the intervals, if there are a dozen cells along both. The
-    best cell is marked. Kinds are colours. Cells that have no flight are hatched. A third variable
-    gives a panel for each of its values.
+    best cell is marked. Kinds and outcomes are colours. Cells that have no flight are hatched. A
+    third variable gives a panel for each of its values.
 
     Over x and y, places on the floor at a hoop, it is drawn on the court as the shooter sees it:
     to scale, the board at the top.
@@ -98,8 +98,8 @@ def plot_map(
         As `hoopgen.map` gives it, its coordinates in SI units and in order; the first dimension is
         drawn across, the second up.
     of
-        ``"probability"`` or ``"kind"``; by default the one that there is. Of a scene of one's own
-        one of its ends; by default the first.
+        ``"probability"``, or of single shots ``"kind"`` or ``"outcome"``; by default the first
+        that there is. With scatter, of a scene of one's own, one of its ends; by default the first.
     title
         Above the picture.
     note
@@ -109,7 +109,7 @@ def plot_map(
         Whose lines are drawn, of `hoopgen.hoop.courts.COURTS`; by default FIBA's for a hoop nearest
         to that preset, else the NBA's.
     width
-        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+        Of the page, inches, as of `plot_fan`.
     ax
         To draw on, a map over one or two variables. A bar of colours takes its place from them; the
         key of kinds is to the right: figures with ``layout="constrained"`` make room for it.
@@ -171,10 +171,9 @@ def _draw_on(axes: Axes, shown: Cells, title: str, note: str, court: Court) -> A
             axes.set_yticks([])
     if panel.hoop is not None:
         draw_floor(axes, fit_view(axes, FLOOR, _limits(panel, court)), court, panel.hoop, over=True)
-    if panel.of == "kind":
-        draw_kinds(axes, panel)
-        present = _present(panel)
-        add_key(axes, [Patch(fc=one.colour, ec=EDGES, label=one.words) for one in present])
+    if panel.classes:
+        draw_classes(axes, panel)
+        add_key(axes, _swatches(panel))
     elif len(panel.axes) > 1:
         figure = axes.figure
         assert figure is not None
@@ -199,7 +198,9 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
     axes.set_xlabel(axis.quantity.label, parse_math=False)
     axes.set_ylabel(shown.label, parse_math=False)
     axes.yaxis.set_major_formatter(FuncFormatter(_in_percent))
-    axes.set_ylim(0.0, 1.08 * float(np.nanmax(top, initial=0.01)))
+    # Of axes that share a scale, all that is on them is seen.
+    others = [one.dataLim.y1 for one in axes.get_shared_y_axes().get_siblings(axes)]
+    axes.set_ylim(0.0, 1.08 * max(float(np.nanmax(top, initial=0.01)), *others))
     axes.margins(x=0.0)
     axes.grid(color=GRID, lw=0.5)
     axes.set_axisbelow(True)
@@ -212,8 +213,7 @@ def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
     panels = shown.panels()
     columns = min(len(panels), 2 if width < NARROW else 3)
     rows = -(-len(panels) // columns)
-    key = dict.fromkeys(_present(shown)) if shown.of == "kind" else {}
-    foot = key_height(key, width - 2.0 * _PAD) + _PAD if key else 0.0
+    foot = _key_height(shown, width)
     tall = _STRIP if len(shown.axes) == 1 else _HEIGHT * width / columns + _LABELS
     figure = new_page(width, rows * tall, title=title, note=shown.note, foot=foot, arrange=True)
     grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
@@ -232,18 +232,35 @@ def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
         axes.set_ylabel(up[0] if up else "")
     if not up:
         places[0].set_yticks([])
-    if key:
+    if shown.classes:
         for axes, panel in zip(places, panels, strict=True):
-            draw_kinds(axes, panel)
-        draw_key(figure, key, _PAD, foot, width - 2.0 * _PAD)
+            draw_classes(axes, panel)
+        _draw_key(figure, shown, foot, width)
     else:
         _draw_probabilities(figure, places, panels)
     return figure
 
 
-def _present(shown: Cells) -> list[Class]:
-    """Return the classes that the key names: hatched cells are none."""
-    return [CLASSES[place] for place in np.unique(shown.values[~shown.nowhere])]
+def _swatches(shown: Cells) -> list[Patch]:
+    return [Patch(fc=one.colour, ec=EDGES, lw=0.4, label=one.words) for one in shown.present]
+
+
+def _key_height(shown: Cells, width: float) -> float:
+    """Return the height of a page's key, inches, of which there is none of probabilities."""
+    if not shown.present:
+        return 0.0
+    room = width - 2.0 * _PAD
+    if shown.of == "kind":
+        return key_height(dict.fromkeys(shown.present), room) + _PAD
+    return names_height([one.words for one in shown.present], room) + _PAD
+
+
+def _draw_key(figure: Figure, shown: Cells, height: float, width: float) -> None:
+    """Write it: kinds against made and missed, or the outcomes by name."""
+    if shown.of == "kind":
+        draw_key(figure, dict.fromkeys(shown.present), _PAD, height, width - 2.0 * _PAD)
+    elif shown.present:
+        draw_names(figure, _swatches(shown), width - 2.0 * _PAD)
 
 
 def _draw_cells(axes: Axes, panel: Cells, **colours: Any) -> QuadMesh:
@@ -276,10 +293,10 @@ def _hatches(across: NDArray[Any], up: NDArray[Any], cells: NDArray[np.bool_]) -
     return PathPatch(shape, fc="none", ec=EDGES, lw=0.0, hatch="/////", zorder=0.6)
 
 
-def draw_kinds(axes: Axes, panel: Cells) -> None:
-    """Colour cells by kind; one or two axes."""
-    colours = ListedColormap([one.colour for one in CLASSES])
-    _draw_cells(axes, panel, cmap=colours, norm=Normalize(-0.5, len(CLASSES) - 0.5))
+def draw_classes(axes: Axes, panel: Cells) -> None:
+    """Colour cells by what their shots are; one or two axes."""
+    colours = ListedColormap([one.colour for one in panel.classes])
+    _draw_cells(axes, panel, cmap=colours, norm=Normalize(-0.5, len(panel.classes) - 0.5))
 
 
 def _draw_probabilities(
@@ -320,11 +337,10 @@ def _plot_courts(shown: Cells, title: str, width: float, court: Court) -> Figure
     rows = -(-len(panels) // columns)
     limits = _limits(shown, court)
     across, up = limits[1] - limits[0], limits[3] - limits[2]
-    beside = _LEFT + _RIGHT + (0.0 if shown.of == "kind" else _BAR + _BAR_LABELS)
+    beside = _LEFT + _RIGHT + (0.0 if shown.classes else _BAR + _BAR_LABELS)
     room = (width - beside - (columns - 1) * _BETWEEN) / columns
     scale = min(room / across, (_TALLEST / rows - _BELOW) / up)
-    key = dict.fromkeys(_present(shown)) if shown.of == "kind" else {}
-    foot = key_height(key, width - 2.0 * _PAD) + _PAD if key else 0.0
+    foot = _key_height(shown, width)
     lines = (len(panels) > 1) + (shown.of == "probability")  # said above each
     head = _PAD + _HEAD * lines
     step = head + up * scale + _BELOW
@@ -342,10 +358,10 @@ def _plot_courts(shown: Cells, title: str, width: float, court: Court) -> Figure
         if len(panels) > 1:
             axes.set_title(panel.note, loc="left", fontsize=SMALL)
         places.append(axes)
-    if key:
+    if shown.classes:
         for axes, panel in zip(places, panels, strict=True):
-            draw_kinds(axes, panel)
-        draw_key(figure, key, _PAD, foot, width - 2.0 * _PAD)
+            draw_classes(axes, panel)
+        _draw_key(figure, shown, foot, width)
     else:
         high = (rows - 1) * step + up * scale
         bar = add_axes(figure, wide - _BAR - _BAR_LABELS, _BELOW, _BAR, high, "bar")

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from hoopgen.colours import ended
 from hoopgen.phrases import counted, percent
+from hoopgen.plots.key import draw_names, names_height
 from hoopgen.plots.multiples import BELOW, Group, by_name, check_by, draw_grid, lay_grid, say_by
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
@@ -28,7 +29,7 @@ from hoopgen.told import say_of
 __all__ = ["bezier", "draw_paths"]
 
 # Inches.
-_LEFT, _RIGHT, _BELOW, _ABOVE, _KEY = 0.6, 0.12, 0.5, 0.12, 0.24
+_LEFT, _RIGHT, _BELOW, _ABOVE = 0.6, 0.12, 0.5, 0.12
 _TALLEST = 4.5
 _LINE = 0.6  # points
 _PIECE = 0.01  # s, of a roll: less than can be seen off a parabola
@@ -96,22 +97,23 @@ def draw_paths(
             _draw(axes, panel, scenery, lines[0])
             return axes
         across = width - _LEFT - _RIGHT
+        foot = names_height([str(line.get_label()) for line in key], width)
         if by == "all":
             scale = min(across / (limits[1] - limits[0]), _TALLEST / (limits[3] - limits[2]))
-            panel = Panel(view, limits, scale, _LEFT, _KEY + _BELOW)
+            panel = Panel(view, limits, scale, _LEFT, foot + _BELOW)
             page = _BELOW + panel.height + _ABOVE
-            figure = new_page(width, page, title=title, note=told, foot=_KEY)
+            figure = new_page(width, page, title=title, note=told, foot=foot)
             _draw(add_view(figure, panel), panel, scenery, lines[0])
         else:
             grid = lay_grid(
-                len(groups), view, limits, (_LEFT, _KEY + BELOW, across), width, _TALLEST
+                len(groups), view, limits, (_LEFT, foot + BELOW, across), width, _TALLEST
             )
-            page = grid.top - _KEY
-            figure = new_page(width, page, title=title, note=told, foot=_KEY)
+            page = grid.top - foot
+            figure = new_page(width, page, title=title, note=told, foot=foot)
             places = draw_grid(figure, grid, [group.title for group in groups])
             for axes, panel, own in zip(places, grid.panels, lines, strict=True):
                 _draw(axes, panel, scenery, own)
-        figure.legend(handles=key, loc="lower left", ncols=6, frameon=False, fontsize=7.5)
+        draw_names(figure, key, width)
         return figure
 
 

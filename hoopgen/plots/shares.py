@@ -30,6 +30,7 @@ from hoopgen.plots.style import (
 )
 from hoopgen.plots.ticks import number
 from hoopgen.told import in_a_note, told_setting
+from hoopgen.words import MINUS
 
 if TYPE_CHECKING:
     from hoopgen.study.compare import Comparison
@@ -90,7 +91,7 @@ def plot_estimate(
     note
         Below the title; by default how many shots there are and what they rest on.
     width
-        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+        Of the page, inches, as of `plot_fan`.
     ax
         To draw on, the outcomes alone; of a comparison, both settings.
 
@@ -214,10 +215,8 @@ def _of_comparison(found: Comparison) -> list[_Group]:
         replace(next(bar for bar in _groups(one)[0].bars if bar.name == found.by), name=name)
         for name, one in settings.items()
     ]
-    said = (
-        points(found.difference, digits),
-        (f"({points(found.low, digits)} to {points(found.high, digits)})"),
-    )
+    shown = [points(one, digits).replace("-", MINUS) for one in (found.low, found.high)]
+    said = points(found.difference, digits).replace("-", MINUS), f"({' to '.join(shown)})"
     more = _Bar("difference", [(found.difference, _PLAIN)], found.low, found.high, *said)
     return [
         _Group(f"{found.by}, of each setting", "shots (%)", bars),

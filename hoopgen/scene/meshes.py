@@ -60,8 +60,8 @@ class Mesh:
 def clip(corners: Floats, values: Floats) -> tuple[Floats, Floats, NDArray[np.intp]]:
     """Cut triangles where values at their corners are not below 0.
 
-    Both triangles of an edge find the same bits for where it is cut, and none that is left is a
-    line.
+    Both triangles of an edge find the same bits for where it is cut. Where a corner's own value is
+    0, or as good as that, what is left may be a line: `loops` passes over it.
 
     Parameters
     ----------
@@ -273,11 +273,13 @@ def loops(corners: Floats) -> list[Floats]:
         return []
     rows, index = np.unique(corners.reshape(-1, corners.shape[2]), axis=0, return_inverse=True)
     triangles = index.reshape(-1, 3)
+    # One that is a line has an edge both ways, as if the triangle beside it had a neighbour there.
+    triangles = triangles[(triangles != triangles[:, [1, 2, 0]]).all(axis=1)]
     starts, stops = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
     edges = set(zip(starts.tolist(), stops.tolist(), strict=True))
     after: dict[int, list[int]] = {}
     for start, stop in sorted(edges):
-        if start != stop and (stop, start) not in edges:
+        if (stop, start) not in edges:
             after.setdefault(start, []).append(stop)
     found = []
     while after:

@@ -210,6 +210,11 @@ def _why(given: Mapping[str, NDArray[np.float64]], arc: Arc) -> str:
         if not np.isfinite(value):
             return f"{name}: expected a finite number, got {value}"
     reach, rise, gravity = _point(given)
+    if given["distance"] == 0.0 and reach <= 0.0:
+        return (
+            "distance: expected above 0: right above or below the ring's centre nothing is thrown "
+            "at it, unless depth is past it; got 0"
+        )
     if reach <= 0.0:
         return (
             f"depth: expected a point before the ball, more than {-given['distance']} m past the "

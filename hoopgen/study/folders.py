@@ -188,6 +188,11 @@ def trim(folder: Path, chunks: int) -> None:
             file.unlink()
 
 
+def count_chunks(folder: Path) -> int:
+    """Return how many chunks there are in a folder, which need not be there."""
+    return sum(1 for _ in folder.glob(_CHUNKS))
+
+
 def read_record(file: Path) -> dict[str, Any]:
     """Return what a file of JSON says, names and values.
 

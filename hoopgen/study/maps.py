@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sized
 from dataclasses import dataclass
+from functools import partial
 from math import prod
 from os import PathLike
 from typing import Any, TypeAlias
@@ -23,7 +24,7 @@ from hoopgen.scenes import STATES, engine_of, variables_of
 from hoopgen.sizes import check_room
 from hoopgen.variables import Variable, check_names
 
-from .chunks import run
+from .chunks import Rest, run
 from .draws import check_seed
 from .mapped import dataset
 from .resample import Resample
@@ -38,7 +39,10 @@ SHOTS = 10_000
 """Of a cell, unless asked for otherwise."""
 
 _CHUNK = 1 << 17
-"""Shots in a chunk, at most."""
+"""Shots in a chunk of few cells, at most, and single ones in any."""
+
+_CHUNKS, _CELLS = 64, 512
+"""Chunks that many cells are in, and most of them in one."""
 
 _CELL, _TALLIED = 48, 720
 """Bytes that a cell takes at the most, single or with scatter, until it is in a file."""
@@ -87,7 +91,7 @@ def map(
     max_contacts, backend
         As for `hoopgen.simulate`.
     threads, folder, scheduler, progress
-        As for `hoopgen.estimate`.
+        As for `hoopgen.estimate`; a folder may be asked for other `shots`, not for other cells.
 
     Returns
     -------
@@ -166,7 +170,8 @@ class _Work:
     """A job of `chunks.run`: some shots of some cells, every cell with the same noise.
 
     Cells are numbered with the last axis fastest. A chunk goes over many cells, so that noise is
-    drawn for all of them at once.
+    drawn for all of them at once. Which cells and which shots are in it does not hang on the number
+    of shots, so that a folder can be asked for more.
     """
 
     axes: Mapping[str, Floats]
@@ -184,9 +189,10 @@ class _Work:
 
     @property
     def together(self) -> tuple[int, int]:
-        """How many cells are in a chunk, and how many shots of each."""
-        shots = min(self.shots, BLOCK)
-        return _CHUNK // shots, shots
+        """How many cells are in a chunk, and how many shots of each, at most."""
+        if not self.model.scatters:
+            return _CHUNK, 1
+        return max(_CHUNK // BLOCK, min(_CELLS, -(-prod(self.shape) // _CHUNKS))), BLOCK
 
     @property
     def _blocks(self) -> tuple[int, int]:
@@ -201,8 +207,14 @@ class _Work:
     def cells(self, chunk: int) -> tuple[int, int]:
         """Return the first cell of a chunk, and the one after its last."""
         cells, _ = self.together
-        start = chunk // self._blocks[1] * cells
+        start = chunk % self._blocks[0] * cells
         return start, min(start + cells, prod(self.shape))
+
+    def _shots_of(self, chunk: int) -> tuple[int, int]:
+        """Return the first shot of a chunk's cells, and the one after their last."""
+        _, many = self.together
+        start = chunk // self._blocks[0] * many
+        return start, min(start + many, self.shots)
 
     def identity(self) -> dict[str, Any]:
         """Return what the chunks depend on."""
@@ -210,7 +222,6 @@ class _Work:
             "over": {name: values.tolist() for name, values in self.axes.items()},
             "model": self.model.identity(),
             "parameters": dict(self.parameters),
-            "shots": self.shots,
             "seed": self.seed,
             "max_contacts": self.max_contacts,
             **scene_identity(self.scene),
@@ -218,9 +229,25 @@ class _Work:
 
     def compute(self, chunk: int) -> pa.Table:
         """Return a row of numbers for each cell of a chunk."""
-        _, many = self.together
-        start = chunk % self._blocks[1] * many
-        stop = min(start + many, self.shots)
+        return self.counted(chunk, *self._shots_of(chunk))
+
+    def rest(self, chunk: int, kept: pa.Table) -> Rest | None:
+        """Return what goes on with a chunk whose cells have fewer shots, or that counts fewer."""
+        if not self.model.scatters:
+            return None
+        start, stop = self._shots_of(chunk)
+        numbers = _rows(kept)
+        there = start + int(Tally.read(numbers[0], self.scene).shots)
+        if there == stop:
+            return None
+        if there > stop:
+            return Rest(partial(self.counted, chunk, start, stop), more=False)
+        return Rest(partial(self.counted, chunk, there, stop, numbers), more=True)
+
+    def counted(
+        self, chunk: int, start: int, stop: int, before: NDArray[np.int64] | None = None
+    ) -> pa.Table:
+        """Return the numbers of some shots of a chunk's cells, and of those before them."""
         noise = self.model.noise(start, stop, self.seed)
         few = max(1, BLOCK // (stop - start))
         low, high = self.cells(chunk)
@@ -230,7 +257,7 @@ class _Work:
             shots = self.simulate(cell, last, stop - start, noise)
             tallied = self.model.scatters
             parts.append(Tally.of(shots, last - cell).row() if tallied else _row(shots))
-        numbers = np.concatenate(parts)
+        numbers = np.concatenate(parts) + (0 if before is None else before)
         flat = pa.array(numbers.ravel())
         return pa.table({"numbers": pa.FixedSizeListArray.from_arrays(flat, numbers.shape[1])})
 
@@ -261,6 +288,11 @@ def _gathered(work: _Work, tables: Iterable[pa.Table], columns: int) -> NDArray[
     """Return the sums of the cells' numbers, (cells, columns)."""
     total = np.zeros((prod(work.shape), columns), np.int64)
     for chunk, table in enumerate(tables):
-        numbers = table["numbers"].combine_chunks().flatten().to_numpy()
-        total[slice(*work.cells(chunk))] += numbers.reshape(-1, columns)
+        total[slice(*work.cells(chunk))] += _rows(table)
     return total
+
+
+def _rows(table: pa.Table) -> NDArray[np.int64]:
+    """Return the numbers of a chunk's cells, (cells, columns)."""
+    numbers = table["numbers"].combine_chunks().flatten().to_numpy()
+    return np.asarray(numbers.reshape(table.num_rows, -1))

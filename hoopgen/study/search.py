@@ -69,7 +69,13 @@ def _usual(name: str, fixed: Mapping[str, float], player: Player) -> Bounds:
         raise ValueError(f"over[{name!r}]: expected (low, high); there are no usual bounds")
     direct = player.by == "direct"
     away = fixed["distance"] if "distance" in fixed else math.hypot(*map(fixed.get, "xy", (0, 0)))
-    if name in ("elevation", "speed") and away and "height" in fixed:
+    placed = "height" in fixed and ("distance" in fixed or {"x", "y"} <= fixed.keys())
+    if name in ("elevation", "speed") and placed:
+        if not away:
+            raise ValueError(
+                f"distance: expected above 0 where over[{name!r}] has no (low, high): its usual "
+                "bounds are about the slowest release through the ring's centre; got 0"
+            )
         # About the slowest release through the centre: an error of its angle hardly matters.
         rise, gravity = RING_HEIGHT - fixed["height"], player.parameters["gravity"]
         with np.errstate(all="ignore"):  # bounds that are not finite are refused

@@ -37,12 +37,15 @@ class Work:
         As for `hoopgen.study.chunks.run`.
     progress
         Called with what is done and its total, as far as that is known.
+    kept
+        Chunks that an answer before this one had, and that stay.
     """
 
     folder: Path
     threads: int | None
     scheduler: str | None
     progress: Callable[[int, int | None], None]
+    kept: int = 0
 
     @property
     def options(self) -> dict[str, Any]:
@@ -55,8 +58,8 @@ class Work:
         }
 
     def keep(self, shots: int) -> None:
-        """Leave the chunks of so many shots, from which a study of more can go on."""
-        trim(self.folder / CHUNKS, chunks_of(shots))
+        """Leave the chunks of so many shots, and those before, from which a study can go on."""
+        trim(self.folder / CHUNKS, max(chunks_of(shots), self.kept))
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
@@ -22,6 +21,7 @@ from hoopgen.study.measures import MEASURES
 from hoopgen.told import say_release, told_setting
 
 from .asked import Answer, Asked
+from .markdown import check_markdown, rendered
 from .report import CAPTIONS, asked_of
 from .schema import Aim, Bank, Batch, Compare, Given, Map, Optimum, Question
 
@@ -78,8 +78,9 @@ def check_page() -> Any:
     Raises
     ------
     ImportError
-        If Jinja2 is missing: what brings it.
+        If Jinja2 or markdown-it-py is missing: what brings it.
     """
+    check_markdown()
     return need("jinja2", "a report page")
 
 
@@ -111,7 +112,7 @@ def page(
     study = questions[0].study
     text: str = template.render(
         title=_clean(study.name),
-        paragraphs=re.split(r"\n\s*\n", _clean(study.description.strip())),
+        description=rendered(study.description),
         version=version(),
         seed=study.seed,
         confidence=percent(study.confidence, None),

@@ -62,7 +62,7 @@ By default `spin-results`, beside the file; `--out` names another.
 | `<name>/answer.json` | the answer to a question, in full |
 | `<name>/question.json` | all that it depends on |
 | `<name>/…` | its tables (`.nc`, `.csv`, `.parquet`) and figures |
-| `<name>/chunks` | of an estimate or a comparison: from which it goes on when more is asked for |
+| `<name>/chunks` | of an estimate, a comparison, a map: it goes on from them when asked for more |
 
 Numbers in files are SI; their units are in the names of columns and keys, `speed_m_s`,
 `elevation_rad`, and in a `.nc` file beside its variables. The `.csv` of an `aim` has degrees and
@@ -75,10 +75,11 @@ the same bytes with the same versions; `versions.json` alone tells of the machin
 added to the file later. If one that is in the folder has changed, or is no longer asked, the folder
 is refused, and what differs is said.
 
-An estimate or a comparison may be asked for more, a greater `shots` or a smaller `precision`: only
-the rest is thrown, and the folder is that of a study which asked for as much from the start. That
-does not hold for maps, where how shots are cut into chunks hangs on their number; nor for searches
-(optimum, solve, bank), where what is thrown next hangs on all shots so far.
+An estimate, a comparison or a map may be asked for other `shots`, and the first two for another
+`precision`. For more only the rest is thrown, and the folder is that of a study which asked for as
+much from the start; for fewer the answer is that of a study which asked for so many, and all chunks
+stay. Other cells of a map are another question. Searches (optimum, solve, bank) begin anew: what is
+thrown next hangs on all shots so far.
 
 With `--report page.html` the report is written as a page too: one file with all pictures in it, to
 read, to print and to pass on, which says what was asked in words, how it was made, and the digests

@@ -1,9 +1,10 @@
 """`run_study`: a study file in, a folder with its answers out.
 
 A question is worked on in ``<name>.unfinished``, where its finished chunks are kept too. The folder
-gets its name when all of it is there, so what bears a name is finished. Of an estimate or a
-comparison the chunks stay: asked for more shots, it goes on from them. Nothing in a folder but
-``versions.json`` hangs on the machine, the threads, or when and how often the work was interrupted.
+gets its name when all of it is there, so what bears a name is finished. Of an estimate, a
+comparison or a map the chunks stay: asked for more shots, it goes on from them, and for fewer, it
+takes the first of them. Nothing in a folder but ``versions.json`` hangs on the machine, the
+threads, or when and how often the work was interrupted.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import os
 import platform
 import shutil
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from importlib import metadata
 from pathlib import Path
 from typing import Any
@@ -23,8 +25,15 @@ from hoopgen.outputs import PAGES, check_output, sync, write
 from hoopgen.phrases import counted
 from hoopgen.scenes import is_built_in
 from hoopgen.study.chunks import check_workers, versions
-from hoopgen.study.folders import differences, flat, in_short, opened, read_record, written
-from hoopgen.study.throws import most_shots
+from hoopgen.study.folders import (
+    count_chunks,
+    differences,
+    flat,
+    in_short,
+    opened,
+    read_record,
+    written,
+)
 from hoopgen.words import for_json
 
 from . import lines
@@ -34,7 +43,7 @@ from .page import check_page, page
 from .reading import complain, parse
 from .report import report as in_markdown
 from .scene import FILE, named_by
-from .schema import Batch, Compare, Estimate, StudyFile
+from .schema import Batch, Compare, Estimate, Map, StudyFile
 
 __all__ = ["check_study", "run_study"]
 
@@ -43,7 +52,12 @@ Progress = Callable[[str, int, int | None], None]
 _STUDY, _SCENE = ("study.toml", "scene.toml")
 _VERSIONS, _REPORT = ("versions.json", "report.md")
 _ASKED, _ANSWER = "question.json", "answer.json"
+_KEPT = "kept.json"  # of a question that was finished, while it is asked anew
 _UNFINISHED = ".unfinished"
+_GONE_ON_WITH = {_ASKED, _KEPT}
+
+_Countable = Estimate | Compare | Map
+"""Questions that may be asked for other numbers of shots."""
 
 _JUST_BEGUN = {"lock", "identity.json", "identity.json.tmp", f"{_VERSIONS}.tmp"}
 """All that a study may leave that is killed before its first file is there."""
@@ -87,8 +101,8 @@ def run_study(
     """Answer all questions of a study file, and keep the answers in a folder.
 
     After an interruption the same call goes on where it was. Questions may be added to the file;
-    those that are in the folder must not change, but for estimates and comparisons, which may be
-    asked for more shots or a narrower precision: what is kept of them is not computed again.
+    those that are in the folder must not change, but for estimates, comparisons and maps, which may
+    be asked for more shots, fewer, or another precision: what is kept is not computed again.
 
     Parameters
     ----------
@@ -138,7 +152,7 @@ def run_study(
     _refuse_foreign(folder)
     with opened(folder, {"study": identities}) as kept:
         try:
-            _reopen(folder, _more_asked(folder, identities, questions))
+            _reopen(folder, _asked_anew(folder, identities, questions))
             _write(folder / _VERSIONS, _json(_versions()))
             _write(folder / _STUDY, content)
             if (scene := _scene_file(file, document)) is not None:
@@ -245,17 +259,17 @@ def _refuse_foreign(folder: Path) -> None:
         raise ValueError(f"{folder} holds something else than a study; give another folder")
 
 
-def _more_asked(
+def _asked_anew(
     folder: Path, identities: Mapping[str, Mapping[str, Any]], questions: Sequence[Asked]
 ) -> list[str]:
-    """Return the questions that are asked for more than is in the folder.
+    """Return the questions that are asked for more than is in the folder, or for less.
 
     Raises
     ------
     ValueError
         If questions in it are others, or are not among those asked.
     """
-    found, more = [], []
+    found, anew = [], []
     asked = {one.question.name: one for one in questions}
     for file in sorted(folder.glob(f"*/{_ASKED}")):
         name = file.parent.name.removesuffix(_UNFINISHED)
@@ -268,8 +282,8 @@ def _more_asked(
             raise ValueError(f"{file} cannot be read; delete {file.parent}") from None
         here = flat(identities[name])
         if changed := differences(there, here):
-            if _extends(asked[name], there, here):
-                more.append(name)
+            if _may_go_on(asked[name], there, here):
+                anew.append(name)
             else:
                 found.append(f"question {name}: {in_short(changed)}")
     if found:
@@ -277,37 +291,26 @@ def _more_asked(
             f"{folder} holds another study: {in_short(found)}. Give another folder, or "
             "delete the folders of those questions in it to ask them anew"
         )
-    return more
+    return anew
 
 
 def _reopen(folder: Path, names: Sequence[str]) -> None:
-    """Make finished questions unfinished ones, which go on from their chunks."""
+    """Make finished questions unfinished ones, which go on from their chunks and lose none."""
     for name in names:
-        if (folder / name).is_dir():
-            (folder / name).rename(folder / f"{name}{_UNFINISHED}")
+        finished, unfinished = folder / name, folder / f"{name}{_UNFINISHED}"
+        if finished.is_dir():
+            finished.rename(unfinished)
+            _write(unfinished / _KEPT, _json({"chunks": count_chunks(unfinished / CHUNKS)}))
 
 
-_MORE = {"shots", "precision"}
-"""What an estimate and a comparison may be asked for more of."""
+_HOW_MANY = {"shots", "precision"}
+"""What of these questions may be another, as with a folder of theirs alone."""
 
 
-def _extends(asked: Asked, there: Mapping[str, str], here: Mapping[str, str]) -> bool:
-    """Tell whether a question is one that was asked before, for more shots or more precisely."""
+def _may_go_on(asked: Asked, there: Mapping[str, str], here: Mapping[str, str]) -> bool:
+    """Tell whether a question is one that was asked before, but for how many shots."""
     changed = {name for name in {*there, *here} if there.get(name) != here.get(name)}
-    if not isinstance(asked.question, Estimate | Compare) or not changed <= _MORE:
-        return False
-    (few, wide), (many, narrow) = (_limits(asked, one) for one in (there, here))
-    return few <= many and narrow <= wide
-
-
-def _limits(asked: Asked, identity: Mapping[str, str]) -> tuple[int, float]:
-    """Return how many shots at the most a question asks for, and how wide half an interval may be.
-
-    Without a precision it may have no width: all shots are thrown.
-    """
-    shots, precision = (json.loads(identity[name]) for name in ("shots", "precision"))
-    paired = isinstance(asked.question, Compare)
-    return most_shots(shots, precision, asked.study.confidence, paired=paired), precision or 0.0
+    return isinstance(asked.question, _Countable) and changed <= _HOW_MANY
 
 
 def _noted(progress: Progress | None, name: str) -> Callable[[int, int | None], None]:
@@ -320,17 +323,27 @@ def _answered(asked: Asked, identity: Mapping[str, Any], finished: Path, work: W
         if os.path.lexists(finished):
             raise FileExistsError(errno.EEXIST, "this is no folder; remove it", str(finished))
         work.folder.mkdir(exist_ok=True)
-        for stale in work.folder.glob("*.tmp"):
+        reopened = work.folder / _KEPT
+        kept = int(read_record(reopened)["chunks"]) if reopened.exists() else 0
+        for stale in _stale(asked, work.folder):
             stale.unlink()
         _write(work.folder / _ASKED, _json(identity))
-        found = answer(asked, work)
+        found = answer(asked, replace(work, kept=kept))
+        reopened.unlink(missing_ok=True)
         _write(work.folder / _ANSWER, _json(vars(found)))
         _settle(work.folder)
         work.folder.rename(finished)
         sync({finished.parent})
-    if not isinstance(asked.question, Estimate | Compare):
+    if not isinstance(asked.question, _Countable):
         shutil.rmtree(finished / CHUNKS, ignore_errors=True)
     return _answer(finished / _ANSWER)
+
+
+def _stale(asked: Asked, folder: Path) -> list[Path]:
+    """Return files that are not gone on with: figures too, which fewer shots may not have."""
+    if not isinstance(asked.question, _Countable):
+        return list(folder.glob("*.tmp"))
+    return [file for file in folder.iterdir() if file.is_file() and file.name not in _GONE_ON_WITH]
 
 
 def _answer(file: Path) -> Answer:

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from hoopgen import plots
 from hoopgen.phrases import counted, decimals, interval, percent, points
-from hoopgen.results import Outcome, Shots
+from hoopgen.results import Shots
 from hoopgen.scenes import check_hoop
 from hoopgen.simulation import check_log, simulate
 from hoopgen.study.batch import batch
@@ -17,7 +15,8 @@ from hoopgen.study.best import PLOTTED
 from hoopgen.study.compare import compare
 from hoopgen.study.draws import check_two_seeds
 from hoopgen.study.estimate import estimate
-from hoopgen.study.measures import measure, measures_of
+from hoopgen.study.landings import landings_of
+from hoopgen.study.measures import measures_of
 from hoopgen.study.named import in_units
 from hoopgen.study.origin import settle
 from hoopgen.study.resample import Resample
@@ -184,25 +183,23 @@ class _Shooting:
 
     def _landings(self) -> Any:
         """Return the picture of where misses reach the floor."""
-        return self._on_the_floor_plan("floor", "where misses land")
+        return self._on_the_floor_plan("where misses land")
 
     def _rebounds(self) -> Any:
         """Return the picture of where misses come down to the catching height."""
         height = self.question.catching_height
-        return self._on_the_floor_plan("rebound", "where rebounds are caught", height=height)
+        return self._on_the_floor_plan("where rebounds are caught", height)
 
-    def _on_the_floor_plan(self, where: str, said: str, **options: Any) -> Any:
+    def _on_the_floor_plan(self, said: str, height: float | None = None) -> Any:
         released, shots = self._simulated(_LANDINGS)
-        states, scene = released.states, released.parameters
-        height, names = self.question.catching_height, (f"{where}_x", f"{where}_y")
-        there = measure(states, shots, scene, names, catching_height=height)
-        x, y = (there[name][shots.outcome == Outcome.MISSED] for name in names)
-        if not np.isfinite(x + y).any():
+        there = landings_of(released, shots, height)
+        if not len(there.away):
             return None
         title = f"{self.question.title}: {said}" if self.question.title else ""
-        options["scene"] = shots.scene
-        options |= {"place": tuple(states[:, :2].mean(axis=0).tolist()), "title": title}
-        return plots.plot_landings(x, y, scene, note=in_a_note(self._told), **options)
+        note = in_a_note(self._told)
+        return plots.plot_landings(
+            there.x, there.y, released.parameters, title=title, note=note, **there.seen
+        )
 
     @property
     def _told(self) -> dict[str, str]:

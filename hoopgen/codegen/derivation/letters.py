@@ -213,6 +213,7 @@ IN_CONTACT = {
     "fastest": Letter("U", "bound on its speed within the step"),
     "apart": Letter(r"\lambda", "how many times its errors a neighbouring motion is away"),
     "settles": Letter(r"\text{settles}", "the ball stays on the surface"),
+    "nearly": Letter(r"\text{nearly}", "its bounces are small enough for that"),
     "lodges": Letter(r"\text{lodges}", "it would, but is wedged between it and another"),
     "slides": Letter(r"\text{slides}", "its bounces end with slip left"),
     "parts": Letter(r"\text{parts}", "nothing presses it onto the surface that it hardly leaves"),
