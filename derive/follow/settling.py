@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from ..contact.law import Law
-from ..errors.tangent import clock, directional, dv, dw, dx, late
+from ..errors.tangent import clock, directional, dv, dw, dx, late, left_normal, started
 from ..flight import rolling
 from ..flight.parabola import Parabola
 from ..ground.choice import (
@@ -186,7 +186,7 @@ def settling(law: Law, ball_radius: sp.Expr) -> Kernel:
 
 def near_by(ball_radius: sp.Expr) -> sp.Expr:
     """Return how far from a ball the other surface may be between which two it is wedged, m."""
-    return 2**10 * tolerance(ball_radius)
+    return 2**14 * tolerance(ball_radius)
 
 
 def _pressed_on(acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) -> Kernel:
@@ -218,11 +218,10 @@ def tolerance(ball_radius: sp.Expr) -> sp.Expr:
     """Return what a ball may be off by that is taken for rolling, m; its errors grow by as much.
 
     It does not depend on the errors that the ball carries, so that the path is the same where none
-    are bounded. Half a picometre is less than these usually are after the forty bounces that it
-    takes. Later jumps would be nearer to the limit, but the error of a bounce's speed, over that
-    speed, doubles with each.
+    are bounded. A fortieth of a picometre is about what these usually are by then: a later jump
+    would be no nearer to the true end, and take more bounces.
     """
-    return sp.Rational(1, 2**38) * ball_radius
+    return sp.Rational(1, 2**42) * ball_radius
 
 
 def kernels(
@@ -245,6 +244,13 @@ def kernels(
         for k in range(rolling.ORDER)
     ]
     others = (
+        made(
+            "anew",
+            {str(n): 0 for n in left_normal},
+            "A ball that has come from elsewhere.",
+            "Table 1",
+        ),
+        made("started", started(flight), "Where a flight began.", "Eq. 3"),
         made("roll_start", rolling.start(ball_radius), "The constant terms.", "rolling"),
         made("roll_moved", rolling.moved(), "Where a rolling ball is at time t.", "its series"),
         made(
