@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 111c28d8154e2b57,
+   Generated from templates/c/engine.h.j2, scene court, derivation 49be5f120f0f8924,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -8945,404 +8945,440 @@ static void LANES(court_bounded)(const court_job *job)
                 const LANES(court_elsewhere_out) _o417 =
                     LANES(court_elsewhere)();
                 V curving = _o417.curving;
-                const LANES(court_again_out) _o418 =
+                const LANES(court_anew_out) _o418 =
+                    LANES(court_anew)();
+                V left_nx = _o418.left_nx;
+                V left_ny = _o418.left_ny;
+                V left_nz = _o418.left_nz;
+                const LANES(court_again_out) _o419 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o418.again;
-                const M _m419 = lanes_both(_m403, again);
-                {
-                    const LANES(court_ring_curvature_out) _o420 =
+                M again = _o419.again;
+                const M _m420 = lanes_both(_m403, again);
+                if (lanes_any(_m420)) {
+                    const LANES(court_ring_curvature_out) _o421 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m419, _o420.curvature, curving);
-                }
-                const LANES(court_again_out) _o421 =
-                    LANES(court_again)(K(1.0), last, which);
-                again = _o421.again;
-                const M _m422 = lanes_both(_m403, again);
-                {
-                    const LANES(court_backboard_curvature_out) _o423 =
-                        LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m422, _o423.curvature, curving);
+                    curving = lanes_select(_m420, _o421.curvature, curving);
+                    const LANES(court_started_out) _o422 =
+                        LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
+                    V from_x = _o422.from_x;
+                    V from_y = _o422.from_y;
+                    V from_z = _o422.from_z;
+                    const LANES(court_ring_normal_out) _o423 =
+                        LANES(court_ring_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    left_nx = lanes_select(_m420, _o423.nx, left_nx);
+                    left_ny = lanes_select(_m420, _o423.ny, left_ny);
+                    left_nz = lanes_select(_m420, _o423.nz, left_nz);
                 }
                 const LANES(court_again_out) _o424 =
-                    LANES(court_again)(K(2.0), last, which);
+                    LANES(court_again)(K(1.0), last, which);
                 again = _o424.again;
                 const M _m425 = lanes_both(_m403, again);
-                {
-                    const LANES(court_bridge_curvature_out) _o426 =
-                        LANES(court_bridge_curvature)(p_ball_radius);
+                if (lanes_any(_m425)) {
+                    const LANES(court_backboard_curvature_out) _o426 =
+                        LANES(court_backboard_curvature)(p_ball_radius);
                     curving = lanes_select(_m425, _o426.curvature, curving);
+                    const LANES(court_started_out) _o427 =
+                        LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
+                    V from_x = _o427.from_x;
+                    V from_y = _o427.from_y;
+                    V from_z = _o427.from_z;
+                    const LANES(court_backboard_normal_out) _o428 =
+                        LANES(court_backboard_normal)(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    left_nx = lanes_select(_m425, _o428.nx, left_nx);
+                    left_ny = lanes_select(_m425, _o428.ny, left_ny);
+                    left_nz = lanes_select(_m425, _o428.nz, left_nz);
                 }
-                const LANES(court_carry_flight_out) _o427 =
-                    LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m403, _o427.dx, dx);
-                dy = lanes_select(_m403, _o427.dy, dy);
-                dz = lanes_select(_m403, _o427.dz, dz);
-                dvx = lanes_select(_m403, _o427.dvx, dvx);
-                dvy = lanes_select(_m403, _o427.dvy, dvy);
-                dvz = lanes_select(_m403, _o427.dvz, dvz);
-                V delay = _o427.delay;
-                V shift = _o427.shift;
-                const LANES(court_delayed_out) _o428 =
+                const LANES(court_again_out) _o429 =
+                    LANES(court_again)(K(2.0), last, which);
+                again = _o429.again;
+                const M _m430 = lanes_both(_m403, again);
+                if (lanes_any(_m430)) {
+                    const LANES(court_bridge_curvature_out) _o431 =
+                        LANES(court_bridge_curvature)(p_ball_radius);
+                    curving = lanes_select(_m430, _o431.curvature, curving);
+                    const LANES(court_started_out) _o432 =
+                        LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
+                    V from_x = _o432.from_x;
+                    V from_y = _o432.from_y;
+                    V from_z = _o432.from_z;
+                    const LANES(court_bridge_normal_out) _o433 =
+                        LANES(court_bridge_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    left_nx = lanes_select(_m430, _o433.nx, left_nx);
+                    left_ny = lanes_select(_m430, _o433.ny, left_ny);
+                    left_nz = lanes_select(_m430, _o433.nz, left_nz);
+                }
+                const LANES(court_carry_flight_out) _o434 =
+                    LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
+                dx = lanes_select(_m403, _o434.dx, dx);
+                dy = lanes_select(_m403, _o434.dy, dy);
+                dz = lanes_select(_m403, _o434.dz, dz);
+                V lifting = _o434.lifting;
+                dvx = lanes_select(_m403, _o434.dvx, dvx);
+                dvy = lanes_select(_m403, _o434.dvy, dvy);
+                dvz = lanes_select(_m403, _o434.dvz, dvz);
+                V delay = _o434.delay;
+                V shift = _o434.shift;
+                const LANES(court_delayed_out) _o435 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m403, _o428.clock_error, clock_error);
-                const M _m429 = lanes_both(_m403, ends);
+                clock_error = lanes_select(_m403, _o435.clock_error, clock_error);
+                const M _m436 = lanes_both(_m403, ends);
                 {
-                    const LANES(court_floored_out) _o430 =
+                    const LANES(court_floored_out) _o437 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m429, _o430.dx, dx);
-                    dy = lanes_select(_m429, _o430.dy, dy);
-                    dz = lanes_select(_m429, _o430.dz, dz);
+                    dx = lanes_select(_m436, _o437.dx, dx);
+                    dy = lanes_select(_m436, _o437.dy, dy);
+                    dz = lanes_select(_m436, _o437.dz, dz);
                 }
-                const LANES(court_unturned_out) _o431 =
+                const LANES(court_unturned_out) _o438 =
                     LANES(court_unturned)();
-                V dnx = _o431.dnx;
-                V dny = _o431.dny;
-                V dnz = _o431.dnz;
-                V turn = _o431.turn;
-                const LANES(court_here_out) _o432 =
+                V dnx = _o438.dnx;
+                V dny = _o438.dny;
+                V dnz = _o438.dnz;
+                V turn = _o438.turn;
+                const LANES(court_here_out) _o439 =
                     LANES(court_here)(K(0.0), which);
-                here = _o432.here;
-                const M _m433 = lanes_both(_m403, here);
-                if (lanes_any(_m433)) {
-                    const LANES(court_ring_carry_normal_out) _o434 =
+                here = _o439.here;
+                const M _m440 = lanes_both(_m403, here);
+                if (lanes_any(_m440)) {
+                    const LANES(court_ring_carry_normal_out) _o441 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m433, _o434.dnx, dnx);
-                    dny = lanes_select(_m433, _o434.dny, dny);
-                    dnz = lanes_select(_m433, _o434.dnz, dnz);
-                    turn = lanes_select(_m433, _o434.turn, turn);
+                    dnx = lanes_select(_m440, _o441.dnx, dnx);
+                    dny = lanes_select(_m440, _o441.dny, dny);
+                    dnz = lanes_select(_m440, _o441.dnz, dnz);
+                    turn = lanes_select(_m440, _o441.turn, turn);
                 }
-                const LANES(court_here_out) _o435 =
+                const LANES(court_here_out) _o442 =
                     LANES(court_here)(K(1.0), which);
-                here = _o435.here;
-                const M _m436 = lanes_both(_m403, here);
+                here = _o442.here;
+                const M _m443 = lanes_both(_m403, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o437 =
+                    const LANES(court_backboard_carry_normal_out) _o444 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m436, _o437.dnx, dnx);
-                    dny = lanes_select(_m436, _o437.dny, dny);
-                    dnz = lanes_select(_m436, _o437.dnz, dnz);
-                    turn = lanes_select(_m436, _o437.turn, turn);
+                    dnx = lanes_select(_m443, _o444.dnx, dnx);
+                    dny = lanes_select(_m443, _o444.dny, dny);
+                    dnz = lanes_select(_m443, _o444.dnz, dnz);
+                    turn = lanes_select(_m443, _o444.turn, turn);
                 }
-                const LANES(court_here_out) _o438 =
+                const LANES(court_here_out) _o445 =
                     LANES(court_here)(K(2.0), which);
-                here = _o438.here;
-                const M _m439 = lanes_both(_m403, here);
+                here = _o445.here;
+                const M _m446 = lanes_both(_m403, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o440 =
+                    const LANES(court_bridge_carry_normal_out) _o447 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m439, _o440.dnx, dnx);
-                    dny = lanes_select(_m439, _o440.dny, dny);
-                    dnz = lanes_select(_m439, _o440.dnz, dnz);
-                    turn = lanes_select(_m439, _o440.turn, turn);
+                    dnx = lanes_select(_m446, _o447.dnx, dnx);
+                    dny = lanes_select(_m446, _o447.dny, dny);
+                    dnz = lanes_select(_m446, _o447.dnz, dnz);
+                    turn = lanes_select(_m446, _o447.turn, turn);
                 }
                 {
-                    const double *const _t442[][2] = {
+                    const double *const _t449[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t443[][1] = {
+                    static const double _t450[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k441 = 0; _k441 < 3; _k441++) {
-                        const V own_1 = lanes_load(_t442[_k441][0] + (i & varying));
-                        const V own_2 = lanes_load(_t442[_k441][1] + (i & varying));
-                        const V own_index = K(_t443[_k441][0]);
-                        const LANES(court_here_out) _o444 =
+                    for (size_t _k448 = 0; _k448 < 3; _k448++) {
+                        const V own_1 = lanes_load(_t449[_k448][0] + (i & varying));
+                        const V own_2 = lanes_load(_t449[_k448][1] + (i & varying));
+                        const V own_index = K(_t450[_k448][0]);
+                        const LANES(court_here_out) _o451 =
                             LANES(court_here)(own_index, which);
-                        M here = _o444.here;
-                        const M _m445 = lanes_both(_m403, here);
-                        if (lanes_any(_m445)) {
-                            const LANES(court_ring_impact_doubt_out) _o446 =
+                        M here = _o451.here;
+                        const M _m452 = lanes_both(_m403, here);
+                        if (lanes_any(_m452)) {
+                            const LANES(court_ring_impact_doubt_out) _o453 =
                                 LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            M unsure = _o446.unsure;
-                            const LANES(court_undecided_out) _o447 =
+                            M unsure = _o453.unsure;
+                            const LANES(court_undecided_out) _o454 =
                                 LANES(court_undecided)(uncertain, unsure);
-                            uncertain = lanes_select(_m445, _o447.uncertain, uncertain);
-                            const LANES(court_carry_ring_impact_out) _o448 =
-                                LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            dvx = lanes_select(_m445, _o448.dvx, dvx);
-                            dvy = lanes_select(_m445, _o448.dvy, dvy);
-                            dvz = lanes_select(_m445, _o448.dvz, dvz);
-                            dwx = lanes_select(_m445, _o448.dwx, dwx);
-                            dwy = lanes_select(_m445, _o448.dwy, dwy);
-                            dwz = lanes_select(_m445, _o448.dwz, dwz);
-                            const LANES(court_ring_impact_out) _o449 =
+                            uncertain = lanes_select(_m452, _o454.uncertain, uncertain);
+                            const LANES(court_carry_ring_impact_out) _o455 =
+                                LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
+                            dvx = lanes_select(_m452, _o455.dvx, dvx);
+                            dvy = lanes_select(_m452, _o455.dvy, dvy);
+                            dvz = lanes_select(_m452, _o455.dvz, dvz);
+                            dwx = lanes_select(_m452, _o455.dwx, dwx);
+                            dwy = lanes_select(_m452, _o455.dwy, dwy);
+                            dwz = lanes_select(_m452, _o455.dwz, dwz);
+                            const LANES(court_ring_impact_out) _o456 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m445, _o449.vx, vx);
-                            vy = lanes_select(_m445, _o449.vy, vy);
-                            vz = lanes_select(_m445, _o449.vz, vz);
-                            wx = lanes_select(_m445, _o449.wx, wx);
-                            wy = lanes_select(_m445, _o449.wy, wy);
-                            wz = lanes_select(_m445, _o449.wz, wz);
+                            vx = lanes_select(_m452, _o456.vx, vx);
+                            vy = lanes_select(_m452, _o456.vy, vy);
+                            vz = lanes_select(_m452, _o456.vz, vz);
+                            wx = lanes_select(_m452, _o456.wx, wx);
+                            wy = lanes_select(_m452, _o456.wy, wy);
+                            wz = lanes_select(_m452, _o456.wz, wz);
                         }
                     }
                 }
-                const M _m450 = lanes_both(_m403, touches);
+                const M _m457 = lanes_both(_m403, touches);
                 {
-                    const LANES(court_touched_out) _o451 =
+                    const LANES(court_touched_out) _o458 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m450, _o451.first, first);
-                    last = lanes_select(_m450, _o451.last, last);
+                    first = lanes_select(_m457, _o458.first, first);
+                    last = lanes_select(_m457, _o458.last, last);
                 }
-                const M _m452 = lanes_both(_m403, touches);
-                if (lanes_any(_m452)) {
-                    const LANES(court_slowed_out) _o453 =
+                const M _m459 = lanes_both(_m403, touches);
+                if (lanes_any(_m459)) {
+                    const LANES(court_slowed_out) _o460 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o453.slow;
-                    assured = lanes_select(_m452, _o453.assured, assured);
-                    const M _m454 = lanes_both(_m452, slow);
-                    if (lanes_any(_m454)) {
-                        const LANES(court_gripped_out) _o455 =
+                    M slow = _o460.slow;
+                    assured = lanes_select(_m459, _o460.assured, assured);
+                    const M _m461 = lanes_both(_m459, slow);
+                    if (lanes_any(_m461)) {
+                        const LANES(court_gripped_out) _o462 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o455.rolled_x;
-                        V rolled_y = _o455.rolled_y;
-                        V rolled_z = _o455.rolled_z;
-                        V slip = _o455.slip;
-                        V bounce = _o455.bounce;
-                        const LANES(court_here_out) _o456 =
+                        V rolled_x = _o462.rolled_x;
+                        V rolled_y = _o462.rolled_y;
+                        V rolled_z = _o462.rolled_z;
+                        V slip = _o462.slip;
+                        V bounce = _o462.bounce;
+                        const LANES(court_here_out) _o463 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o456.here;
-                        const M _m457 = lanes_both(_m454, here);
-                        if (lanes_any(_m457)) {
-                            const LANES(court_ring_turning_out) _o458 =
+                        M here = _o463.here;
+                        const M _m464 = lanes_both(_m461, here);
+                        if (lanes_any(_m464)) {
+                            const LANES(court_ring_turning_out) _o465 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o458.turning_x;
-                            V turning_y = _o458.turning_y;
-                            V turning_z = _o458.turning_z;
-                            const LANES(court_pressed_on_out) _o459 =
+                            V turning_x = _o465.turning_x;
+                            V turning_y = _o465.turning_y;
+                            V turning_z = _o465.turning_z;
+                            const LANES(court_pressed_on_out) _o466 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o459.press;
-                            V weight = _o459.weight;
-                            V drag = _o459.drag;
-                            V thrust_x = _o459.thrust_x;
-                            V thrust_y = _o459.thrust_y;
-                            V thrust_z = _o459.thrust_z;
-                            const LANES(court_alone_out) _o460 =
+                            V press = _o466.press;
+                            V weight = _o466.weight;
+                            V drag = _o466.drag;
+                            V thrust_x = _o466.thrust_x;
+                            V thrust_y = _o466.thrust_y;
+                            V thrust_z = _o466.thrust_z;
+                            const LANES(court_alone_out) _o467 =
                                 LANES(court_alone)();
-                            V nearest = _o460.nearest;
-                            V wedge = _o460.wedge;
-                            const LANES(court_backboard_closing_out) _o461 =
+                            V nearest = _o467.nearest;
+                            V wedge = _o467.wedge;
+                            const LANES(court_backboard_closing_out) _o468 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o461.gap;
-                            V nearing = _o461.nearing;
-                            V swerve = _o461.swerve;
-                            V facing = _o461.facing;
-                            const LANES(court_neared_body_out) _o462 =
+                            V gap = _o468.gap;
+                            V nearing = _o468.nearing;
+                            V swerve = _o468.swerve;
+                            V facing = _o468.facing;
+                            const LANES(court_neared_body_out) _o469 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o462.nearest;
-                            wedge = _o462.wedge;
-                            const LANES(court_bridge_closing_out) _o463 =
+                            nearest = _o469.nearest;
+                            wedge = _o469.wedge;
+                            const LANES(court_bridge_closing_out) _o470 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o463.gap;
-                            nearing = _o463.nearing;
-                            swerve = _o463.swerve;
-                            facing = _o463.facing;
-                            const LANES(court_neared_body_out) _o464 =
+                            gap = _o470.gap;
+                            nearing = _o470.nearing;
+                            swerve = _o470.swerve;
+                            facing = _o470.facing;
+                            const LANES(court_neared_body_out) _o471 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o464.nearest;
-                            wedge = _o464.wedge;
-                            const LANES(court_end_beside_out) _o465 =
+                            nearest = _o471.nearest;
+                            wedge = _o471.wedge;
+                            const LANES(court_end_beside_out) _o472 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o465.gap;
-                            const LANES(court_neared_out) _o466 =
+                            gap = _o472.gap;
+                            const LANES(court_neared_out) _o473 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o466.nearest;
-                            const LANES(court_ring_parting_out) _o467 =
+                            nearest = _o473.nearest;
+                            const LANES(court_ring_parting_out) _o474 =
                                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o467.lift;
-                            const LANES(court_ring_impact_settling_out) _o468 =
+                            V lift = _o474.lift;
+                            const LANES(court_ring_impact_settling_out) _o475 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o468.settles;
-                            M lodges = _o468.lodges;
-                            M slides = _o468.slides;
-                            M parts = _o468.parts;
-                            assured = lanes_select(_m457, _o468.assured, assured);
-                            M unsure = _o468.unsure;
-                            const LANES(court_settled_out) _o469 =
+                            M settles = _o475.settles;
+                            M lodges = _o475.lodges;
+                            M slides = _o475.slides;
+                            M parts = _o475.parts;
+                            assured = lanes_select(_m464, _o475.assured, assured);
+                            M unsure = _o475.unsure;
+                            const LANES(court_settled_out) _o476 =
                                 LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m457, _o469.mode, mode);
-                            held = lanes_select(_m457, _o469.held, held);
-                            outcome = lanes_select(_m457, _o469.outcome, outcome);
-                            slip_left = lanes_select(_m457, _o469.slip_left, slip_left);
-                            uncertain = lanes_select(_m457, _o469.uncertain, uncertain);
+                            mode = lanes_select(_m464, _o476.mode, mode);
+                            held = lanes_select(_m464, _o476.held, held);
+                            outcome = lanes_select(_m464, _o476.outcome, outcome);
+                            slip_left = lanes_select(_m464, _o476.slip_left, slip_left);
+                            uncertain = lanes_select(_m464, _o476.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o470 =
+                        const LANES(court_here_out) _o477 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o470.here;
-                        const M _m471 = lanes_both(_m454, here);
-                        if (lanes_any(_m471)) {
-                            const LANES(court_backboard_turning_out) _o472 =
+                        here = _o477.here;
+                        const M _m478 = lanes_both(_m461, here);
+                        if (lanes_any(_m478)) {
+                            const LANES(court_backboard_turning_out) _o479 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o472.turning_x;
-                            V turning_y = _o472.turning_y;
-                            V turning_z = _o472.turning_z;
-                            const LANES(court_pressed_on_out) _o473 =
+                            V turning_x = _o479.turning_x;
+                            V turning_y = _o479.turning_y;
+                            V turning_z = _o479.turning_z;
+                            const LANES(court_pressed_on_out) _o480 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o473.press;
-                            V weight = _o473.weight;
-                            V drag = _o473.drag;
-                            V thrust_x = _o473.thrust_x;
-                            V thrust_y = _o473.thrust_y;
-                            V thrust_z = _o473.thrust_z;
-                            const LANES(court_alone_out) _o474 =
+                            V press = _o480.press;
+                            V weight = _o480.weight;
+                            V drag = _o480.drag;
+                            V thrust_x = _o480.thrust_x;
+                            V thrust_y = _o480.thrust_y;
+                            V thrust_z = _o480.thrust_z;
+                            const LANES(court_alone_out) _o481 =
                                 LANES(court_alone)();
-                            V nearest = _o474.nearest;
-                            V wedge = _o474.wedge;
-                            const LANES(court_ring_closing_out) _o475 =
+                            V nearest = _o481.nearest;
+                            V wedge = _o481.wedge;
+                            const LANES(court_ring_closing_out) _o482 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o475.gap;
-                            V nearing = _o475.nearing;
-                            V swerve = _o475.swerve;
-                            V facing = _o475.facing;
-                            const LANES(court_neared_body_out) _o476 =
+                            V gap = _o482.gap;
+                            V nearing = _o482.nearing;
+                            V swerve = _o482.swerve;
+                            V facing = _o482.facing;
+                            const LANES(court_neared_body_out) _o483 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o476.nearest;
-                            wedge = _o476.wedge;
-                            const LANES(court_bridge_closing_out) _o477 =
+                            nearest = _o483.nearest;
+                            wedge = _o483.wedge;
+                            const LANES(court_bridge_closing_out) _o484 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o477.gap;
-                            nearing = _o477.nearing;
-                            swerve = _o477.swerve;
-                            facing = _o477.facing;
-                            const LANES(court_neared_body_out) _o478 =
+                            gap = _o484.gap;
+                            nearing = _o484.nearing;
+                            swerve = _o484.swerve;
+                            facing = _o484.facing;
+                            const LANES(court_neared_body_out) _o485 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o478.nearest;
-                            wedge = _o478.wedge;
-                            const LANES(court_end_beside_out) _o479 =
+                            nearest = _o485.nearest;
+                            wedge = _o485.wedge;
+                            const LANES(court_end_beside_out) _o486 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o479.gap;
-                            const LANES(court_neared_out) _o480 =
+                            gap = _o486.gap;
+                            const LANES(court_neared_out) _o487 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o480.nearest;
-                            const LANES(court_backboard_parting_out) _o481 =
+                            nearest = _o487.nearest;
+                            const LANES(court_backboard_parting_out) _o488 =
                                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o481.lift;
-                            const LANES(court_ring_impact_settling_out) _o482 =
+                            V lift = _o488.lift;
+                            const LANES(court_ring_impact_settling_out) _o489 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o482.settles;
-                            M lodges = _o482.lodges;
-                            M slides = _o482.slides;
-                            M parts = _o482.parts;
-                            assured = lanes_select(_m471, _o482.assured, assured);
-                            M unsure = _o482.unsure;
-                            const LANES(court_settled_out) _o483 =
+                            M settles = _o489.settles;
+                            M lodges = _o489.lodges;
+                            M slides = _o489.slides;
+                            M parts = _o489.parts;
+                            assured = lanes_select(_m478, _o489.assured, assured);
+                            M unsure = _o489.unsure;
+                            const LANES(court_settled_out) _o490 =
                                 LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m471, _o483.mode, mode);
-                            held = lanes_select(_m471, _o483.held, held);
-                            outcome = lanes_select(_m471, _o483.outcome, outcome);
-                            slip_left = lanes_select(_m471, _o483.slip_left, slip_left);
-                            uncertain = lanes_select(_m471, _o483.uncertain, uncertain);
+                            mode = lanes_select(_m478, _o490.mode, mode);
+                            held = lanes_select(_m478, _o490.held, held);
+                            outcome = lanes_select(_m478, _o490.outcome, outcome);
+                            slip_left = lanes_select(_m478, _o490.slip_left, slip_left);
+                            uncertain = lanes_select(_m478, _o490.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o484 =
+                        const LANES(court_here_out) _o491 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o484.here;
-                        const M _m485 = lanes_both(_m454, here);
-                        if (lanes_any(_m485)) {
-                            const LANES(court_bridge_turning_out) _o486 =
+                        here = _o491.here;
+                        const M _m492 = lanes_both(_m461, here);
+                        if (lanes_any(_m492)) {
+                            const LANES(court_bridge_turning_out) _o493 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o486.turning_x;
-                            V turning_y = _o486.turning_y;
-                            V turning_z = _o486.turning_z;
-                            const LANES(court_pressed_on_out) _o487 =
+                            V turning_x = _o493.turning_x;
+                            V turning_y = _o493.turning_y;
+                            V turning_z = _o493.turning_z;
+                            const LANES(court_pressed_on_out) _o494 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o487.press;
-                            V weight = _o487.weight;
-                            V drag = _o487.drag;
-                            V thrust_x = _o487.thrust_x;
-                            V thrust_y = _o487.thrust_y;
-                            V thrust_z = _o487.thrust_z;
-                            const LANES(court_alone_out) _o488 =
+                            V press = _o494.press;
+                            V weight = _o494.weight;
+                            V drag = _o494.drag;
+                            V thrust_x = _o494.thrust_x;
+                            V thrust_y = _o494.thrust_y;
+                            V thrust_z = _o494.thrust_z;
+                            const LANES(court_alone_out) _o495 =
                                 LANES(court_alone)();
-                            V nearest = _o488.nearest;
-                            V wedge = _o488.wedge;
-                            const LANES(court_ring_closing_out) _o489 =
+                            V nearest = _o495.nearest;
+                            V wedge = _o495.wedge;
+                            const LANES(court_ring_closing_out) _o496 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o489.gap;
-                            V nearing = _o489.nearing;
-                            V swerve = _o489.swerve;
-                            V facing = _o489.facing;
-                            const LANES(court_neared_body_out) _o490 =
+                            V gap = _o496.gap;
+                            V nearing = _o496.nearing;
+                            V swerve = _o496.swerve;
+                            V facing = _o496.facing;
+                            const LANES(court_neared_body_out) _o497 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o490.nearest;
-                            wedge = _o490.wedge;
-                            const LANES(court_backboard_closing_out) _o491 =
+                            nearest = _o497.nearest;
+                            wedge = _o497.wedge;
+                            const LANES(court_backboard_closing_out) _o498 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o491.gap;
-                            nearing = _o491.nearing;
-                            swerve = _o491.swerve;
-                            facing = _o491.facing;
-                            const LANES(court_neared_body_out) _o492 =
+                            gap = _o498.gap;
+                            nearing = _o498.nearing;
+                            swerve = _o498.swerve;
+                            facing = _o498.facing;
+                            const LANES(court_neared_body_out) _o499 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o492.nearest;
-                            wedge = _o492.wedge;
-                            const LANES(court_end_beside_out) _o493 =
+                            nearest = _o499.nearest;
+                            wedge = _o499.wedge;
+                            const LANES(court_end_beside_out) _o500 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o493.gap;
-                            const LANES(court_neared_out) _o494 =
+                            gap = _o500.gap;
+                            const LANES(court_neared_out) _o501 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o494.nearest;
-                            const LANES(court_bridge_parting_out) _o495 =
+                            nearest = _o501.nearest;
+                            const LANES(court_bridge_parting_out) _o502 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o495.lift;
-                            const LANES(court_ring_impact_settling_out) _o496 =
+                            V lift = _o502.lift;
+                            const LANES(court_ring_impact_settling_out) _o503 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o496.settles;
-                            M lodges = _o496.lodges;
-                            M slides = _o496.slides;
-                            M parts = _o496.parts;
-                            assured = lanes_select(_m485, _o496.assured, assured);
-                            M unsure = _o496.unsure;
-                            const LANES(court_settled_out) _o497 =
+                            M settles = _o503.settles;
+                            M lodges = _o503.lodges;
+                            M slides = _o503.slides;
+                            M parts = _o503.parts;
+                            assured = lanes_select(_m492, _o503.assured, assured);
+                            M unsure = _o503.unsure;
+                            const LANES(court_settled_out) _o504 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m485, _o497.mode, mode);
-                            held = lanes_select(_m485, _o497.held, held);
-                            outcome = lanes_select(_m485, _o497.outcome, outcome);
-                            slip_left = lanes_select(_m485, _o497.slip_left, slip_left);
-                            uncertain = lanes_select(_m485, _o497.uncertain, uncertain);
+                            mode = lanes_select(_m492, _o504.mode, mode);
+                            held = lanes_select(_m492, _o504.held, held);
+                            outcome = lanes_select(_m492, _o504.outcome, outcome);
+                            slip_left = lanes_select(_m492, _o504.slip_left, slip_left);
+                            uncertain = lanes_select(_m492, _o504.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m498 = lanes_both(rows, limited);
-            if (lanes_any(_m498)) {
-                const LANES(court_timed_out) _o499 =
+            const M _m505 = lanes_both(rows, limited);
+            if (lanes_any(_m505)) {
+                const LANES(court_timed_out) _o506 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o499.timed;
-                const M _m500 = lanes_both(_m498, timed);
-                if (lanes_any(_m500)) {
-                    const LANES(court_carry_time_out) _o501 =
+                M timed = _o506.timed;
+                const M _m507 = lanes_both(_m505, timed);
+                if (lanes_any(_m507)) {
+                    const LANES(court_carry_time_out) _o508 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m500, _o501.dx, dx);
-                    dy = lanes_select(_m500, _o501.dy, dy);
-                    dz = lanes_select(_m500, _o501.dz, dz);
-                    dvx = lanes_select(_m500, _o501.dvx, dvx);
-                    dvy = lanes_select(_m500, _o501.dvy, dvy);
-                    dvz = lanes_select(_m500, _o501.dvz, dvz);
-                    clock_error = lanes_select(_m500, _o501.clock_error, clock_error);
+                    dx = lanes_select(_m507, _o508.dx, dx);
+                    dy = lanes_select(_m507, _o508.dy, dy);
+                    dz = lanes_select(_m507, _o508.dz, dz);
+                    dvx = lanes_select(_m507, _o508.dvx, dvx);
+                    dvy = lanes_select(_m507, _o508.dvy, dvy);
+                    dvz = lanes_select(_m507, _o508.dvz, dvz);
+                    clock_error = lanes_select(_m507, _o508.clock_error, clock_error);
                 }
             }
-            const M _m502 = lanes_both(rows, hopped);
-            if (lanes_any(_m502)) {
-                const LANES(court_carry_hop_out) _o503 =
+            const M _m509 = lanes_both(rows, hopped);
+            if (lanes_any(_m509)) {
+                const LANES(court_carry_hop_out) _o510 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m502, _o503.dx, dx);
-                dy = lanes_select(_m502, _o503.dy, dy);
-                dz = lanes_select(_m502, _o503.dz, dz);
+                dx = lanes_select(_m509, _o510.dx, dx);
+                dy = lanes_select(_m509, _o510.dy, dy);
+                dz = lanes_select(_m509, _o510.dz, dz);
             }
-            const LANES(court_closing_out) _o504 =
+            const LANES(court_closing_out) _o511 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o504.closed;
-            const M _m505 = lanes_both(rows, closed);
+            M closed = _o511.closed;
+            const M _m512 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o506 =
+                const LANES(court_claimed_errors_out) _o513 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m505, _o506.position_error, position_claim);
-                velocity_claim = lanes_select(_m505, _o506.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m505, _o506.spin_error, spin_claim);
-                time_claim = lanes_select(_m505, _o506.time_error, time_claim);
+                position_claim = lanes_select(_m512, _o513.position_error, position_claim);
+                velocity_claim = lanes_select(_m512, _o513.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m512, _o513.spin_error, spin_claim);
+                time_claim = lanes_select(_m512, _o513.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);
