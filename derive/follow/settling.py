@@ -59,6 +59,8 @@ BEGINS, ROLLS, LEAVES = 1, 2, 3
 
 stride, strongest, fastest = sp.symbols("stride strongest fastest", nonnegative=True)
 force, force_rate, force_bend, brace = sp.symbols("force force_rate force_bend brace", real=True)
+spare = sp.Symbol("spare", nonnegative=True)
+"""How long a ball that leaves a surface certainly meets nothing else."""
 gap, nearing, dent, lift, surge, snap = sp.symbols("gap nearing dent lift surge snap", real=True)
 turning = sp.Matrix(sp.symbols("turning_x turning_y turning_z", real=True))
 """The rate at which the normal turns, n'."""
@@ -498,6 +500,10 @@ def _parting(strength: sp.Expr) -> tuple[Kernel, ...]:
     per = hold(size(rolling.per_reach))
     shortest = sp.Rational(1, 2**7)
     speed = hold(sum(map(size, velocity)) + strength * shortest)
+    # Of a body that it touches and moves away from, too, it is free for a while.
+    dipping = hold(strength + dent * speed**2)
+    away_from = Choose(Less(0, gap), nearing, -nearing)
+    unmet = hold(smallest(spare, first_root(hold(largest(gap, 0)), nearing, dipping)))
     rate = hold(speed * per + sp.sqrt(hold(strength * per)) + 1)
     bends = hold(64 * rate**3 * hold(strength + speed**2 * per))
     bent = hold(size(snap) + bends * sp.Rational(1, 2**30))
@@ -509,14 +515,27 @@ def _parting(strength: sp.Expr) -> tuple[Kernel, ...]:
         hold(sp.sqrt(hold(push / (bends * shortest)))),
     )
     away = hold(Choose(Less(0, surge), opening, tearing))
-    free = hold(nearest / (4 * speed))
-    hop = hold(smallest(shortest, away, free))
+    hop = hold(smallest(shortest, away, hold(spare / 4)))
     off = hold(
         16 * per * hold(hold(strength + speed**2 * per) * position_error + speed * velocity_error)
         + sp.Rational(1, 2**44) * strength
     )
     opens = some(Less(hold(off * rate), surge), Less(off, lift))
     return (
+        made("unmet", {"spare": sp.oo}, "Nothing next to the ball.", "Table 1"),
+        made("spared", {"spare": unmet}, "What it meets first.", "a parabola below the distance"),
+        made(
+            "spared_seam",
+            {
+                "spare": Choose(
+                    AtMost(size(gap), near),
+                    spare,
+                    hold(smallest(spare, first_root(size(gap), away_from, strength))),
+                )
+            },
+            "How long it stays off one part of the surface: there the distance bends anew.",
+            "a parabola below the distance",
+        ),
         made(
             "parted",
             {

@@ -179,6 +179,7 @@ IN_CONTACT = {
     "bounce": Letter("V", "speed off the surface"),
     "nearest": Letter("d_1", "distance to what is next to the ball"),
     "wedge": Letter("d_2", "how far the ball gets from what it is pressed onto besides"),
+    "spare": Letter(r"t_r", "how long a ball that leaves a surface certainly meets nothing else"),
     "swerve": Letter(r"\ddot d_r", "second derivative of the distance of a ball that rolls"),
     "facing": Letter(r"\chi_n", "cosine of the angle between the normals of two surfaces"),
     "press": Letter("N_r", "normal force on a ball that rolls on, per unit mass"),
