@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 49be5f120f0f8924,
+   Generated from templates/c/engine.h.j2, scene court, derivation a08d0bbc8c44ca0a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -1992,9 +1992,9 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 surge = lanes_select(_m251, _o253.surge, surge);
                 snap = lanes_select(_m251, _o253.snap, snap);
             }
-            const LANES(court_alone_out) _o254 =
-                LANES(court_alone)();
-            V nearest = _o254.nearest;
+            const LANES(court_unmet_out) _o254 =
+                LANES(court_unmet)();
+            V spare = _o254.spare;
             const LANES(court_beside_out) _o255 =
                 LANES(court_beside)(held, K(0.0));
             M beside = _o255.beside;
@@ -2003,9 +2003,11 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 const LANES(court_ring_beside_out) _o257 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o257.gap;
-                const LANES(court_neared_out) _o258 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m256, _o258.nearest, nearest);
+                V nearing = _o257.nearing;
+                V dent = _o257.dent;
+                const LANES(court_spared_out) _o258 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m256, _o258.spare, spare);
             }
             const LANES(court_beside_out) _o259 =
                 LANES(court_beside)(held, K(1.0));
@@ -2015,9 +2017,11 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 const LANES(court_backboard_beside_out) _o261 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
                 V gap = _o261.gap;
-                const LANES(court_neared_out) _o262 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m260, _o262.nearest, nearest);
+                V nearing = _o261.nearing;
+                V dent = _o261.dent;
+                const LANES(court_spared_out) _o262 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m260, _o262.spare, spare);
             }
             const LANES(court_beside_out) _o263 =
                 LANES(court_beside)(held, K(2.0));
@@ -2027,28 +2031,140 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 const LANES(court_bridge_beside_out) _o265 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o265.gap;
-                const LANES(court_neared_out) _o266 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m264, _o266.nearest, nearest);
+                V nearing = _o265.nearing;
+                V dent = _o265.dent;
+                const LANES(court_spared_out) _o266 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m264, _o266.spare, spare);
             }
             const LANES(court_beside_out) _o267 =
                 LANES(court_beside)(held, K(3.0));
             beside = _o267.beside;
             const M _m268 = lanes_both(_m241, beside);
-            {
+            if (lanes_any(_m268)) {
                 const LANES(court_end_beside_out) _o269 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
                 V gap = _o269.gap;
-                const LANES(court_neared_out) _o270 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m268, _o270.nearest, nearest);
+                V nearing = _o269.nearing;
+                V dent = _o269.dent;
+                const LANES(court_spared_out) _o270 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m268, _o270.spare, spare);
             }
-            const LANES(court_parted_out) _o271 =
-                LANES(court_parted)(K(INFINITY), p_gravity, lift, nearest, per_reach, K(0.0), snap, surge, K(0.0), vx, vy, vz);
-            when = lanes_select(_m241, _o271.when, when);
-            const LANES(court_hopping_out) _o272 =
+            const LANES(court_holding_out) _o271 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o271.here;
+            const M _m272 = lanes_both(_m241, here);
+            if (lanes_any(_m272)) {
+                const LANES(court_backboard_seam0_out) _o273 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                V gap = _o273.gap;
+                V nearing = _o273.nearing;
+                V near = _o273.near;
+                const LANES(court_spared_seam_out) _o274 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o274.spare, spare);
+                const LANES(court_backboard_seam1_out) _o275 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = _o275.gap;
+                nearing = _o275.nearing;
+                near = _o275.near;
+                const LANES(court_spared_seam_out) _o276 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o276.spare, spare);
+                const LANES(court_backboard_seam2_out) _o277 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o277.gap;
+                nearing = _o277.nearing;
+                near = _o277.near;
+                const LANES(court_spared_seam_out) _o278 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o278.spare, spare);
+                const LANES(court_backboard_seam3_out) _o279 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o279.gap;
+                nearing = _o279.nearing;
+                near = _o279.near;
+                const LANES(court_spared_seam_out) _o280 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o280.spare, spare);
+                const LANES(court_backboard_seam4_out) _o281 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o281.gap;
+                nearing = _o281.nearing;
+                near = _o281.near;
+                const LANES(court_spared_seam_out) _o282 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o282.spare, spare);
+                const LANES(court_backboard_seam5_out) _o283 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o283.gap;
+                nearing = _o283.nearing;
+                near = _o283.near;
+                const LANES(court_spared_seam_out) _o284 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o284.spare, spare);
+            }
+            const LANES(court_holding_out) _o285 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o285.here;
+            const M _m286 = lanes_both(_m241, here);
+            if (lanes_any(_m286)) {
+                const LANES(court_bridge_seam0_out) _o287 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                V gap = _o287.gap;
+                V nearing = _o287.nearing;
+                V near = _o287.near;
+                const LANES(court_spared_seam_out) _o288 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o288.spare, spare);
+                const LANES(court_bridge_seam1_out) _o289 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = _o289.gap;
+                nearing = _o289.nearing;
+                near = _o289.near;
+                const LANES(court_spared_seam_out) _o290 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o290.spare, spare);
+                const LANES(court_bridge_seam2_out) _o291 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o291.gap;
+                nearing = _o291.nearing;
+                near = _o291.near;
+                const LANES(court_spared_seam_out) _o292 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o292.spare, spare);
+                const LANES(court_bridge_seam3_out) _o293 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o293.gap;
+                nearing = _o293.nearing;
+                near = _o293.near;
+                const LANES(court_spared_seam_out) _o294 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o294.spare, spare);
+                const LANES(court_bridge_seam4_out) _o295 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o295.gap;
+                nearing = _o295.nearing;
+                near = _o295.near;
+                const LANES(court_spared_seam_out) _o296 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o296.spare, spare);
+                const LANES(court_bridge_seam5_out) _o297 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o297.gap;
+                nearing = _o297.nearing;
+                near = _o297.near;
+                const LANES(court_spared_seam_out) _o298 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o298.spare, spare);
+            }
+            const LANES(court_parted_out) _o299 =
+                LANES(court_parted)(K(INFINITY), p_gravity, lift, per_reach, K(0.0), snap, spare, surge, K(0.0), vx, vy, vz);
+            when = lanes_select(_m241, _o299.when, when);
+            const LANES(court_hopping_out) _o300 =
                 LANES(court_hopping)();
-            which = lanes_select(_m241, _o272.which, which);
+            which = lanes_select(_m241, _o300.which, which);
         }
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         lanes_store(lists->kept_when + i, when);
@@ -3489,69 +3605,69 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o273 =
+            const LANES(court_departed_out) _o301 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o273.moves;
-            M ends = _o273.ends;
-            M touches = _o273.touches;
-            V reached = _o273.reached;
-            const LANES(court_body_of_out) _o274 =
+            M moves = _o301.moves;
+            M ends = _o301.ends;
+            M touches = _o301.touches;
+            V reached = _o301.reached;
+            const LANES(court_body_of_out) _o302 =
                 LANES(court_body_of)(which);
-            V body = _o274.body;
-            const M _m275 = lanes_both(rows, moves);
-            if (lanes_any(_m275)) {
-                const LANES(court_passing_out) _o276 =
+            V body = _o302.body;
+            const M _m303 = lanes_both(rows, moves);
+            if (lanes_any(_m303)) {
+                const LANES(court_passing_out) _o304 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m275, _o276.through, through);
-                const LANES(court_flight_out) _o277 =
+                through = lanes_select(_m303, _o304.through, through);
+                const LANES(court_flight_out) _o305 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m275, _o277.x, x);
-                y = lanes_select(_m275, _o277.y, y);
-                z = lanes_select(_m275, _o277.z, z);
-                vx = lanes_select(_m275, _o277.vx, vx);
-                vy = lanes_select(_m275, _o277.vy, vy);
-                vz = lanes_select(_m275, _o277.vz, vz);
-                const LANES(court_ticked_out) _o278 =
+                x = lanes_select(_m303, _o305.x, x);
+                y = lanes_select(_m303, _o305.y, y);
+                z = lanes_select(_m303, _o305.z, z);
+                vx = lanes_select(_m303, _o305.vx, vx);
+                vy = lanes_select(_m303, _o305.vy, vy);
+                vz = lanes_select(_m303, _o305.vz, vz);
+                const LANES(court_ticked_out) _o306 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m275, _o278.clock, clock);
+                clock = lanes_select(_m303, _o306.clock, clock);
             }
-            const M _m279 = lanes_both(rows, limited);
-            if (lanes_any(_m279)) {
-                const LANES(court_expired_out) _o280 =
+            const M _m307 = lanes_both(rows, limited);
+            if (lanes_any(_m307)) {
+                const LANES(court_expired_out) _o308 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m279, _o280.clock, clock);
-                body = lanes_select(_m279, _o280.body, body);
-                reached = lanes_select(_m279, _o280.reached, reached);
-                ends = lanes_choose(_m279, _o280.ends, ends);
+                clock = lanes_select(_m307, _o308.clock, clock);
+                body = lanes_select(_m307, _o308.body, body);
+                reached = lanes_select(_m307, _o308.reached, reached);
+                ends = lanes_choose(_m307, _o308.ends, ends);
             }
-            const M _m281 = lanes_both(rows, kept);
-            if (lanes_any(_m281)) {
-                const LANES(court_kept_on_out) _o282 =
+            const M _m309 = lanes_both(rows, kept);
+            if (lanes_any(_m309)) {
+                const LANES(court_kept_on_out) _o310 =
                     LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m281, _o282.body, body);
-                reached = lanes_select(_m281, _o282.reached, reached);
-                ends = lanes_choose(_m281, _o282.ends, ends);
-                last = lanes_select(_m281, _o282.last, last);
-                mode = lanes_select(_m281, _o282.mode, mode);
-                held = lanes_select(_m281, _o282.held, held);
-                rolls = lanes_select(_m281, _o282.rolls, rolls);
+                body = lanes_select(_m309, _o310.body, body);
+                reached = lanes_select(_m309, _o310.reached, reached);
+                ends = lanes_choose(_m309, _o310.ends, ends);
+                last = lanes_select(_m309, _o310.last, last);
+                mode = lanes_select(_m309, _o310.mode, mode);
+                held = lanes_select(_m309, _o310.held, held);
+                rolls = lanes_select(_m309, _o310.rolls, rolls);
             }
-            const LANES(court_here_out) _o283 =
+            const LANES(court_here_out) _o311 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o283.here;
-            const M _m284 = lanes_both(rows, here);
+            M here = _o311.here;
+            const M _m312 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o285 =
+                const LANES(court_end_bounds_out) _o313 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o285.g0;
-                const LANES(court_end_reached_out) _o286 =
+                V g0 = _o313.g0;
+                const LANES(court_end_reached_out) _o314 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m284, _o286.reached, reached);
+                reached = lanes_select(_m312, _o314.reached, reached);
             }
-            const LANES(court_accounted_out) _o287 =
+            const LANES(court_accounted_out) _o315 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o287.contacts;
-            V outcome = _o287.outcome;
+            contacts = _o315.contacts;
+            V outcome = _o315.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -3564,247 +3680,117 @@ static void LANES(court_plain)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o288 =
+            const LANES(court_meeting_out) _o316 =
                 LANES(court_meeting)(K(0.0), ends, touches);
-            M meeting = _o288.meeting;
-            const M _m289 = lanes_both(rows, meeting);
-            if (lanes_any(_m289)) {
-                const LANES(court_end_normal_out) _o290 =
+            M meeting = _o316.meeting;
+            const M _m317 = lanes_both(rows, meeting);
+            if (lanes_any(_m317)) {
+                const LANES(court_end_normal_out) _o318 =
                     LANES(court_end_normal)();
-                V nx = _o290.nx;
-                V ny = _o290.ny;
-                V nz = _o290.nz;
-                const LANES(court_here_out) _o291 =
+                V nx = _o318.nx;
+                V ny = _o318.ny;
+                V nz = _o318.nz;
+                const LANES(court_here_out) _o319 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o291.here;
-                const M _m292 = lanes_both(_m289, here);
+                M here = _o319.here;
+                const M _m320 = lanes_both(_m317, here);
                 {
-                    const LANES(court_ring_normal_out) _o293 =
+                    const LANES(court_ring_normal_out) _o321 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m292, _o293.nx, nx);
-                    ny = lanes_select(_m292, _o293.ny, ny);
-                    nz = lanes_select(_m292, _o293.nz, nz);
-                    const LANES(court_counted_out) _o294 =
+                    nx = lanes_select(_m320, _o321.nx, nx);
+                    ny = lanes_select(_m320, _o321.ny, ny);
+                    nz = lanes_select(_m320, _o321.nz, nz);
+                    const LANES(court_counted_out) _o322 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m292, _o294.count, count_0);
+                    count_0 = lanes_select(_m320, _o322.count, count_0);
                 }
-                const LANES(court_here_out) _o295 =
+                const LANES(court_here_out) _o323 =
                     LANES(court_here)(K(1.0), which);
-                here = _o295.here;
-                const M _m296 = lanes_both(_m289, here);
+                here = _o323.here;
+                const M _m324 = lanes_both(_m317, here);
                 {
-                    const LANES(court_backboard_normal_out) _o297 =
+                    const LANES(court_backboard_normal_out) _o325 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m296, _o297.nx, nx);
-                    ny = lanes_select(_m296, _o297.ny, ny);
-                    nz = lanes_select(_m296, _o297.nz, nz);
-                    const LANES(court_counted_out) _o298 =
+                    nx = lanes_select(_m324, _o325.nx, nx);
+                    ny = lanes_select(_m324, _o325.ny, ny);
+                    nz = lanes_select(_m324, _o325.nz, nz);
+                    const LANES(court_counted_out) _o326 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m296, _o298.count, count_1);
+                    count_1 = lanes_select(_m324, _o326.count, count_1);
                 }
-                const LANES(court_here_out) _o299 =
+                const LANES(court_here_out) _o327 =
                     LANES(court_here)(K(2.0), which);
-                here = _o299.here;
-                const M _m300 = lanes_both(_m289, here);
+                here = _o327.here;
+                const M _m328 = lanes_both(_m317, here);
                 {
-                    const LANES(court_bridge_normal_out) _o301 =
+                    const LANES(court_bridge_normal_out) _o329 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m300, _o301.nx, nx);
-                    ny = lanes_select(_m300, _o301.ny, ny);
-                    nz = lanes_select(_m300, _o301.nz, nz);
-                    const LANES(court_counted_out) _o302 =
+                    nx = lanes_select(_m328, _o329.nx, nx);
+                    ny = lanes_select(_m328, _o329.ny, ny);
+                    nz = lanes_select(_m328, _o329.nz, nz);
+                    const LANES(court_counted_out) _o330 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m300, _o302.count, count_2);
+                    count_2 = lanes_select(_m328, _o330.count, count_2);
                 }
                 {
-                    const double *const _t304[][2] = {
+                    const double *const _t332[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t305[][1] = {
+                    static const double _t333[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k303 = 0; _k303 < 3; _k303++) {
-                        const V own_1 = lanes_load(_t304[_k303][0] + (i & varying));
-                        const V own_2 = lanes_load(_t304[_k303][1] + (i & varying));
-                        const V own_index = K(_t305[_k303][0]);
-                        const LANES(court_here_out) _o306 =
+                    for (size_t _k331 = 0; _k331 < 3; _k331++) {
+                        const V own_1 = lanes_load(_t332[_k331][0] + (i & varying));
+                        const V own_2 = lanes_load(_t332[_k331][1] + (i & varying));
+                        const V own_index = K(_t333[_k331][0]);
+                        const LANES(court_here_out) _o334 =
                             LANES(court_here)(own_index, which);
-                        M here = _o306.here;
-                        const M _m307 = lanes_both(_m289, here);
-                        if (lanes_any(_m307)) {
-                            const LANES(court_ring_impact_out) _o308 =
+                        M here = _o334.here;
+                        const M _m335 = lanes_both(_m317, here);
+                        if (lanes_any(_m335)) {
+                            const LANES(court_ring_impact_out) _o336 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m307, _o308.vx, vx);
-                            vy = lanes_select(_m307, _o308.vy, vy);
-                            vz = lanes_select(_m307, _o308.vz, vz);
-                            wx = lanes_select(_m307, _o308.wx, wx);
-                            wy = lanes_select(_m307, _o308.wy, wy);
-                            wz = lanes_select(_m307, _o308.wz, wz);
+                            vx = lanes_select(_m335, _o336.vx, vx);
+                            vy = lanes_select(_m335, _o336.vy, vy);
+                            vz = lanes_select(_m335, _o336.vz, vz);
+                            wx = lanes_select(_m335, _o336.wx, wx);
+                            wy = lanes_select(_m335, _o336.wy, wy);
+                            wz = lanes_select(_m335, _o336.wz, wz);
                         }
                     }
                 }
-                const M _m309 = lanes_both(_m289, touches);
+                const M _m337 = lanes_both(_m317, touches);
                 {
-                    const LANES(court_touched_out) _o310 =
+                    const LANES(court_touched_out) _o338 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m309, _o310.first, first);
-                    last = lanes_select(_m309, _o310.last, last);
+                    first = lanes_select(_m337, _o338.first, first);
+                    last = lanes_select(_m337, _o338.last, last);
                 }
-                const M _m311 = lanes_both(_m289, touches);
-                if (lanes_any(_m311)) {
-                    const LANES(court_slowed_out) _o312 =
+                const M _m339 = lanes_both(_m317, touches);
+                if (lanes_any(_m339)) {
+                    const LANES(court_slowed_out) _o340 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o312.slow;
-                    const M _m313 = lanes_both(_m311, slow);
-                    if (lanes_any(_m313)) {
-                        const LANES(court_gripped_out) _o314 =
+                    M slow = _o340.slow;
+                    const M _m341 = lanes_both(_m339, slow);
+                    if (lanes_any(_m341)) {
+                        const LANES(court_gripped_out) _o342 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o314.rolled_x;
-                        V rolled_y = _o314.rolled_y;
-                        V rolled_z = _o314.rolled_z;
-                        V slip = _o314.slip;
-                        V bounce = _o314.bounce;
-                        const LANES(court_here_out) _o315 =
-                            LANES(court_here)(K(0.0), which);
-                        M here = _o315.here;
-                        const M _m316 = lanes_both(_m313, here);
-                        if (lanes_any(_m316)) {
-                            const LANES(court_ring_turning_out) _o317 =
-                                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o317.turning_x;
-                            V turning_y = _o317.turning_y;
-                            V turning_z = _o317.turning_z;
-                            const LANES(court_pressed_on_out) _o318 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o318.press;
-                            V weight = _o318.weight;
-                            V drag = _o318.drag;
-                            V thrust_x = _o318.thrust_x;
-                            V thrust_y = _o318.thrust_y;
-                            V thrust_z = _o318.thrust_z;
-                            const LANES(court_alone_out) _o319 =
-                                LANES(court_alone)();
-                            V nearest = _o319.nearest;
-                            V wedge = _o319.wedge;
-                            const LANES(court_backboard_closing_out) _o320 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o320.gap;
-                            V nearing = _o320.nearing;
-                            V swerve = _o320.swerve;
-                            V facing = _o320.facing;
-                            const LANES(court_neared_body_out) _o321 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o321.nearest;
-                            wedge = _o321.wedge;
-                            const LANES(court_bridge_closing_out) _o322 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o322.gap;
-                            nearing = _o322.nearing;
-                            swerve = _o322.swerve;
-                            facing = _o322.facing;
-                            const LANES(court_neared_body_out) _o323 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o323.nearest;
-                            wedge = _o323.wedge;
-                            const LANES(court_end_beside_out) _o324 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o324.gap;
-                            const LANES(court_neared_out) _o325 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o325.nearest;
-                            const LANES(court_ring_parting_out) _o326 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o326.lift;
-                            const LANES(court_ring_impact_settling_out) _o327 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o327.settles;
-                            M lodges = _o327.lodges;
-                            M slides = _o327.slides;
-                            M parts = _o327.parts;
-                            M unsure = _o327.unsure;
-                            const LANES(court_settled_out) _o328 =
-                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m316, _o328.mode, mode);
-                            held = lanes_select(_m316, _o328.held, held);
-                            outcome = lanes_select(_m316, _o328.outcome, outcome);
-                            slip_left = lanes_select(_m316, _o328.slip_left, slip_left);
-                        }
-                        const LANES(court_here_out) _o329 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o329.here;
-                        const M _m330 = lanes_both(_m313, here);
-                        if (lanes_any(_m330)) {
-                            const LANES(court_backboard_turning_out) _o331 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o331.turning_x;
-                            V turning_y = _o331.turning_y;
-                            V turning_z = _o331.turning_z;
-                            const LANES(court_pressed_on_out) _o332 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o332.press;
-                            V weight = _o332.weight;
-                            V drag = _o332.drag;
-                            V thrust_x = _o332.thrust_x;
-                            V thrust_y = _o332.thrust_y;
-                            V thrust_z = _o332.thrust_z;
-                            const LANES(court_alone_out) _o333 =
-                                LANES(court_alone)();
-                            V nearest = _o333.nearest;
-                            V wedge = _o333.wedge;
-                            const LANES(court_ring_closing_out) _o334 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o334.gap;
-                            V nearing = _o334.nearing;
-                            V swerve = _o334.swerve;
-                            V facing = _o334.facing;
-                            const LANES(court_neared_body_out) _o335 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o335.nearest;
-                            wedge = _o335.wedge;
-                            const LANES(court_bridge_closing_out) _o336 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o336.gap;
-                            nearing = _o336.nearing;
-                            swerve = _o336.swerve;
-                            facing = _o336.facing;
-                            const LANES(court_neared_body_out) _o337 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o337.nearest;
-                            wedge = _o337.wedge;
-                            const LANES(court_end_beside_out) _o338 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o338.gap;
-                            const LANES(court_neared_out) _o339 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o339.nearest;
-                            const LANES(court_backboard_parting_out) _o340 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o340.lift;
-                            const LANES(court_ring_impact_settling_out) _o341 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o341.settles;
-                            M lodges = _o341.lodges;
-                            M slides = _o341.slides;
-                            M parts = _o341.parts;
-                            M unsure = _o341.unsure;
-                            const LANES(court_settled_out) _o342 =
-                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m330, _o342.mode, mode);
-                            held = lanes_select(_m330, _o342.held, held);
-                            outcome = lanes_select(_m330, _o342.outcome, outcome);
-                            slip_left = lanes_select(_m330, _o342.slip_left, slip_left);
-                        }
+                        V rolled_x = _o342.rolled_x;
+                        V rolled_y = _o342.rolled_y;
+                        V rolled_z = _o342.rolled_z;
+                        V slip = _o342.slip;
+                        V bounce = _o342.bounce;
                         const LANES(court_here_out) _o343 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o343.here;
-                        const M _m344 = lanes_both(_m313, here);
+                            LANES(court_here)(K(0.0), which);
+                        M here = _o343.here;
+                        const M _m344 = lanes_both(_m341, here);
                         if (lanes_any(_m344)) {
-                            const LANES(court_bridge_turning_out) _o345 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            const LANES(court_ring_turning_out) _o345 =
+                                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
                             V turning_x = _o345.turning_x;
                             V turning_y = _o345.turning_y;
                             V turning_z = _o345.turning_z;
@@ -3820,8 +3806,8 @@ static void LANES(court_plain)(const court_job *job)
                                 LANES(court_alone)();
                             V nearest = _o347.nearest;
                             V wedge = _o347.wedge;
-                            const LANES(court_ring_closing_out) _o348 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            const LANES(court_backboard_closing_out) _o348 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
                             V gap = _o348.gap;
                             V nearing = _o348.nearing;
                             V swerve = _o348.swerve;
@@ -3830,8 +3816,8 @@ static void LANES(court_plain)(const court_job *job)
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o349.nearest;
                             wedge = _o349.wedge;
-                            const LANES(court_backboard_closing_out) _o350 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            const LANES(court_bridge_closing_out) _o350 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
                             gap = _o350.gap;
                             nearing = _o350.nearing;
                             swerve = _o350.swerve;
@@ -3846,22 +3832,152 @@ static void LANES(court_plain)(const court_job *job)
                             const LANES(court_neared_out) _o353 =
                                 LANES(court_neared)(gap, nearest);
                             nearest = _o353.nearest;
-                            const LANES(court_bridge_parting_out) _o354 =
-                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                            const LANES(court_ring_parting_out) _o354 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
                             V lift = _o354.lift;
                             const LANES(court_ring_impact_settling_out) _o355 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
                             M settles = _o355.settles;
                             M lodges = _o355.lodges;
                             M slides = _o355.slides;
                             M parts = _o355.parts;
                             M unsure = _o355.unsure;
                             const LANES(court_settled_out) _o356 =
-                                LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
+                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
                             mode = lanes_select(_m344, _o356.mode, mode);
                             held = lanes_select(_m344, _o356.held, held);
                             outcome = lanes_select(_m344, _o356.outcome, outcome);
                             slip_left = lanes_select(_m344, _o356.slip_left, slip_left);
+                        }
+                        const LANES(court_here_out) _o357 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o357.here;
+                        const M _m358 = lanes_both(_m341, here);
+                        if (lanes_any(_m358)) {
+                            const LANES(court_backboard_turning_out) _o359 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o359.turning_x;
+                            V turning_y = _o359.turning_y;
+                            V turning_z = _o359.turning_z;
+                            const LANES(court_pressed_on_out) _o360 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o360.press;
+                            V weight = _o360.weight;
+                            V drag = _o360.drag;
+                            V thrust_x = _o360.thrust_x;
+                            V thrust_y = _o360.thrust_y;
+                            V thrust_z = _o360.thrust_z;
+                            const LANES(court_alone_out) _o361 =
+                                LANES(court_alone)();
+                            V nearest = _o361.nearest;
+                            V wedge = _o361.wedge;
+                            const LANES(court_ring_closing_out) _o362 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o362.gap;
+                            V nearing = _o362.nearing;
+                            V swerve = _o362.swerve;
+                            V facing = _o362.facing;
+                            const LANES(court_neared_body_out) _o363 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o363.nearest;
+                            wedge = _o363.wedge;
+                            const LANES(court_bridge_closing_out) _o364 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o364.gap;
+                            nearing = _o364.nearing;
+                            swerve = _o364.swerve;
+                            facing = _o364.facing;
+                            const LANES(court_neared_body_out) _o365 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o365.nearest;
+                            wedge = _o365.wedge;
+                            const LANES(court_end_beside_out) _o366 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o366.gap;
+                            const LANES(court_neared_out) _o367 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o367.nearest;
+                            const LANES(court_backboard_parting_out) _o368 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o368.lift;
+                            const LANES(court_ring_impact_settling_out) _o369 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o369.settles;
+                            M lodges = _o369.lodges;
+                            M slides = _o369.slides;
+                            M parts = _o369.parts;
+                            M unsure = _o369.unsure;
+                            const LANES(court_settled_out) _o370 =
+                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m358, _o370.mode, mode);
+                            held = lanes_select(_m358, _o370.held, held);
+                            outcome = lanes_select(_m358, _o370.outcome, outcome);
+                            slip_left = lanes_select(_m358, _o370.slip_left, slip_left);
+                        }
+                        const LANES(court_here_out) _o371 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o371.here;
+                        const M _m372 = lanes_both(_m341, here);
+                        if (lanes_any(_m372)) {
+                            const LANES(court_bridge_turning_out) _o373 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o373.turning_x;
+                            V turning_y = _o373.turning_y;
+                            V turning_z = _o373.turning_z;
+                            const LANES(court_pressed_on_out) _o374 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o374.press;
+                            V weight = _o374.weight;
+                            V drag = _o374.drag;
+                            V thrust_x = _o374.thrust_x;
+                            V thrust_y = _o374.thrust_y;
+                            V thrust_z = _o374.thrust_z;
+                            const LANES(court_alone_out) _o375 =
+                                LANES(court_alone)();
+                            V nearest = _o375.nearest;
+                            V wedge = _o375.wedge;
+                            const LANES(court_ring_closing_out) _o376 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o376.gap;
+                            V nearing = _o376.nearing;
+                            V swerve = _o376.swerve;
+                            V facing = _o376.facing;
+                            const LANES(court_neared_body_out) _o377 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o377.nearest;
+                            wedge = _o377.wedge;
+                            const LANES(court_backboard_closing_out) _o378 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            gap = _o378.gap;
+                            nearing = _o378.nearing;
+                            swerve = _o378.swerve;
+                            facing = _o378.facing;
+                            const LANES(court_neared_body_out) _o379 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o379.nearest;
+                            wedge = _o379.wedge;
+                            const LANES(court_end_beside_out) _o380 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o380.gap;
+                            const LANES(court_neared_out) _o381 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o381.nearest;
+                            const LANES(court_bridge_parting_out) _o382 =
+                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                            V lift = _o382.lift;
+                            const LANES(court_ring_impact_settling_out) _o383 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o383.settles;
+                            M lodges = _o383.lodges;
+                            M slides = _o383.slides;
+                            M parts = _o383.parts;
+                            M unsure = _o383.unsure;
+                            const LANES(court_settled_out) _o384 =
+                                LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m372, _o384.mode, mode);
+                            held = lanes_select(_m372, _o384.held, held);
+                            outcome = lanes_select(_m372, _o384.outcome, outcome);
+                            slip_left = lanes_select(_m372, _o384.slip_left, slip_left);
                         }
                     }
                 }
@@ -6906,9 +7022,9 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 surge = lanes_select(_m359, _o361.surge, surge);
                 snap = lanes_select(_m359, _o361.snap, snap);
             }
-            const LANES(court_alone_out) _o362 =
-                LANES(court_alone)();
-            V nearest = _o362.nearest;
+            const LANES(court_unmet_out) _o362 =
+                LANES(court_unmet)();
+            V spare = _o362.spare;
             const LANES(court_beside_out) _o363 =
                 LANES(court_beside)(held, K(0.0));
             M beside = _o363.beside;
@@ -6917,9 +7033,11 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 const LANES(court_ring_beside_out) _o365 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o365.gap;
-                const LANES(court_neared_out) _o366 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m364, _o366.nearest, nearest);
+                V nearing = _o365.nearing;
+                V dent = _o365.dent;
+                const LANES(court_spared_out) _o366 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m364, _o366.spare, spare);
             }
             const LANES(court_beside_out) _o367 =
                 LANES(court_beside)(held, K(1.0));
@@ -6929,9 +7047,11 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 const LANES(court_backboard_beside_out) _o369 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
                 V gap = _o369.gap;
-                const LANES(court_neared_out) _o370 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m368, _o370.nearest, nearest);
+                V nearing = _o369.nearing;
+                V dent = _o369.dent;
+                const LANES(court_spared_out) _o370 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m368, _o370.spare, spare);
             }
             const LANES(court_beside_out) _o371 =
                 LANES(court_beside)(held, K(2.0));
@@ -6941,29 +7061,141 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 const LANES(court_bridge_beside_out) _o373 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o373.gap;
-                const LANES(court_neared_out) _o374 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m372, _o374.nearest, nearest);
+                V nearing = _o373.nearing;
+                V dent = _o373.dent;
+                const LANES(court_spared_out) _o374 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m372, _o374.spare, spare);
             }
             const LANES(court_beside_out) _o375 =
                 LANES(court_beside)(held, K(3.0));
             beside = _o375.beside;
             const M _m376 = lanes_both(_m348, beside);
-            {
+            if (lanes_any(_m376)) {
                 const LANES(court_end_beside_out) _o377 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
                 V gap = _o377.gap;
-                const LANES(court_neared_out) _o378 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m376, _o378.nearest, nearest);
+                V nearing = _o377.nearing;
+                V dent = _o377.dent;
+                const LANES(court_spared_out) _o378 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m376, _o378.spare, spare);
             }
-            const LANES(court_parted_out) _o379 =
-                LANES(court_parted)(doubt, p_gravity, lift, nearest, per_reach, position_error, snap, surge, velocity_error, vx, vy, vz);
-            when = lanes_select(_m348, _o379.when, when);
-            doubt = lanes_select(_m348, _o379.doubt, doubt);
-            const LANES(court_hopping_out) _o380 =
+            const LANES(court_holding_out) _o379 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o379.here;
+            const M _m380 = lanes_both(_m348, here);
+            if (lanes_any(_m380)) {
+                const LANES(court_backboard_seam0_out) _o381 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                V gap = _o381.gap;
+                V nearing = _o381.nearing;
+                V near = _o381.near;
+                const LANES(court_spared_seam_out) _o382 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o382.spare, spare);
+                const LANES(court_backboard_seam1_out) _o383 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = _o383.gap;
+                nearing = _o383.nearing;
+                near = _o383.near;
+                const LANES(court_spared_seam_out) _o384 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o384.spare, spare);
+                const LANES(court_backboard_seam2_out) _o385 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o385.gap;
+                nearing = _o385.nearing;
+                near = _o385.near;
+                const LANES(court_spared_seam_out) _o386 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o386.spare, spare);
+                const LANES(court_backboard_seam3_out) _o387 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o387.gap;
+                nearing = _o387.nearing;
+                near = _o387.near;
+                const LANES(court_spared_seam_out) _o388 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o388.spare, spare);
+                const LANES(court_backboard_seam4_out) _o389 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o389.gap;
+                nearing = _o389.nearing;
+                near = _o389.near;
+                const LANES(court_spared_seam_out) _o390 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o390.spare, spare);
+                const LANES(court_backboard_seam5_out) _o391 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o391.gap;
+                nearing = _o391.nearing;
+                near = _o391.near;
+                const LANES(court_spared_seam_out) _o392 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o392.spare, spare);
+            }
+            const LANES(court_holding_out) _o393 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o393.here;
+            const M _m394 = lanes_both(_m348, here);
+            if (lanes_any(_m394)) {
+                const LANES(court_bridge_seam0_out) _o395 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                V gap = _o395.gap;
+                V nearing = _o395.nearing;
+                V near = _o395.near;
+                const LANES(court_spared_seam_out) _o396 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o396.spare, spare);
+                const LANES(court_bridge_seam1_out) _o397 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = _o397.gap;
+                nearing = _o397.nearing;
+                near = _o397.near;
+                const LANES(court_spared_seam_out) _o398 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o398.spare, spare);
+                const LANES(court_bridge_seam2_out) _o399 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o399.gap;
+                nearing = _o399.nearing;
+                near = _o399.near;
+                const LANES(court_spared_seam_out) _o400 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o400.spare, spare);
+                const LANES(court_bridge_seam3_out) _o401 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o401.gap;
+                nearing = _o401.nearing;
+                near = _o401.near;
+                const LANES(court_spared_seam_out) _o402 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o402.spare, spare);
+                const LANES(court_bridge_seam4_out) _o403 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o403.gap;
+                nearing = _o403.nearing;
+                near = _o403.near;
+                const LANES(court_spared_seam_out) _o404 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o404.spare, spare);
+                const LANES(court_bridge_seam5_out) _o405 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o405.gap;
+                nearing = _o405.nearing;
+                near = _o405.near;
+                const LANES(court_spared_seam_out) _o406 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o406.spare, spare);
+            }
+            const LANES(court_parted_out) _o407 =
+                LANES(court_parted)(doubt, p_gravity, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz);
+            when = lanes_select(_m348, _o407.when, when);
+            doubt = lanes_select(_m348, _o407.doubt, doubt);
+            const LANES(court_hopping_out) _o408 =
                 LANES(court_hopping)();
-            which = lanes_select(_m348, _o380.which, which);
+            which = lanes_select(_m348, _o408.which, which);
         }
         lanes_store(lists->kept_doubt + i, doubt);
         lanes_store(lists->kept_position_error + i, position_error);
@@ -8794,90 +9026,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o381 =
+            const LANES(court_departed_out) _o409 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o381.moves;
-            M ends = _o381.ends;
-            M touches = _o381.touches;
-            V reached = _o381.reached;
-            M edge = _o381.edge;
-            const LANES(court_body_of_out) _o382 =
+            M moves = _o409.moves;
+            M ends = _o409.ends;
+            M touches = _o409.touches;
+            V reached = _o409.reached;
+            M edge = _o409.edge;
+            const LANES(court_body_of_out) _o410 =
                 LANES(court_body_of)(which);
-            V body = _o382.body;
-            const M _m383 = lanes_both(rows, moves);
-            if (lanes_any(_m383)) {
-                const LANES(court_passing_doubt_out) _o384 =
+            V body = _o410.body;
+            const M _m411 = lanes_both(rows, moves);
+            if (lanes_any(_m411)) {
+                const LANES(court_passing_doubt_out) _o412 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o384.unsure;
-                const LANES(court_undecided_out) _o385 =
+                M unsure = _o412.unsure;
+                const LANES(court_undecided_out) _o413 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m383, _o385.uncertain, uncertain);
-                const LANES(court_passing_out) _o386 =
+                uncertain = lanes_select(_m411, _o413.uncertain, uncertain);
+                const LANES(court_passing_out) _o414 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m383, _o386.through, through);
-                const LANES(court_flight_out) _o387 =
+                through = lanes_select(_m411, _o414.through, through);
+                const LANES(court_flight_out) _o415 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m383, _o387.x, x);
-                y = lanes_select(_m383, _o387.y, y);
-                z = lanes_select(_m383, _o387.z, z);
-                vx = lanes_select(_m383, _o387.vx, vx);
-                vy = lanes_select(_m383, _o387.vy, vy);
-                vz = lanes_select(_m383, _o387.vz, vz);
-                const LANES(court_ticked_out) _o388 =
+                x = lanes_select(_m411, _o415.x, x);
+                y = lanes_select(_m411, _o415.y, y);
+                z = lanes_select(_m411, _o415.z, z);
+                vx = lanes_select(_m411, _o415.vx, vx);
+                vy = lanes_select(_m411, _o415.vy, vy);
+                vz = lanes_select(_m411, _o415.vz, vz);
+                const LANES(court_ticked_out) _o416 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m383, _o388.clock, clock);
+                clock = lanes_select(_m411, _o416.clock, clock);
             }
-            const M _m389 = lanes_both(rows, limited);
-            if (lanes_any(_m389)) {
-                const LANES(court_expired_out) _o390 =
+            const M _m417 = lanes_both(rows, limited);
+            if (lanes_any(_m417)) {
+                const LANES(court_expired_out) _o418 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m389, _o390.clock, clock);
-                body = lanes_select(_m389, _o390.body, body);
-                reached = lanes_select(_m389, _o390.reached, reached);
-                ends = lanes_choose(_m389, _o390.ends, ends);
+                clock = lanes_select(_m417, _o418.clock, clock);
+                body = lanes_select(_m417, _o418.body, body);
+                reached = lanes_select(_m417, _o418.reached, reached);
+                ends = lanes_choose(_m417, _o418.ends, ends);
             }
-            const LANES(court_unhopped_out) _o391 =
+            const LANES(court_unhopped_out) _o419 =
                 LANES(court_unhopped)();
-            M hopped = _o391.hopped;
-            const M _m392 = lanes_both(rows, kept);
-            if (lanes_any(_m392)) {
-                const LANES(court_kept_on_out) _o393 =
+            M hopped = _o419.hopped;
+            const M _m420 = lanes_both(rows, kept);
+            if (lanes_any(_m420)) {
+                const LANES(court_kept_on_out) _o421 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m392, _o393.body, body);
-                reached = lanes_select(_m392, _o393.reached, reached);
-                doubt = lanes_select(_m392, _o393.doubt, doubt);
-                ends = lanes_choose(_m392, _o393.ends, ends);
-                hopped = lanes_choose(_m392, _o393.hopped, hopped);
-                last = lanes_select(_m392, _o393.last, last);
-                mode = lanes_select(_m392, _o393.mode, mode);
-                held = lanes_select(_m392, _o393.held, held);
-                rolls = lanes_select(_m392, _o393.rolls, rolls);
+                body = lanes_select(_m420, _o421.body, body);
+                reached = lanes_select(_m420, _o421.reached, reached);
+                doubt = lanes_select(_m420, _o421.doubt, doubt);
+                ends = lanes_choose(_m420, _o421.ends, ends);
+                hopped = lanes_choose(_m420, _o421.hopped, hopped);
+                last = lanes_select(_m420, _o421.last, last);
+                mode = lanes_select(_m420, _o421.mode, mode);
+                held = lanes_select(_m420, _o421.held, held);
+                rolls = lanes_select(_m420, _o421.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o394 =
+            const LANES(court_displacement_out) _o422 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o394.margin;
-            const LANES(court_here_out) _o395 =
+            V slack = _o422.margin;
+            const LANES(court_here_out) _o423 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o395.here;
-            const M _m396 = lanes_both(rows, here);
+            M here = _o423.here;
+            const M _m424 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o397 =
+                const LANES(court_end_bounds_out) _o425 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o397.g0;
-                const LANES(court_end_reached_out) _o398 =
+                V g0 = _o425.g0;
+                const LANES(court_end_reached_out) _o426 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m396, _o398.reached, reached);
-                const LANES(court_end_edge_out) _o399 =
+                reached = lanes_select(_m424, _o426.reached, reached);
+                const LANES(court_end_edge_out) _o427 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m396, _o399.edge, edge);
+                edge = lanes_choose(_m424, _o427.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o400 =
+            const LANES(court_doubted_in_contact_out) _o428 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o400.uncertain;
-            const LANES(court_accounted_out) _o401 =
+            uncertain = _o428.uncertain;
+            const LANES(court_accounted_out) _o429 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o401.contacts;
-            V outcome = _o401.outcome;
+            contacts = _o429.contacts;
+            V outcome = _o429.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -8890,395 +9122,261 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o402 =
+            const LANES(court_meeting_out) _o430 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o402.meeting;
-            const M _m403 = lanes_both(rows, meeting);
-            if (lanes_any(_m403)) {
-                const LANES(court_end_normal_out) _o404 =
+            M meeting = _o430.meeting;
+            const M _m431 = lanes_both(rows, meeting);
+            if (lanes_any(_m431)) {
+                const LANES(court_end_normal_out) _o432 =
                     LANES(court_end_normal)();
-                V nx = _o404.nx;
-                V ny = _o404.ny;
-                V nz = _o404.nz;
-                const LANES(court_here_out) _o405 =
+                V nx = _o432.nx;
+                V ny = _o432.ny;
+                V nz = _o432.nz;
+                const LANES(court_here_out) _o433 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o405.here;
-                const M _m406 = lanes_both(_m403, here);
+                M here = _o433.here;
+                const M _m434 = lanes_both(_m431, here);
                 {
-                    const LANES(court_ring_normal_out) _o407 =
+                    const LANES(court_ring_normal_out) _o435 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m406, _o407.nx, nx);
-                    ny = lanes_select(_m406, _o407.ny, ny);
-                    nz = lanes_select(_m406, _o407.nz, nz);
-                    const LANES(court_counted_out) _o408 =
+                    nx = lanes_select(_m434, _o435.nx, nx);
+                    ny = lanes_select(_m434, _o435.ny, ny);
+                    nz = lanes_select(_m434, _o435.nz, nz);
+                    const LANES(court_counted_out) _o436 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m406, _o408.count, count_0);
+                    count_0 = lanes_select(_m434, _o436.count, count_0);
                 }
-                const LANES(court_here_out) _o409 =
+                const LANES(court_here_out) _o437 =
                     LANES(court_here)(K(1.0), which);
-                here = _o409.here;
-                const M _m410 = lanes_both(_m403, here);
+                here = _o437.here;
+                const M _m438 = lanes_both(_m431, here);
                 {
-                    const LANES(court_backboard_normal_out) _o411 =
+                    const LANES(court_backboard_normal_out) _o439 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m410, _o411.nx, nx);
-                    ny = lanes_select(_m410, _o411.ny, ny);
-                    nz = lanes_select(_m410, _o411.nz, nz);
-                    const LANES(court_counted_out) _o412 =
+                    nx = lanes_select(_m438, _o439.nx, nx);
+                    ny = lanes_select(_m438, _o439.ny, ny);
+                    nz = lanes_select(_m438, _o439.nz, nz);
+                    const LANES(court_counted_out) _o440 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m410, _o412.count, count_1);
+                    count_1 = lanes_select(_m438, _o440.count, count_1);
                 }
-                const LANES(court_here_out) _o413 =
+                const LANES(court_here_out) _o441 =
                     LANES(court_here)(K(2.0), which);
-                here = _o413.here;
-                const M _m414 = lanes_both(_m403, here);
+                here = _o441.here;
+                const M _m442 = lanes_both(_m431, here);
                 {
-                    const LANES(court_bridge_normal_out) _o415 =
+                    const LANES(court_bridge_normal_out) _o443 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m414, _o415.nx, nx);
-                    ny = lanes_select(_m414, _o415.ny, ny);
-                    nz = lanes_select(_m414, _o415.nz, nz);
-                    const LANES(court_counted_out) _o416 =
+                    nx = lanes_select(_m442, _o443.nx, nx);
+                    ny = lanes_select(_m442, _o443.ny, ny);
+                    nz = lanes_select(_m442, _o443.nz, nz);
+                    const LANES(court_counted_out) _o444 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m414, _o416.count, count_2);
+                    count_2 = lanes_select(_m442, _o444.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o417 =
+                const LANES(court_elsewhere_out) _o445 =
                     LANES(court_elsewhere)();
-                V curving = _o417.curving;
-                const LANES(court_anew_out) _o418 =
+                V curving = _o445.curving;
+                const LANES(court_anew_out) _o446 =
                     LANES(court_anew)();
-                V left_nx = _o418.left_nx;
-                V left_ny = _o418.left_ny;
-                V left_nz = _o418.left_nz;
-                const LANES(court_again_out) _o419 =
+                V left_nx = _o446.left_nx;
+                V left_ny = _o446.left_ny;
+                V left_nz = _o446.left_nz;
+                const LANES(court_again_out) _o447 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o419.again;
-                const M _m420 = lanes_both(_m403, again);
-                if (lanes_any(_m420)) {
-                    const LANES(court_ring_curvature_out) _o421 =
+                M again = _o447.again;
+                const M _m448 = lanes_both(_m431, again);
+                if (lanes_any(_m448)) {
+                    const LANES(court_ring_curvature_out) _o449 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m420, _o421.curvature, curving);
-                    const LANES(court_started_out) _o422 =
+                    curving = lanes_select(_m448, _o449.curvature, curving);
+                    const LANES(court_started_out) _o450 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o422.from_x;
-                    V from_y = _o422.from_y;
-                    V from_z = _o422.from_z;
-                    const LANES(court_ring_normal_out) _o423 =
+                    V from_x = _o450.from_x;
+                    V from_y = _o450.from_y;
+                    V from_z = _o450.from_z;
+                    const LANES(court_ring_normal_out) _o451 =
                         LANES(court_ring_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    left_nx = lanes_select(_m420, _o423.nx, left_nx);
-                    left_ny = lanes_select(_m420, _o423.ny, left_ny);
-                    left_nz = lanes_select(_m420, _o423.nz, left_nz);
+                    left_nx = lanes_select(_m448, _o451.nx, left_nx);
+                    left_ny = lanes_select(_m448, _o451.ny, left_ny);
+                    left_nz = lanes_select(_m448, _o451.nz, left_nz);
                 }
-                const LANES(court_again_out) _o424 =
+                const LANES(court_again_out) _o452 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o424.again;
-                const M _m425 = lanes_both(_m403, again);
-                if (lanes_any(_m425)) {
-                    const LANES(court_backboard_curvature_out) _o426 =
+                again = _o452.again;
+                const M _m453 = lanes_both(_m431, again);
+                if (lanes_any(_m453)) {
+                    const LANES(court_backboard_curvature_out) _o454 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m425, _o426.curvature, curving);
-                    const LANES(court_started_out) _o427 =
+                    curving = lanes_select(_m453, _o454.curvature, curving);
+                    const LANES(court_started_out) _o455 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o427.from_x;
-                    V from_y = _o427.from_y;
-                    V from_z = _o427.from_z;
-                    const LANES(court_backboard_normal_out) _o428 =
+                    V from_x = _o455.from_x;
+                    V from_y = _o455.from_y;
+                    V from_z = _o455.from_z;
+                    const LANES(court_backboard_normal_out) _o456 =
                         LANES(court_backboard_normal)(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    left_nx = lanes_select(_m425, _o428.nx, left_nx);
-                    left_ny = lanes_select(_m425, _o428.ny, left_ny);
-                    left_nz = lanes_select(_m425, _o428.nz, left_nz);
+                    left_nx = lanes_select(_m453, _o456.nx, left_nx);
+                    left_ny = lanes_select(_m453, _o456.ny, left_ny);
+                    left_nz = lanes_select(_m453, _o456.nz, left_nz);
                 }
-                const LANES(court_again_out) _o429 =
+                const LANES(court_again_out) _o457 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o429.again;
-                const M _m430 = lanes_both(_m403, again);
-                if (lanes_any(_m430)) {
-                    const LANES(court_bridge_curvature_out) _o431 =
+                again = _o457.again;
+                const M _m458 = lanes_both(_m431, again);
+                if (lanes_any(_m458)) {
+                    const LANES(court_bridge_curvature_out) _o459 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m430, _o431.curvature, curving);
-                    const LANES(court_started_out) _o432 =
+                    curving = lanes_select(_m458, _o459.curvature, curving);
+                    const LANES(court_started_out) _o460 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o432.from_x;
-                    V from_y = _o432.from_y;
-                    V from_z = _o432.from_z;
-                    const LANES(court_bridge_normal_out) _o433 =
+                    V from_x = _o460.from_x;
+                    V from_y = _o460.from_y;
+                    V from_z = _o460.from_z;
+                    const LANES(court_bridge_normal_out) _o461 =
                         LANES(court_bridge_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    left_nx = lanes_select(_m430, _o433.nx, left_nx);
-                    left_ny = lanes_select(_m430, _o433.ny, left_ny);
-                    left_nz = lanes_select(_m430, _o433.nz, left_nz);
+                    left_nx = lanes_select(_m458, _o461.nx, left_nx);
+                    left_ny = lanes_select(_m458, _o461.ny, left_ny);
+                    left_nz = lanes_select(_m458, _o461.nz, left_nz);
                 }
-                const LANES(court_carry_flight_out) _o434 =
+                const LANES(court_carry_flight_out) _o462 =
                     LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
-                dx = lanes_select(_m403, _o434.dx, dx);
-                dy = lanes_select(_m403, _o434.dy, dy);
-                dz = lanes_select(_m403, _o434.dz, dz);
-                V lifting = _o434.lifting;
-                dvx = lanes_select(_m403, _o434.dvx, dvx);
-                dvy = lanes_select(_m403, _o434.dvy, dvy);
-                dvz = lanes_select(_m403, _o434.dvz, dvz);
-                V delay = _o434.delay;
-                V shift = _o434.shift;
-                const LANES(court_delayed_out) _o435 =
+                dx = lanes_select(_m431, _o462.dx, dx);
+                dy = lanes_select(_m431, _o462.dy, dy);
+                dz = lanes_select(_m431, _o462.dz, dz);
+                V lifting = _o462.lifting;
+                dvx = lanes_select(_m431, _o462.dvx, dvx);
+                dvy = lanes_select(_m431, _o462.dvy, dvy);
+                dvz = lanes_select(_m431, _o462.dvz, dvz);
+                V delay = _o462.delay;
+                V shift = _o462.shift;
+                const LANES(court_delayed_out) _o463 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m403, _o435.clock_error, clock_error);
-                const M _m436 = lanes_both(_m403, ends);
+                clock_error = lanes_select(_m431, _o463.clock_error, clock_error);
+                const M _m464 = lanes_both(_m431, ends);
                 {
-                    const LANES(court_floored_out) _o437 =
+                    const LANES(court_floored_out) _o465 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m436, _o437.dx, dx);
-                    dy = lanes_select(_m436, _o437.dy, dy);
-                    dz = lanes_select(_m436, _o437.dz, dz);
+                    dx = lanes_select(_m464, _o465.dx, dx);
+                    dy = lanes_select(_m464, _o465.dy, dy);
+                    dz = lanes_select(_m464, _o465.dz, dz);
                 }
-                const LANES(court_unturned_out) _o438 =
+                const LANES(court_unturned_out) _o466 =
                     LANES(court_unturned)();
-                V dnx = _o438.dnx;
-                V dny = _o438.dny;
-                V dnz = _o438.dnz;
-                V turn = _o438.turn;
-                const LANES(court_here_out) _o439 =
+                V dnx = _o466.dnx;
+                V dny = _o466.dny;
+                V dnz = _o466.dnz;
+                V turn = _o466.turn;
+                const LANES(court_here_out) _o467 =
                     LANES(court_here)(K(0.0), which);
-                here = _o439.here;
-                const M _m440 = lanes_both(_m403, here);
-                if (lanes_any(_m440)) {
-                    const LANES(court_ring_carry_normal_out) _o441 =
+                here = _o467.here;
+                const M _m468 = lanes_both(_m431, here);
+                if (lanes_any(_m468)) {
+                    const LANES(court_ring_carry_normal_out) _o469 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m440, _o441.dnx, dnx);
-                    dny = lanes_select(_m440, _o441.dny, dny);
-                    dnz = lanes_select(_m440, _o441.dnz, dnz);
-                    turn = lanes_select(_m440, _o441.turn, turn);
+                    dnx = lanes_select(_m468, _o469.dnx, dnx);
+                    dny = lanes_select(_m468, _o469.dny, dny);
+                    dnz = lanes_select(_m468, _o469.dnz, dnz);
+                    turn = lanes_select(_m468, _o469.turn, turn);
                 }
-                const LANES(court_here_out) _o442 =
+                const LANES(court_here_out) _o470 =
                     LANES(court_here)(K(1.0), which);
-                here = _o442.here;
-                const M _m443 = lanes_both(_m403, here);
+                here = _o470.here;
+                const M _m471 = lanes_both(_m431, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o444 =
+                    const LANES(court_backboard_carry_normal_out) _o472 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m443, _o444.dnx, dnx);
-                    dny = lanes_select(_m443, _o444.dny, dny);
-                    dnz = lanes_select(_m443, _o444.dnz, dnz);
-                    turn = lanes_select(_m443, _o444.turn, turn);
+                    dnx = lanes_select(_m471, _o472.dnx, dnx);
+                    dny = lanes_select(_m471, _o472.dny, dny);
+                    dnz = lanes_select(_m471, _o472.dnz, dnz);
+                    turn = lanes_select(_m471, _o472.turn, turn);
                 }
-                const LANES(court_here_out) _o445 =
+                const LANES(court_here_out) _o473 =
                     LANES(court_here)(K(2.0), which);
-                here = _o445.here;
-                const M _m446 = lanes_both(_m403, here);
+                here = _o473.here;
+                const M _m474 = lanes_both(_m431, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o447 =
+                    const LANES(court_bridge_carry_normal_out) _o475 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m446, _o447.dnx, dnx);
-                    dny = lanes_select(_m446, _o447.dny, dny);
-                    dnz = lanes_select(_m446, _o447.dnz, dnz);
-                    turn = lanes_select(_m446, _o447.turn, turn);
+                    dnx = lanes_select(_m474, _o475.dnx, dnx);
+                    dny = lanes_select(_m474, _o475.dny, dny);
+                    dnz = lanes_select(_m474, _o475.dnz, dnz);
+                    turn = lanes_select(_m474, _o475.turn, turn);
                 }
                 {
-                    const double *const _t449[][2] = {
+                    const double *const _t477[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t450[][1] = {
+                    static const double _t478[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k448 = 0; _k448 < 3; _k448++) {
-                        const V own_1 = lanes_load(_t449[_k448][0] + (i & varying));
-                        const V own_2 = lanes_load(_t449[_k448][1] + (i & varying));
-                        const V own_index = K(_t450[_k448][0]);
-                        const LANES(court_here_out) _o451 =
+                    for (size_t _k476 = 0; _k476 < 3; _k476++) {
+                        const V own_1 = lanes_load(_t477[_k476][0] + (i & varying));
+                        const V own_2 = lanes_load(_t477[_k476][1] + (i & varying));
+                        const V own_index = K(_t478[_k476][0]);
+                        const LANES(court_here_out) _o479 =
                             LANES(court_here)(own_index, which);
-                        M here = _o451.here;
-                        const M _m452 = lanes_both(_m403, here);
-                        if (lanes_any(_m452)) {
-                            const LANES(court_ring_impact_doubt_out) _o453 =
+                        M here = _o479.here;
+                        const M _m480 = lanes_both(_m431, here);
+                        if (lanes_any(_m480)) {
+                            const LANES(court_ring_impact_doubt_out) _o481 =
                                 LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            M unsure = _o453.unsure;
-                            const LANES(court_undecided_out) _o454 =
+                            M unsure = _o481.unsure;
+                            const LANES(court_undecided_out) _o482 =
                                 LANES(court_undecided)(uncertain, unsure);
-                            uncertain = lanes_select(_m452, _o454.uncertain, uncertain);
-                            const LANES(court_carry_ring_impact_out) _o455 =
+                            uncertain = lanes_select(_m480, _o482.uncertain, uncertain);
+                            const LANES(court_carry_ring_impact_out) _o483 =
                                 LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            dvx = lanes_select(_m452, _o455.dvx, dvx);
-                            dvy = lanes_select(_m452, _o455.dvy, dvy);
-                            dvz = lanes_select(_m452, _o455.dvz, dvz);
-                            dwx = lanes_select(_m452, _o455.dwx, dwx);
-                            dwy = lanes_select(_m452, _o455.dwy, dwy);
-                            dwz = lanes_select(_m452, _o455.dwz, dwz);
-                            const LANES(court_ring_impact_out) _o456 =
+                            dvx = lanes_select(_m480, _o483.dvx, dvx);
+                            dvy = lanes_select(_m480, _o483.dvy, dvy);
+                            dvz = lanes_select(_m480, _o483.dvz, dvz);
+                            dwx = lanes_select(_m480, _o483.dwx, dwx);
+                            dwy = lanes_select(_m480, _o483.dwy, dwy);
+                            dwz = lanes_select(_m480, _o483.dwz, dwz);
+                            const LANES(court_ring_impact_out) _o484 =
                                 LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
-                            vx = lanes_select(_m452, _o456.vx, vx);
-                            vy = lanes_select(_m452, _o456.vy, vy);
-                            vz = lanes_select(_m452, _o456.vz, vz);
-                            wx = lanes_select(_m452, _o456.wx, wx);
-                            wy = lanes_select(_m452, _o456.wy, wy);
-                            wz = lanes_select(_m452, _o456.wz, wz);
+                            vx = lanes_select(_m480, _o484.vx, vx);
+                            vy = lanes_select(_m480, _o484.vy, vy);
+                            vz = lanes_select(_m480, _o484.vz, vz);
+                            wx = lanes_select(_m480, _o484.wx, wx);
+                            wy = lanes_select(_m480, _o484.wy, wy);
+                            wz = lanes_select(_m480, _o484.wz, wz);
                         }
                     }
                 }
-                const M _m457 = lanes_both(_m403, touches);
+                const M _m485 = lanes_both(_m431, touches);
                 {
-                    const LANES(court_touched_out) _o458 =
+                    const LANES(court_touched_out) _o486 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m457, _o458.first, first);
-                    last = lanes_select(_m457, _o458.last, last);
+                    first = lanes_select(_m485, _o486.first, first);
+                    last = lanes_select(_m485, _o486.last, last);
                 }
-                const M _m459 = lanes_both(_m403, touches);
-                if (lanes_any(_m459)) {
-                    const LANES(court_slowed_out) _o460 =
+                const M _m487 = lanes_both(_m431, touches);
+                if (lanes_any(_m487)) {
+                    const LANES(court_slowed_out) _o488 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o460.slow;
-                    assured = lanes_select(_m459, _o460.assured, assured);
-                    const M _m461 = lanes_both(_m459, slow);
-                    if (lanes_any(_m461)) {
-                        const LANES(court_gripped_out) _o462 =
+                    M slow = _o488.slow;
+                    assured = lanes_select(_m487, _o488.assured, assured);
+                    const M _m489 = lanes_both(_m487, slow);
+                    if (lanes_any(_m489)) {
+                        const LANES(court_gripped_out) _o490 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o462.rolled_x;
-                        V rolled_y = _o462.rolled_y;
-                        V rolled_z = _o462.rolled_z;
-                        V slip = _o462.slip;
-                        V bounce = _o462.bounce;
-                        const LANES(court_here_out) _o463 =
-                            LANES(court_here)(K(0.0), which);
-                        M here = _o463.here;
-                        const M _m464 = lanes_both(_m461, here);
-                        if (lanes_any(_m464)) {
-                            const LANES(court_ring_turning_out) _o465 =
-                                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o465.turning_x;
-                            V turning_y = _o465.turning_y;
-                            V turning_z = _o465.turning_z;
-                            const LANES(court_pressed_on_out) _o466 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o466.press;
-                            V weight = _o466.weight;
-                            V drag = _o466.drag;
-                            V thrust_x = _o466.thrust_x;
-                            V thrust_y = _o466.thrust_y;
-                            V thrust_z = _o466.thrust_z;
-                            const LANES(court_alone_out) _o467 =
-                                LANES(court_alone)();
-                            V nearest = _o467.nearest;
-                            V wedge = _o467.wedge;
-                            const LANES(court_backboard_closing_out) _o468 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o468.gap;
-                            V nearing = _o468.nearing;
-                            V swerve = _o468.swerve;
-                            V facing = _o468.facing;
-                            const LANES(court_neared_body_out) _o469 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o469.nearest;
-                            wedge = _o469.wedge;
-                            const LANES(court_bridge_closing_out) _o470 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o470.gap;
-                            nearing = _o470.nearing;
-                            swerve = _o470.swerve;
-                            facing = _o470.facing;
-                            const LANES(court_neared_body_out) _o471 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o471.nearest;
-                            wedge = _o471.wedge;
-                            const LANES(court_end_beside_out) _o472 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o472.gap;
-                            const LANES(court_neared_out) _o473 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o473.nearest;
-                            const LANES(court_ring_parting_out) _o474 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o474.lift;
-                            const LANES(court_ring_impact_settling_out) _o475 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o475.settles;
-                            M lodges = _o475.lodges;
-                            M slides = _o475.slides;
-                            M parts = _o475.parts;
-                            assured = lanes_select(_m464, _o475.assured, assured);
-                            M unsure = _o475.unsure;
-                            const LANES(court_settled_out) _o476 =
-                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m464, _o476.mode, mode);
-                            held = lanes_select(_m464, _o476.held, held);
-                            outcome = lanes_select(_m464, _o476.outcome, outcome);
-                            slip_left = lanes_select(_m464, _o476.slip_left, slip_left);
-                            uncertain = lanes_select(_m464, _o476.uncertain, uncertain);
-                        }
-                        const LANES(court_here_out) _o477 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o477.here;
-                        const M _m478 = lanes_both(_m461, here);
-                        if (lanes_any(_m478)) {
-                            const LANES(court_backboard_turning_out) _o479 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o479.turning_x;
-                            V turning_y = _o479.turning_y;
-                            V turning_z = _o479.turning_z;
-                            const LANES(court_pressed_on_out) _o480 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o480.press;
-                            V weight = _o480.weight;
-                            V drag = _o480.drag;
-                            V thrust_x = _o480.thrust_x;
-                            V thrust_y = _o480.thrust_y;
-                            V thrust_z = _o480.thrust_z;
-                            const LANES(court_alone_out) _o481 =
-                                LANES(court_alone)();
-                            V nearest = _o481.nearest;
-                            V wedge = _o481.wedge;
-                            const LANES(court_ring_closing_out) _o482 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o482.gap;
-                            V nearing = _o482.nearing;
-                            V swerve = _o482.swerve;
-                            V facing = _o482.facing;
-                            const LANES(court_neared_body_out) _o483 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o483.nearest;
-                            wedge = _o483.wedge;
-                            const LANES(court_bridge_closing_out) _o484 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o484.gap;
-                            nearing = _o484.nearing;
-                            swerve = _o484.swerve;
-                            facing = _o484.facing;
-                            const LANES(court_neared_body_out) _o485 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o485.nearest;
-                            wedge = _o485.wedge;
-                            const LANES(court_end_beside_out) _o486 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o486.gap;
-                            const LANES(court_neared_out) _o487 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o487.nearest;
-                            const LANES(court_backboard_parting_out) _o488 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o488.lift;
-                            const LANES(court_ring_impact_settling_out) _o489 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o489.settles;
-                            M lodges = _o489.lodges;
-                            M slides = _o489.slides;
-                            M parts = _o489.parts;
-                            assured = lanes_select(_m478, _o489.assured, assured);
-                            M unsure = _o489.unsure;
-                            const LANES(court_settled_out) _o490 =
-                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m478, _o490.mode, mode);
-                            held = lanes_select(_m478, _o490.held, held);
-                            outcome = lanes_select(_m478, _o490.outcome, outcome);
-                            slip_left = lanes_select(_m478, _o490.slip_left, slip_left);
-                            uncertain = lanes_select(_m478, _o490.uncertain, uncertain);
-                        }
+                        V rolled_x = _o490.rolled_x;
+                        V rolled_y = _o490.rolled_y;
+                        V rolled_z = _o490.rolled_z;
+                        V slip = _o490.slip;
+                        V bounce = _o490.bounce;
                         const LANES(court_here_out) _o491 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o491.here;
-                        const M _m492 = lanes_both(_m461, here);
+                            LANES(court_here)(K(0.0), which);
+                        M here = _o491.here;
+                        const M _m492 = lanes_both(_m489, here);
                         if (lanes_any(_m492)) {
-                            const LANES(court_bridge_turning_out) _o493 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            const LANES(court_ring_turning_out) _o493 =
+                                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
                             V turning_x = _o493.turning_x;
                             V turning_y = _o493.turning_y;
                             V turning_z = _o493.turning_z;
@@ -9294,8 +9392,8 @@ static void LANES(court_bounded)(const court_job *job)
                                 LANES(court_alone)();
                             V nearest = _o495.nearest;
                             V wedge = _o495.wedge;
-                            const LANES(court_ring_closing_out) _o496 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            const LANES(court_backboard_closing_out) _o496 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
                             V gap = _o496.gap;
                             V nearing = _o496.nearing;
                             V swerve = _o496.swerve;
@@ -9304,8 +9402,8 @@ static void LANES(court_bounded)(const court_job *job)
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o497.nearest;
                             wedge = _o497.wedge;
-                            const LANES(court_backboard_closing_out) _o498 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            const LANES(court_bridge_closing_out) _o498 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
                             gap = _o498.gap;
                             nearing = _o498.nearing;
                             swerve = _o498.swerve;
@@ -9320,11 +9418,11 @@ static void LANES(court_bounded)(const court_job *job)
                             const LANES(court_neared_out) _o501 =
                                 LANES(court_neared)(gap, nearest);
                             nearest = _o501.nearest;
-                            const LANES(court_bridge_parting_out) _o502 =
-                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                            const LANES(court_ring_parting_out) _o502 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
                             V lift = _o502.lift;
                             const LANES(court_ring_impact_settling_out) _o503 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
                             M settles = _o503.settles;
                             M lodges = _o503.lodges;
                             M slides = _o503.slides;
@@ -9332,53 +9430,187 @@ static void LANES(court_bounded)(const court_job *job)
                             assured = lanes_select(_m492, _o503.assured, assured);
                             M unsure = _o503.unsure;
                             const LANES(court_settled_out) _o504 =
-                                LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
+                                LANES(court_settled)(K(0.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
                             mode = lanes_select(_m492, _o504.mode, mode);
                             held = lanes_select(_m492, _o504.held, held);
                             outcome = lanes_select(_m492, _o504.outcome, outcome);
                             slip_left = lanes_select(_m492, _o504.slip_left, slip_left);
                             uncertain = lanes_select(_m492, _o504.uncertain, uncertain);
                         }
+                        const LANES(court_here_out) _o505 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o505.here;
+                        const M _m506 = lanes_both(_m489, here);
+                        if (lanes_any(_m506)) {
+                            const LANES(court_backboard_turning_out) _o507 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o507.turning_x;
+                            V turning_y = _o507.turning_y;
+                            V turning_z = _o507.turning_z;
+                            const LANES(court_pressed_on_out) _o508 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o508.press;
+                            V weight = _o508.weight;
+                            V drag = _o508.drag;
+                            V thrust_x = _o508.thrust_x;
+                            V thrust_y = _o508.thrust_y;
+                            V thrust_z = _o508.thrust_z;
+                            const LANES(court_alone_out) _o509 =
+                                LANES(court_alone)();
+                            V nearest = _o509.nearest;
+                            V wedge = _o509.wedge;
+                            const LANES(court_ring_closing_out) _o510 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o510.gap;
+                            V nearing = _o510.nearing;
+                            V swerve = _o510.swerve;
+                            V facing = _o510.facing;
+                            const LANES(court_neared_body_out) _o511 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o511.nearest;
+                            wedge = _o511.wedge;
+                            const LANES(court_bridge_closing_out) _o512 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o512.gap;
+                            nearing = _o512.nearing;
+                            swerve = _o512.swerve;
+                            facing = _o512.facing;
+                            const LANES(court_neared_body_out) _o513 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o513.nearest;
+                            wedge = _o513.wedge;
+                            const LANES(court_end_beside_out) _o514 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o514.gap;
+                            const LANES(court_neared_out) _o515 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o515.nearest;
+                            const LANES(court_backboard_parting_out) _o516 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o516.lift;
+                            const LANES(court_ring_impact_settling_out) _o517 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o517.settles;
+                            M lodges = _o517.lodges;
+                            M slides = _o517.slides;
+                            M parts = _o517.parts;
+                            assured = lanes_select(_m506, _o517.assured, assured);
+                            M unsure = _o517.unsure;
+                            const LANES(court_settled_out) _o518 =
+                                LANES(court_settled)(K(1.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m506, _o518.mode, mode);
+                            held = lanes_select(_m506, _o518.held, held);
+                            outcome = lanes_select(_m506, _o518.outcome, outcome);
+                            slip_left = lanes_select(_m506, _o518.slip_left, slip_left);
+                            uncertain = lanes_select(_m506, _o518.uncertain, uncertain);
+                        }
+                        const LANES(court_here_out) _o519 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o519.here;
+                        const M _m520 = lanes_both(_m489, here);
+                        if (lanes_any(_m520)) {
+                            const LANES(court_bridge_turning_out) _o521 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o521.turning_x;
+                            V turning_y = _o521.turning_y;
+                            V turning_z = _o521.turning_z;
+                            const LANES(court_pressed_on_out) _o522 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o522.press;
+                            V weight = _o522.weight;
+                            V drag = _o522.drag;
+                            V thrust_x = _o522.thrust_x;
+                            V thrust_y = _o522.thrust_y;
+                            V thrust_z = _o522.thrust_z;
+                            const LANES(court_alone_out) _o523 =
+                                LANES(court_alone)();
+                            V nearest = _o523.nearest;
+                            V wedge = _o523.wedge;
+                            const LANES(court_ring_closing_out) _o524 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o524.gap;
+                            V nearing = _o524.nearing;
+                            V swerve = _o524.swerve;
+                            V facing = _o524.facing;
+                            const LANES(court_neared_body_out) _o525 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o525.nearest;
+                            wedge = _o525.wedge;
+                            const LANES(court_backboard_closing_out) _o526 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            gap = _o526.gap;
+                            nearing = _o526.nearing;
+                            swerve = _o526.swerve;
+                            facing = _o526.facing;
+                            const LANES(court_neared_body_out) _o527 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o527.nearest;
+                            wedge = _o527.wedge;
+                            const LANES(court_end_beside_out) _o528 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o528.gap;
+                            const LANES(court_neared_out) _o529 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o529.nearest;
+                            const LANES(court_bridge_parting_out) _o530 =
+                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                            V lift = _o530.lift;
+                            const LANES(court_ring_impact_settling_out) _o531 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+                            M settles = _o531.settles;
+                            M lodges = _o531.lodges;
+                            M slides = _o531.slides;
+                            M parts = _o531.parts;
+                            assured = lanes_select(_m520, _o531.assured, assured);
+                            M unsure = _o531.unsure;
+                            const LANES(court_settled_out) _o532 =
+                                LANES(court_settled)(K(2.0), lodges, outcome, parts, settles, slides, uncertain, unsure);
+                            mode = lanes_select(_m520, _o532.mode, mode);
+                            held = lanes_select(_m520, _o532.held, held);
+                            outcome = lanes_select(_m520, _o532.outcome, outcome);
+                            slip_left = lanes_select(_m520, _o532.slip_left, slip_left);
+                            uncertain = lanes_select(_m520, _o532.uncertain, uncertain);
+                        }
                     }
                 }
             }
-            const M _m505 = lanes_both(rows, limited);
-            if (lanes_any(_m505)) {
-                const LANES(court_timed_out) _o506 =
+            const M _m533 = lanes_both(rows, limited);
+            if (lanes_any(_m533)) {
+                const LANES(court_timed_out) _o534 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o506.timed;
-                const M _m507 = lanes_both(_m505, timed);
-                if (lanes_any(_m507)) {
-                    const LANES(court_carry_time_out) _o508 =
+                M timed = _o534.timed;
+                const M _m535 = lanes_both(_m533, timed);
+                if (lanes_any(_m535)) {
+                    const LANES(court_carry_time_out) _o536 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m507, _o508.dx, dx);
-                    dy = lanes_select(_m507, _o508.dy, dy);
-                    dz = lanes_select(_m507, _o508.dz, dz);
-                    dvx = lanes_select(_m507, _o508.dvx, dvx);
-                    dvy = lanes_select(_m507, _o508.dvy, dvy);
-                    dvz = lanes_select(_m507, _o508.dvz, dvz);
-                    clock_error = lanes_select(_m507, _o508.clock_error, clock_error);
+                    dx = lanes_select(_m535, _o536.dx, dx);
+                    dy = lanes_select(_m535, _o536.dy, dy);
+                    dz = lanes_select(_m535, _o536.dz, dz);
+                    dvx = lanes_select(_m535, _o536.dvx, dvx);
+                    dvy = lanes_select(_m535, _o536.dvy, dvy);
+                    dvz = lanes_select(_m535, _o536.dvz, dvz);
+                    clock_error = lanes_select(_m535, _o536.clock_error, clock_error);
                 }
             }
-            const M _m509 = lanes_both(rows, hopped);
-            if (lanes_any(_m509)) {
-                const LANES(court_carry_hop_out) _o510 =
+            const M _m537 = lanes_both(rows, hopped);
+            if (lanes_any(_m537)) {
+                const LANES(court_carry_hop_out) _o538 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m509, _o510.dx, dx);
-                dy = lanes_select(_m509, _o510.dy, dy);
-                dz = lanes_select(_m509, _o510.dz, dz);
+                dx = lanes_select(_m537, _o538.dx, dx);
+                dy = lanes_select(_m537, _o538.dy, dy);
+                dz = lanes_select(_m537, _o538.dz, dz);
             }
-            const LANES(court_closing_out) _o511 =
+            const LANES(court_closing_out) _o539 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o511.closed;
-            const M _m512 = lanes_both(rows, closed);
+            M closed = _o539.closed;
+            const M _m540 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o513 =
+                const LANES(court_claimed_errors_out) _o541 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m512, _o513.position_error, position_claim);
-                velocity_claim = lanes_select(_m512, _o513.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m512, _o513.spin_error, spin_claim);
-                time_claim = lanes_select(_m512, _o513.time_error, time_claim);
+                position_claim = lanes_select(_m540, _o541.position_error, position_claim);
+                velocity_claim = lanes_select(_m540, _o541.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m540, _o541.spin_error, spin_claim);
+                time_claim = lanes_select(_m540, _o541.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);

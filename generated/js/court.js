@@ -1,6 +1,6 @@
 /* Flight in the scene court.
 
-   Generated from templates/js/flight.js.j2, scene court, derivation 49be5f120f0f8924,
+   Generated from templates/js/flight.js.j2, scene court, derivation a08d0bbc8c44ca0a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Numbers in, an array of numbers out; SI units. */
