@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 3f88369cf0271616,
+   Generated from templates/c/engine.h.j2, scene court, derivation 21d553f17b586a5d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -1992,9 +1992,9 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 surge = lanes_select(_m251, _o253.surge, surge);
                 snap = lanes_select(_m251, _o253.snap, snap);
             }
-            const LANES(court_alone_out) _o254 =
-                LANES(court_alone)();
-            V nearest = _o254.nearest;
+            const LANES(court_unmet_out) _o254 =
+                LANES(court_unmet)();
+            V spare = _o254.spare;
             const LANES(court_beside_out) _o255 =
                 LANES(court_beside)(held, K(0.0));
             M beside = _o255.beside;
@@ -2003,9 +2003,11 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 const LANES(court_ring_beside_out) _o257 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o257.gap;
-                const LANES(court_neared_out) _o258 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m256, _o258.nearest, nearest);
+                V nearing = _o257.nearing;
+                V dent = _o257.dent;
+                const LANES(court_spared_out) _o258 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m256, _o258.spare, spare);
             }
             const LANES(court_beside_out) _o259 =
                 LANES(court_beside)(held, K(1.0));
@@ -2015,9 +2017,11 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 const LANES(court_backboard_beside_out) _o261 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
                 V gap = _o261.gap;
-                const LANES(court_neared_out) _o262 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m260, _o262.nearest, nearest);
+                V nearing = _o261.nearing;
+                V dent = _o261.dent;
+                const LANES(court_spared_out) _o262 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m260, _o262.spare, spare);
             }
             const LANES(court_beside_out) _o263 =
                 LANES(court_beside)(held, K(2.0));
@@ -2027,28 +2031,140 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 const LANES(court_bridge_beside_out) _o265 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o265.gap;
-                const LANES(court_neared_out) _o266 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m264, _o266.nearest, nearest);
+                V nearing = _o265.nearing;
+                V dent = _o265.dent;
+                const LANES(court_spared_out) _o266 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m264, _o266.spare, spare);
             }
             const LANES(court_beside_out) _o267 =
                 LANES(court_beside)(held, K(3.0));
             beside = _o267.beside;
             const M _m268 = lanes_both(_m241, beside);
-            {
+            if (lanes_any(_m268)) {
                 const LANES(court_end_beside_out) _o269 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
                 V gap = _o269.gap;
-                const LANES(court_neared_out) _o270 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m268, _o270.nearest, nearest);
+                V nearing = _o269.nearing;
+                V dent = _o269.dent;
+                const LANES(court_spared_out) _o270 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m268, _o270.spare, spare);
             }
-            const LANES(court_parted_out) _o271 =
-                LANES(court_parted)(K(INFINITY), p_gravity, lift, nearest, per_reach, K(0.0), snap, surge, K(0.0), vx, vy, vz);
-            when = lanes_select(_m241, _o271.when, when);
-            const LANES(court_hopping_out) _o272 =
+            const LANES(court_holding_out) _o271 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o271.here;
+            const M _m272 = lanes_both(_m241, here);
+            if (lanes_any(_m272)) {
+                const LANES(court_backboard_seam0_out) _o273 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                V gap = _o273.gap;
+                V nearing = _o273.nearing;
+                V near = _o273.near;
+                const LANES(court_spared_seam_out) _o274 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o274.spare, spare);
+                const LANES(court_backboard_seam1_out) _o275 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = _o275.gap;
+                nearing = _o275.nearing;
+                near = _o275.near;
+                const LANES(court_spared_seam_out) _o276 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o276.spare, spare);
+                const LANES(court_backboard_seam2_out) _o277 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o277.gap;
+                nearing = _o277.nearing;
+                near = _o277.near;
+                const LANES(court_spared_seam_out) _o278 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o278.spare, spare);
+                const LANES(court_backboard_seam3_out) _o279 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o279.gap;
+                nearing = _o279.nearing;
+                near = _o279.near;
+                const LANES(court_spared_seam_out) _o280 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o280.spare, spare);
+                const LANES(court_backboard_seam4_out) _o281 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o281.gap;
+                nearing = _o281.nearing;
+                near = _o281.near;
+                const LANES(court_spared_seam_out) _o282 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o282.spare, spare);
+                const LANES(court_backboard_seam5_out) _o283 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o283.gap;
+                nearing = _o283.nearing;
+                near = _o283.near;
+                const LANES(court_spared_seam_out) _o284 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m272, _o284.spare, spare);
+            }
+            const LANES(court_holding_out) _o285 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o285.here;
+            const M _m286 = lanes_both(_m241, here);
+            if (lanes_any(_m286)) {
+                const LANES(court_bridge_seam0_out) _o287 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                V gap = _o287.gap;
+                V nearing = _o287.nearing;
+                V near = _o287.near;
+                const LANES(court_spared_seam_out) _o288 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o288.spare, spare);
+                const LANES(court_bridge_seam1_out) _o289 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = _o289.gap;
+                nearing = _o289.nearing;
+                near = _o289.near;
+                const LANES(court_spared_seam_out) _o290 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o290.spare, spare);
+                const LANES(court_bridge_seam2_out) _o291 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o291.gap;
+                nearing = _o291.nearing;
+                near = _o291.near;
+                const LANES(court_spared_seam_out) _o292 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o292.spare, spare);
+                const LANES(court_bridge_seam3_out) _o293 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o293.gap;
+                nearing = _o293.nearing;
+                near = _o293.near;
+                const LANES(court_spared_seam_out) _o294 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o294.spare, spare);
+                const LANES(court_bridge_seam4_out) _o295 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o295.gap;
+                nearing = _o295.nearing;
+                near = _o295.near;
+                const LANES(court_spared_seam_out) _o296 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o296.spare, spare);
+                const LANES(court_bridge_seam5_out) _o297 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o297.gap;
+                nearing = _o297.nearing;
+                near = _o297.near;
+                const LANES(court_spared_seam_out) _o298 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m286, _o298.spare, spare);
+            }
+            const LANES(court_parted_out) _o299 =
+                LANES(court_parted)(K(INFINITY), p_gravity, lift, per_reach, K(0.0), snap, spare, surge, K(0.0), vx, vy, vz);
+            when = lanes_select(_m241, _o299.when, when);
+            const LANES(court_hopping_out) _o300 =
                 LANES(court_hopping)();
-            which = lanes_select(_m241, _o272.which, which);
+            which = lanes_select(_m241, _o300.which, which);
         }
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         lanes_store(lists->kept_when + i, when);
@@ -3489,69 +3605,69 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o273 =
+            const LANES(court_departed_out) _o301 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o273.moves;
-            M ends = _o273.ends;
-            M touches = _o273.touches;
-            V reached = _o273.reached;
-            const LANES(court_body_of_out) _o274 =
+            M moves = _o301.moves;
+            M ends = _o301.ends;
+            M touches = _o301.touches;
+            V reached = _o301.reached;
+            const LANES(court_body_of_out) _o302 =
                 LANES(court_body_of)(which);
-            V body = _o274.body;
-            const M _m275 = lanes_both(rows, moves);
-            if (lanes_any(_m275)) {
-                const LANES(court_passing_out) _o276 =
+            V body = _o302.body;
+            const M _m303 = lanes_both(rows, moves);
+            if (lanes_any(_m303)) {
+                const LANES(court_passing_out) _o304 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m275, _o276.through, through);
-                const LANES(court_flight_out) _o277 =
+                through = lanes_select(_m303, _o304.through, through);
+                const LANES(court_flight_out) _o305 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m275, _o277.x, x);
-                y = lanes_select(_m275, _o277.y, y);
-                z = lanes_select(_m275, _o277.z, z);
-                vx = lanes_select(_m275, _o277.vx, vx);
-                vy = lanes_select(_m275, _o277.vy, vy);
-                vz = lanes_select(_m275, _o277.vz, vz);
-                const LANES(court_ticked_out) _o278 =
+                x = lanes_select(_m303, _o305.x, x);
+                y = lanes_select(_m303, _o305.y, y);
+                z = lanes_select(_m303, _o305.z, z);
+                vx = lanes_select(_m303, _o305.vx, vx);
+                vy = lanes_select(_m303, _o305.vy, vy);
+                vz = lanes_select(_m303, _o305.vz, vz);
+                const LANES(court_ticked_out) _o306 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m275, _o278.clock, clock);
+                clock = lanes_select(_m303, _o306.clock, clock);
             }
-            const M _m279 = lanes_both(rows, limited);
-            if (lanes_any(_m279)) {
-                const LANES(court_expired_out) _o280 =
+            const M _m307 = lanes_both(rows, limited);
+            if (lanes_any(_m307)) {
+                const LANES(court_expired_out) _o308 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m279, _o280.clock, clock);
-                body = lanes_select(_m279, _o280.body, body);
-                reached = lanes_select(_m279, _o280.reached, reached);
-                ends = lanes_choose(_m279, _o280.ends, ends);
+                clock = lanes_select(_m307, _o308.clock, clock);
+                body = lanes_select(_m307, _o308.body, body);
+                reached = lanes_select(_m307, _o308.reached, reached);
+                ends = lanes_choose(_m307, _o308.ends, ends);
             }
-            const M _m281 = lanes_both(rows, kept);
-            if (lanes_any(_m281)) {
-                const LANES(court_kept_on_out) _o282 =
+            const M _m309 = lanes_both(rows, kept);
+            if (lanes_any(_m309)) {
+                const LANES(court_kept_on_out) _o310 =
                     LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m281, _o282.body, body);
-                reached = lanes_select(_m281, _o282.reached, reached);
-                ends = lanes_choose(_m281, _o282.ends, ends);
-                last = lanes_select(_m281, _o282.last, last);
-                mode = lanes_select(_m281, _o282.mode, mode);
-                held = lanes_select(_m281, _o282.held, held);
-                rolls = lanes_select(_m281, _o282.rolls, rolls);
+                body = lanes_select(_m309, _o310.body, body);
+                reached = lanes_select(_m309, _o310.reached, reached);
+                ends = lanes_choose(_m309, _o310.ends, ends);
+                last = lanes_select(_m309, _o310.last, last);
+                mode = lanes_select(_m309, _o310.mode, mode);
+                held = lanes_select(_m309, _o310.held, held);
+                rolls = lanes_select(_m309, _o310.rolls, rolls);
             }
-            const LANES(court_here_out) _o283 =
+            const LANES(court_here_out) _o311 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o283.here;
-            const M _m284 = lanes_both(rows, here);
+            M here = _o311.here;
+            const M _m312 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o285 =
+                const LANES(court_end_bounds_out) _o313 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o285.g0;
-                const LANES(court_end_reached_out) _o286 =
+                V g0 = _o313.g0;
+                const LANES(court_end_reached_out) _o314 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m284, _o286.reached, reached);
+                reached = lanes_select(_m312, _o314.reached, reached);
             }
-            const LANES(court_accounted_out) _o287 =
+            const LANES(court_accounted_out) _o315 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o287.contacts;
-            V outcome = _o287.outcome;
+            contacts = _o315.contacts;
+            V outcome = _o315.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -3564,263 +3680,133 @@ static void LANES(court_plain)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o288 =
+            const LANES(court_meeting_out) _o316 =
                 LANES(court_meeting)(K(0.0), ends, touches);
-            M meeting = _o288.meeting;
-            const M _m289 = lanes_both(rows, meeting);
-            if (lanes_any(_m289)) {
-                const LANES(court_end_normal_out) _o290 =
+            M meeting = _o316.meeting;
+            const M _m317 = lanes_both(rows, meeting);
+            if (lanes_any(_m317)) {
+                const LANES(court_end_normal_out) _o318 =
                     LANES(court_end_normal)();
-                V nx = _o290.nx;
-                V ny = _o290.ny;
-                V nz = _o290.nz;
-                const LANES(court_here_out) _o291 =
+                V nx = _o318.nx;
+                V ny = _o318.ny;
+                V nz = _o318.nz;
+                const LANES(court_here_out) _o319 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o291.here;
-                const M _m292 = lanes_both(_m289, here);
+                M here = _o319.here;
+                const M _m320 = lanes_both(_m317, here);
                 {
-                    const LANES(court_ring_normal_out) _o293 =
+                    const LANES(court_ring_normal_out) _o321 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m292, _o293.nx, nx);
-                    ny = lanes_select(_m292, _o293.ny, ny);
-                    nz = lanes_select(_m292, _o293.nz, nz);
-                    const LANES(court_counted_out) _o294 =
+                    nx = lanes_select(_m320, _o321.nx, nx);
+                    ny = lanes_select(_m320, _o321.ny, ny);
+                    nz = lanes_select(_m320, _o321.nz, nz);
+                    const LANES(court_counted_out) _o322 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m292, _o294.count, count_0);
+                    count_0 = lanes_select(_m320, _o322.count, count_0);
                 }
-                const LANES(court_here_out) _o295 =
+                const LANES(court_here_out) _o323 =
                     LANES(court_here)(K(1.0), which);
-                here = _o295.here;
-                const M _m296 = lanes_both(_m289, here);
+                here = _o323.here;
+                const M _m324 = lanes_both(_m317, here);
                 {
-                    const LANES(court_backboard_normal_out) _o297 =
+                    const LANES(court_backboard_normal_out) _o325 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m296, _o297.nx, nx);
-                    ny = lanes_select(_m296, _o297.ny, ny);
-                    nz = lanes_select(_m296, _o297.nz, nz);
-                    const LANES(court_counted_out) _o298 =
+                    nx = lanes_select(_m324, _o325.nx, nx);
+                    ny = lanes_select(_m324, _o325.ny, ny);
+                    nz = lanes_select(_m324, _o325.nz, nz);
+                    const LANES(court_counted_out) _o326 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m296, _o298.count, count_1);
+                    count_1 = lanes_select(_m324, _o326.count, count_1);
                 }
-                const LANES(court_here_out) _o299 =
+                const LANES(court_here_out) _o327 =
                     LANES(court_here)(K(2.0), which);
-                here = _o299.here;
-                const M _m300 = lanes_both(_m289, here);
+                here = _o327.here;
+                const M _m328 = lanes_both(_m317, here);
                 {
-                    const LANES(court_bridge_normal_out) _o301 =
+                    const LANES(court_bridge_normal_out) _o329 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m300, _o301.nx, nx);
-                    ny = lanes_select(_m300, _o301.ny, ny);
-                    nz = lanes_select(_m300, _o301.nz, nz);
-                    const LANES(court_counted_out) _o302 =
+                    nx = lanes_select(_m328, _o329.nx, nx);
+                    ny = lanes_select(_m328, _o329.ny, ny);
+                    nz = lanes_select(_m328, _o329.nz, nz);
+                    const LANES(court_counted_out) _o330 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m300, _o302.count, count_2);
+                    count_2 = lanes_select(_m328, _o330.count, count_2);
                 }
-                const LANES(court_untaken_out) _o303 =
+                const LANES(court_untaken_out) _o331 =
                     LANES(court_untaken)();
-                M struck_0 = _o303.mine;
-                const LANES(court_ring_impact_taken_out) _o304 =
+                M struck_0 = _o331.mine;
+                const LANES(court_ring_impact_taken_out) _o332 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o304.its_0;
-                V its_1_ring_impact = _o304.its_1;
+                V its_0_ring_impact = _o332.its_0;
+                V its_1_ring_impact = _o332.its_1;
                 {
-                    const double *const _t306[][2] = {
+                    const double *const _t334[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t307[][1] = {
+                    static const double _t335[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k305 = 0; _k305 < 3; _k305++) {
-                        const V own_1 = lanes_load(_t306[_k305][0] + (i & varying));
-                        const V own_2 = lanes_load(_t306[_k305][1] + (i & varying));
-                        const V own_index = K(_t307[_k305][0]);
-                        const LANES(court_here_out) _o308 =
+                    for (size_t _k333 = 0; _k333 < 3; _k333++) {
+                        const V own_1 = lanes_load(_t334[_k333][0] + (i & varying));
+                        const V own_2 = lanes_load(_t334[_k333][1] + (i & varying));
+                        const V own_index = K(_t335[_k333][0]);
+                        const LANES(court_here_out) _o336 =
                             LANES(court_here)(own_index, which);
-                        M here = _o308.here;
-                        const M _m309 = lanes_both(_m289, here);
-                        if (lanes_any(_m309)) {
-                            const LANES(court_ring_impact_taken_out) _o310 =
+                        M here = _o336.here;
+                        const M _m337 = lanes_both(_m317, here);
+                        if (lanes_any(_m337)) {
+                            const LANES(court_ring_impact_taken_out) _o338 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m309, _o310.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m309, _o310.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m309, _o310.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m337, _o338.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m337, _o338.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m337, _o338.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m311 = lanes_both(_m289, struck_0);
-                if (lanes_any(_m311)) {
-                    const LANES(court_ring_impact_out) _o312 =
+                const M _m339 = lanes_both(_m317, struck_0);
+                if (lanes_any(_m339)) {
+                    const LANES(court_ring_impact_out) _o340 =
                         LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m311, _o312.vx, vx);
-                    vy = lanes_select(_m311, _o312.vy, vy);
-                    vz = lanes_select(_m311, _o312.vz, vz);
-                    wx = lanes_select(_m311, _o312.wx, wx);
-                    wy = lanes_select(_m311, _o312.wy, wy);
-                    wz = lanes_select(_m311, _o312.wz, wz);
+                    vx = lanes_select(_m339, _o340.vx, vx);
+                    vy = lanes_select(_m339, _o340.vy, vy);
+                    vz = lanes_select(_m339, _o340.vz, vz);
+                    wx = lanes_select(_m339, _o340.wx, wx);
+                    wy = lanes_select(_m339, _o340.wy, wy);
+                    wz = lanes_select(_m339, _o340.wz, wz);
                 }
-                const M _m313 = lanes_both(_m289, touches);
+                const M _m341 = lanes_both(_m317, touches);
                 {
-                    const LANES(court_touched_out) _o314 =
+                    const LANES(court_touched_out) _o342 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m313, _o314.first, first);
-                    last = lanes_select(_m313, _o314.last, last);
+                    first = lanes_select(_m341, _o342.first, first);
+                    last = lanes_select(_m341, _o342.last, last);
                 }
-                const M _m315 = lanes_both(_m289, touches);
-                if (lanes_any(_m315)) {
-                    const LANES(court_slowed_out) _o316 =
+                const M _m343 = lanes_both(_m317, touches);
+                if (lanes_any(_m343)) {
+                    const LANES(court_slowed_out) _o344 =
                         LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, K(0.0), vx, vy, vz);
-                    M slow = _o316.slow;
-                    M nearly = _o316.nearly;
-                    const M _m317 = lanes_both(_m315, slow);
-                    if (lanes_any(_m317)) {
-                        const LANES(court_gripped_out) _o318 =
+                    M slow = _o344.slow;
+                    M nearly = _o344.nearly;
+                    const M _m345 = lanes_both(_m343, slow);
+                    if (lanes_any(_m345)) {
+                        const LANES(court_gripped_out) _o346 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o318.rolled_x;
-                        V rolled_y = _o318.rolled_y;
-                        V rolled_z = _o318.rolled_z;
-                        V slip = _o318.slip;
-                        V bounce = _o318.bounce;
-                        const LANES(court_here_out) _o319 =
-                            LANES(court_here)(K(0.0), which);
-                        M here = _o319.here;
-                        const M _m320 = lanes_both(_m317, here);
-                        if (lanes_any(_m320)) {
-                            const LANES(court_ring_turning_out) _o321 =
-                                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o321.turning_x;
-                            V turning_y = _o321.turning_y;
-                            V turning_z = _o321.turning_z;
-                            const LANES(court_pressed_on_out) _o322 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o322.press;
-                            V weight = _o322.weight;
-                            V drag = _o322.drag;
-                            V thrust_x = _o322.thrust_x;
-                            V thrust_y = _o322.thrust_y;
-                            V thrust_z = _o322.thrust_z;
-                            const LANES(court_alone_out) _o323 =
-                                LANES(court_alone)();
-                            V nearest = _o323.nearest;
-                            V wedge = _o323.wedge;
-                            const LANES(court_backboard_closing_out) _o324 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o324.gap;
-                            V nearing = _o324.nearing;
-                            V swerve = _o324.swerve;
-                            V facing = _o324.facing;
-                            const LANES(court_neared_body_out) _o325 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o325.nearest;
-                            wedge = _o325.wedge;
-                            const LANES(court_bridge_closing_out) _o326 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o326.gap;
-                            nearing = _o326.nearing;
-                            swerve = _o326.swerve;
-                            facing = _o326.facing;
-                            const LANES(court_neared_body_out) _o327 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o327.nearest;
-                            wedge = _o327.wedge;
-                            const LANES(court_end_beside_out) _o328 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o328.gap;
-                            const LANES(court_neared_out) _o329 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o329.nearest;
-                            const LANES(court_ring_parting_out) _o330 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o330.lift;
-                            const LANES(court_ring_impact_settling_out) _o331 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o331.settles;
-                            M lodges = _o331.lodges;
-                            M slides = _o331.slides;
-                            M parts = _o331.parts;
-                            M unsure = _o331.unsure;
-                            const LANES(court_settled_out) _o332 =
-                                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m320, _o332.mode, mode);
-                            held = lanes_select(_m320, _o332.held, held);
-                            outcome = lanes_select(_m320, _o332.outcome, outcome);
-                            slip_left = lanes_select(_m320, _o332.slip_left, slip_left);
-                        }
-                        const LANES(court_here_out) _o333 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o333.here;
-                        const M _m334 = lanes_both(_m317, here);
-                        if (lanes_any(_m334)) {
-                            const LANES(court_backboard_turning_out) _o335 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o335.turning_x;
-                            V turning_y = _o335.turning_y;
-                            V turning_z = _o335.turning_z;
-                            const LANES(court_pressed_on_out) _o336 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o336.press;
-                            V weight = _o336.weight;
-                            V drag = _o336.drag;
-                            V thrust_x = _o336.thrust_x;
-                            V thrust_y = _o336.thrust_y;
-                            V thrust_z = _o336.thrust_z;
-                            const LANES(court_alone_out) _o337 =
-                                LANES(court_alone)();
-                            V nearest = _o337.nearest;
-                            V wedge = _o337.wedge;
-                            const LANES(court_ring_closing_out) _o338 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o338.gap;
-                            V nearing = _o338.nearing;
-                            V swerve = _o338.swerve;
-                            V facing = _o338.facing;
-                            const LANES(court_neared_body_out) _o339 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o339.nearest;
-                            wedge = _o339.wedge;
-                            const LANES(court_bridge_closing_out) _o340 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o340.gap;
-                            nearing = _o340.nearing;
-                            swerve = _o340.swerve;
-                            facing = _o340.facing;
-                            const LANES(court_neared_body_out) _o341 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o341.nearest;
-                            wedge = _o341.wedge;
-                            const LANES(court_end_beside_out) _o342 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o342.gap;
-                            const LANES(court_neared_out) _o343 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o343.nearest;
-                            const LANES(court_backboard_parting_out) _o344 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o344.lift;
-                            const LANES(court_ring_impact_settling_out) _o345 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o345.settles;
-                            M lodges = _o345.lodges;
-                            M slides = _o345.slides;
-                            M parts = _o345.parts;
-                            M unsure = _o345.unsure;
-                            const LANES(court_settled_out) _o346 =
-                                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m334, _o346.mode, mode);
-                            held = lanes_select(_m334, _o346.held, held);
-                            outcome = lanes_select(_m334, _o346.outcome, outcome);
-                            slip_left = lanes_select(_m334, _o346.slip_left, slip_left);
-                        }
+                        V rolled_x = _o346.rolled_x;
+                        V rolled_y = _o346.rolled_y;
+                        V rolled_z = _o346.rolled_z;
+                        V slip = _o346.slip;
+                        V bounce = _o346.bounce;
                         const LANES(court_here_out) _o347 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o347.here;
-                        const M _m348 = lanes_both(_m317, here);
+                            LANES(court_here)(K(0.0), which);
+                        M here = _o347.here;
+                        const M _m348 = lanes_both(_m345, here);
                         if (lanes_any(_m348)) {
-                            const LANES(court_bridge_turning_out) _o349 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            const LANES(court_ring_turning_out) _o349 =
+                                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
                             V turning_x = _o349.turning_x;
                             V turning_y = _o349.turning_y;
                             V turning_z = _o349.turning_z;
@@ -3836,8 +3822,8 @@ static void LANES(court_plain)(const court_job *job)
                                 LANES(court_alone)();
                             V nearest = _o351.nearest;
                             V wedge = _o351.wedge;
-                            const LANES(court_ring_closing_out) _o352 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            const LANES(court_backboard_closing_out) _o352 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
                             V gap = _o352.gap;
                             V nearing = _o352.nearing;
                             V swerve = _o352.swerve;
@@ -3846,8 +3832,8 @@ static void LANES(court_plain)(const court_job *job)
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o353.nearest;
                             wedge = _o353.wedge;
-                            const LANES(court_backboard_closing_out) _o354 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            const LANES(court_bridge_closing_out) _o354 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
                             gap = _o354.gap;
                             nearing = _o354.nearing;
                             swerve = _o354.swerve;
@@ -3862,22 +3848,152 @@ static void LANES(court_plain)(const court_job *job)
                             const LANES(court_neared_out) _o357 =
                                 LANES(court_neared)(gap, nearest);
                             nearest = _o357.nearest;
-                            const LANES(court_bridge_parting_out) _o358 =
-                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                            const LANES(court_ring_parting_out) _o358 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
                             V lift = _o358.lift;
                             const LANES(court_ring_impact_settling_out) _o359 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
                             M settles = _o359.settles;
                             M lodges = _o359.lodges;
                             M slides = _o359.slides;
                             M parts = _o359.parts;
                             M unsure = _o359.unsure;
                             const LANES(court_settled_out) _o360 =
-                                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
                             mode = lanes_select(_m348, _o360.mode, mode);
                             held = lanes_select(_m348, _o360.held, held);
                             outcome = lanes_select(_m348, _o360.outcome, outcome);
                             slip_left = lanes_select(_m348, _o360.slip_left, slip_left);
+                        }
+                        const LANES(court_here_out) _o361 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o361.here;
+                        const M _m362 = lanes_both(_m345, here);
+                        if (lanes_any(_m362)) {
+                            const LANES(court_backboard_turning_out) _o363 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o363.turning_x;
+                            V turning_y = _o363.turning_y;
+                            V turning_z = _o363.turning_z;
+                            const LANES(court_pressed_on_out) _o364 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o364.press;
+                            V weight = _o364.weight;
+                            V drag = _o364.drag;
+                            V thrust_x = _o364.thrust_x;
+                            V thrust_y = _o364.thrust_y;
+                            V thrust_z = _o364.thrust_z;
+                            const LANES(court_alone_out) _o365 =
+                                LANES(court_alone)();
+                            V nearest = _o365.nearest;
+                            V wedge = _o365.wedge;
+                            const LANES(court_ring_closing_out) _o366 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o366.gap;
+                            V nearing = _o366.nearing;
+                            V swerve = _o366.swerve;
+                            V facing = _o366.facing;
+                            const LANES(court_neared_body_out) _o367 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o367.nearest;
+                            wedge = _o367.wedge;
+                            const LANES(court_bridge_closing_out) _o368 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o368.gap;
+                            nearing = _o368.nearing;
+                            swerve = _o368.swerve;
+                            facing = _o368.facing;
+                            const LANES(court_neared_body_out) _o369 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o369.nearest;
+                            wedge = _o369.wedge;
+                            const LANES(court_end_beside_out) _o370 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o370.gap;
+                            const LANES(court_neared_out) _o371 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o371.nearest;
+                            const LANES(court_backboard_parting_out) _o372 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o372.lift;
+                            const LANES(court_ring_impact_settling_out) _o373 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o373.settles;
+                            M lodges = _o373.lodges;
+                            M slides = _o373.slides;
+                            M parts = _o373.parts;
+                            M unsure = _o373.unsure;
+                            const LANES(court_settled_out) _o374 =
+                                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m362, _o374.mode, mode);
+                            held = lanes_select(_m362, _o374.held, held);
+                            outcome = lanes_select(_m362, _o374.outcome, outcome);
+                            slip_left = lanes_select(_m362, _o374.slip_left, slip_left);
+                        }
+                        const LANES(court_here_out) _o375 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o375.here;
+                        const M _m376 = lanes_both(_m345, here);
+                        if (lanes_any(_m376)) {
+                            const LANES(court_bridge_turning_out) _o377 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o377.turning_x;
+                            V turning_y = _o377.turning_y;
+                            V turning_z = _o377.turning_z;
+                            const LANES(court_pressed_on_out) _o378 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o378.press;
+                            V weight = _o378.weight;
+                            V drag = _o378.drag;
+                            V thrust_x = _o378.thrust_x;
+                            V thrust_y = _o378.thrust_y;
+                            V thrust_z = _o378.thrust_z;
+                            const LANES(court_alone_out) _o379 =
+                                LANES(court_alone)();
+                            V nearest = _o379.nearest;
+                            V wedge = _o379.wedge;
+                            const LANES(court_ring_closing_out) _o380 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o380.gap;
+                            V nearing = _o380.nearing;
+                            V swerve = _o380.swerve;
+                            V facing = _o380.facing;
+                            const LANES(court_neared_body_out) _o381 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o381.nearest;
+                            wedge = _o381.wedge;
+                            const LANES(court_backboard_closing_out) _o382 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            gap = _o382.gap;
+                            nearing = _o382.nearing;
+                            swerve = _o382.swerve;
+                            facing = _o382.facing;
+                            const LANES(court_neared_body_out) _o383 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o383.nearest;
+                            wedge = _o383.wedge;
+                            const LANES(court_end_beside_out) _o384 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o384.gap;
+                            const LANES(court_neared_out) _o385 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o385.nearest;
+                            const LANES(court_bridge_parting_out) _o386 =
+                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                            V lift = _o386.lift;
+                            const LANES(court_ring_impact_settling_out) _o387 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o387.settles;
+                            M lodges = _o387.lodges;
+                            M slides = _o387.slides;
+                            M parts = _o387.parts;
+                            M unsure = _o387.unsure;
+                            const LANES(court_settled_out) _o388 =
+                                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m376, _o388.mode, mode);
+                            held = lanes_select(_m376, _o388.held, held);
+                            outcome = lanes_select(_m376, _o388.outcome, outcome);
+                            slip_left = lanes_select(_m376, _o388.slip_left, slip_left);
                         }
                     }
                 }
@@ -6922,9 +7038,9 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 surge = lanes_select(_m359, _o361.surge, surge);
                 snap = lanes_select(_m359, _o361.snap, snap);
             }
-            const LANES(court_alone_out) _o362 =
-                LANES(court_alone)();
-            V nearest = _o362.nearest;
+            const LANES(court_unmet_out) _o362 =
+                LANES(court_unmet)();
+            V spare = _o362.spare;
             const LANES(court_beside_out) _o363 =
                 LANES(court_beside)(held, K(0.0));
             M beside = _o363.beside;
@@ -6933,9 +7049,11 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 const LANES(court_ring_beside_out) _o365 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o365.gap;
-                const LANES(court_neared_out) _o366 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m364, _o366.nearest, nearest);
+                V nearing = _o365.nearing;
+                V dent = _o365.dent;
+                const LANES(court_spared_out) _o366 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m364, _o366.spare, spare);
             }
             const LANES(court_beside_out) _o367 =
                 LANES(court_beside)(held, K(1.0));
@@ -6945,9 +7063,11 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 const LANES(court_backboard_beside_out) _o369 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
                 V gap = _o369.gap;
-                const LANES(court_neared_out) _o370 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m368, _o370.nearest, nearest);
+                V nearing = _o369.nearing;
+                V dent = _o369.dent;
+                const LANES(court_spared_out) _o370 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m368, _o370.spare, spare);
             }
             const LANES(court_beside_out) _o371 =
                 LANES(court_beside)(held, K(2.0));
@@ -6957,29 +7077,141 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 const LANES(court_bridge_beside_out) _o373 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o373.gap;
-                const LANES(court_neared_out) _o374 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m372, _o374.nearest, nearest);
+                V nearing = _o373.nearing;
+                V dent = _o373.dent;
+                const LANES(court_spared_out) _o374 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m372, _o374.spare, spare);
             }
             const LANES(court_beside_out) _o375 =
                 LANES(court_beside)(held, K(3.0));
             beside = _o375.beside;
             const M _m376 = lanes_both(_m348, beside);
-            {
+            if (lanes_any(_m376)) {
                 const LANES(court_end_beside_out) _o377 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
                 V gap = _o377.gap;
-                const LANES(court_neared_out) _o378 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m376, _o378.nearest, nearest);
+                V nearing = _o377.nearing;
+                V dent = _o377.dent;
+                const LANES(court_spared_out) _o378 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m376, _o378.spare, spare);
             }
-            const LANES(court_parted_out) _o379 =
-                LANES(court_parted)(doubt, p_gravity, lift, nearest, per_reach, position_error, snap, surge, velocity_error, vx, vy, vz);
-            when = lanes_select(_m348, _o379.when, when);
-            doubt = lanes_select(_m348, _o379.doubt, doubt);
-            const LANES(court_hopping_out) _o380 =
+            const LANES(court_holding_out) _o379 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o379.here;
+            const M _m380 = lanes_both(_m348, here);
+            if (lanes_any(_m380)) {
+                const LANES(court_backboard_seam0_out) _o381 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                V gap = _o381.gap;
+                V nearing = _o381.nearing;
+                V near = _o381.near;
+                const LANES(court_spared_seam_out) _o382 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o382.spare, spare);
+                const LANES(court_backboard_seam1_out) _o383 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = _o383.gap;
+                nearing = _o383.nearing;
+                near = _o383.near;
+                const LANES(court_spared_seam_out) _o384 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o384.spare, spare);
+                const LANES(court_backboard_seam2_out) _o385 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o385.gap;
+                nearing = _o385.nearing;
+                near = _o385.near;
+                const LANES(court_spared_seam_out) _o386 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o386.spare, spare);
+                const LANES(court_backboard_seam3_out) _o387 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o387.gap;
+                nearing = _o387.nearing;
+                near = _o387.near;
+                const LANES(court_spared_seam_out) _o388 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o388.spare, spare);
+                const LANES(court_backboard_seam4_out) _o389 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o389.gap;
+                nearing = _o389.nearing;
+                near = _o389.near;
+                const LANES(court_spared_seam_out) _o390 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o390.spare, spare);
+                const LANES(court_backboard_seam5_out) _o391 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o391.gap;
+                nearing = _o391.nearing;
+                near = _o391.near;
+                const LANES(court_spared_seam_out) _o392 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m380, _o392.spare, spare);
+            }
+            const LANES(court_holding_out) _o393 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o393.here;
+            const M _m394 = lanes_both(_m348, here);
+            if (lanes_any(_m394)) {
+                const LANES(court_bridge_seam0_out) _o395 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                V gap = _o395.gap;
+                V nearing = _o395.nearing;
+                V near = _o395.near;
+                const LANES(court_spared_seam_out) _o396 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o396.spare, spare);
+                const LANES(court_bridge_seam1_out) _o397 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = _o397.gap;
+                nearing = _o397.nearing;
+                near = _o397.near;
+                const LANES(court_spared_seam_out) _o398 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o398.spare, spare);
+                const LANES(court_bridge_seam2_out) _o399 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o399.gap;
+                nearing = _o399.nearing;
+                near = _o399.near;
+                const LANES(court_spared_seam_out) _o400 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o400.spare, spare);
+                const LANES(court_bridge_seam3_out) _o401 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o401.gap;
+                nearing = _o401.nearing;
+                near = _o401.near;
+                const LANES(court_spared_seam_out) _o402 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o402.spare, spare);
+                const LANES(court_bridge_seam4_out) _o403 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o403.gap;
+                nearing = _o403.nearing;
+                near = _o403.near;
+                const LANES(court_spared_seam_out) _o404 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o404.spare, spare);
+                const LANES(court_bridge_seam5_out) _o405 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o405.gap;
+                nearing = _o405.nearing;
+                near = _o405.near;
+                const LANES(court_spared_seam_out) _o406 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m394, _o406.spare, spare);
+            }
+            const LANES(court_parted_out) _o407 =
+                LANES(court_parted)(doubt, p_gravity, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz);
+            when = lanes_select(_m348, _o407.when, when);
+            doubt = lanes_select(_m348, _o407.doubt, doubt);
+            const LANES(court_hopping_out) _o408 =
                 LANES(court_hopping)();
-            which = lanes_select(_m348, _o380.which, which);
+            which = lanes_select(_m348, _o408.which, which);
         }
         lanes_store(lists->kept_doubt + i, doubt);
         lanes_store(lists->kept_position_error + i, position_error);
@@ -8810,90 +9042,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o381 =
+            const LANES(court_departed_out) _o409 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o381.moves;
-            M ends = _o381.ends;
-            M touches = _o381.touches;
-            V reached = _o381.reached;
-            M edge = _o381.edge;
-            const LANES(court_body_of_out) _o382 =
+            M moves = _o409.moves;
+            M ends = _o409.ends;
+            M touches = _o409.touches;
+            V reached = _o409.reached;
+            M edge = _o409.edge;
+            const LANES(court_body_of_out) _o410 =
                 LANES(court_body_of)(which);
-            V body = _o382.body;
-            const M _m383 = lanes_both(rows, moves);
-            if (lanes_any(_m383)) {
-                const LANES(court_passing_doubt_out) _o384 =
+            V body = _o410.body;
+            const M _m411 = lanes_both(rows, moves);
+            if (lanes_any(_m411)) {
+                const LANES(court_passing_doubt_out) _o412 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o384.unsure;
-                const LANES(court_undecided_out) _o385 =
+                M unsure = _o412.unsure;
+                const LANES(court_undecided_out) _o413 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m383, _o385.uncertain, uncertain);
-                const LANES(court_passing_out) _o386 =
+                uncertain = lanes_select(_m411, _o413.uncertain, uncertain);
+                const LANES(court_passing_out) _o414 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m383, _o386.through, through);
-                const LANES(court_flight_out) _o387 =
+                through = lanes_select(_m411, _o414.through, through);
+                const LANES(court_flight_out) _o415 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m383, _o387.x, x);
-                y = lanes_select(_m383, _o387.y, y);
-                z = lanes_select(_m383, _o387.z, z);
-                vx = lanes_select(_m383, _o387.vx, vx);
-                vy = lanes_select(_m383, _o387.vy, vy);
-                vz = lanes_select(_m383, _o387.vz, vz);
-                const LANES(court_ticked_out) _o388 =
+                x = lanes_select(_m411, _o415.x, x);
+                y = lanes_select(_m411, _o415.y, y);
+                z = lanes_select(_m411, _o415.z, z);
+                vx = lanes_select(_m411, _o415.vx, vx);
+                vy = lanes_select(_m411, _o415.vy, vy);
+                vz = lanes_select(_m411, _o415.vz, vz);
+                const LANES(court_ticked_out) _o416 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m383, _o388.clock, clock);
+                clock = lanes_select(_m411, _o416.clock, clock);
             }
-            const M _m389 = lanes_both(rows, limited);
-            if (lanes_any(_m389)) {
-                const LANES(court_expired_out) _o390 =
+            const M _m417 = lanes_both(rows, limited);
+            if (lanes_any(_m417)) {
+                const LANES(court_expired_out) _o418 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m389, _o390.clock, clock);
-                body = lanes_select(_m389, _o390.body, body);
-                reached = lanes_select(_m389, _o390.reached, reached);
-                ends = lanes_choose(_m389, _o390.ends, ends);
+                clock = lanes_select(_m417, _o418.clock, clock);
+                body = lanes_select(_m417, _o418.body, body);
+                reached = lanes_select(_m417, _o418.reached, reached);
+                ends = lanes_choose(_m417, _o418.ends, ends);
             }
-            const LANES(court_unhopped_out) _o391 =
+            const LANES(court_unhopped_out) _o419 =
                 LANES(court_unhopped)();
-            M hopped = _o391.hopped;
-            const M _m392 = lanes_both(rows, kept);
-            if (lanes_any(_m392)) {
-                const LANES(court_kept_on_out) _o393 =
+            M hopped = _o419.hopped;
+            const M _m420 = lanes_both(rows, kept);
+            if (lanes_any(_m420)) {
+                const LANES(court_kept_on_out) _o421 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m392, _o393.body, body);
-                reached = lanes_select(_m392, _o393.reached, reached);
-                doubt = lanes_select(_m392, _o393.doubt, doubt);
-                ends = lanes_choose(_m392, _o393.ends, ends);
-                hopped = lanes_choose(_m392, _o393.hopped, hopped);
-                last = lanes_select(_m392, _o393.last, last);
-                mode = lanes_select(_m392, _o393.mode, mode);
-                held = lanes_select(_m392, _o393.held, held);
-                rolls = lanes_select(_m392, _o393.rolls, rolls);
+                body = lanes_select(_m420, _o421.body, body);
+                reached = lanes_select(_m420, _o421.reached, reached);
+                doubt = lanes_select(_m420, _o421.doubt, doubt);
+                ends = lanes_choose(_m420, _o421.ends, ends);
+                hopped = lanes_choose(_m420, _o421.hopped, hopped);
+                last = lanes_select(_m420, _o421.last, last);
+                mode = lanes_select(_m420, _o421.mode, mode);
+                held = lanes_select(_m420, _o421.held, held);
+                rolls = lanes_select(_m420, _o421.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o394 =
+            const LANES(court_displacement_out) _o422 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o394.margin;
-            const LANES(court_here_out) _o395 =
+            V slack = _o422.margin;
+            const LANES(court_here_out) _o423 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o395.here;
-            const M _m396 = lanes_both(rows, here);
+            M here = _o423.here;
+            const M _m424 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o397 =
+                const LANES(court_end_bounds_out) _o425 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o397.g0;
-                const LANES(court_end_reached_out) _o398 =
+                V g0 = _o425.g0;
+                const LANES(court_end_reached_out) _o426 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m396, _o398.reached, reached);
-                const LANES(court_end_edge_out) _o399 =
+                reached = lanes_select(_m424, _o426.reached, reached);
+                const LANES(court_end_edge_out) _o427 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m396, _o399.edge, edge);
+                edge = lanes_choose(_m424, _o427.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o400 =
+            const LANES(court_doubted_in_contact_out) _o428 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o400.uncertain;
-            const LANES(court_accounted_out) _o401 =
+            uncertain = _o428.uncertain;
+            const LANES(court_accounted_out) _o429 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o401.contacts;
-            V outcome = _o401.outcome;
+            contacts = _o429.contacts;
+            V outcome = _o429.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -8906,475 +9138,511 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o402 =
+            const LANES(court_meeting_out) _o430 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o402.meeting;
-            const M _m403 = lanes_both(rows, meeting);
-            if (lanes_any(_m403)) {
-                const LANES(court_end_normal_out) _o404 =
+            M meeting = _o430.meeting;
+            const M _m431 = lanes_both(rows, meeting);
+            if (lanes_any(_m431)) {
+                const LANES(court_end_normal_out) _o432 =
                     LANES(court_end_normal)();
-                V nx = _o404.nx;
-                V ny = _o404.ny;
-                V nz = _o404.nz;
-                const LANES(court_here_out) _o405 =
+                V nx = _o432.nx;
+                V ny = _o432.ny;
+                V nz = _o432.nz;
+                const LANES(court_here_out) _o433 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o405.here;
-                const M _m406 = lanes_both(_m403, here);
+                M here = _o433.here;
+                const M _m434 = lanes_both(_m431, here);
                 {
-                    const LANES(court_ring_normal_out) _o407 =
+                    const LANES(court_ring_normal_out) _o435 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m406, _o407.nx, nx);
-                    ny = lanes_select(_m406, _o407.ny, ny);
-                    nz = lanes_select(_m406, _o407.nz, nz);
-                    const LANES(court_counted_out) _o408 =
+                    nx = lanes_select(_m434, _o435.nx, nx);
+                    ny = lanes_select(_m434, _o435.ny, ny);
+                    nz = lanes_select(_m434, _o435.nz, nz);
+                    const LANES(court_counted_out) _o436 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m406, _o408.count, count_0);
+                    count_0 = lanes_select(_m434, _o436.count, count_0);
                 }
-                const LANES(court_here_out) _o409 =
+                const LANES(court_here_out) _o437 =
                     LANES(court_here)(K(1.0), which);
-                here = _o409.here;
-                const M _m410 = lanes_both(_m403, here);
+                here = _o437.here;
+                const M _m438 = lanes_both(_m431, here);
                 {
-                    const LANES(court_backboard_normal_out) _o411 =
+                    const LANES(court_backboard_normal_out) _o439 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m410, _o411.nx, nx);
-                    ny = lanes_select(_m410, _o411.ny, ny);
-                    nz = lanes_select(_m410, _o411.nz, nz);
-                    const LANES(court_counted_out) _o412 =
+                    nx = lanes_select(_m438, _o439.nx, nx);
+                    ny = lanes_select(_m438, _o439.ny, ny);
+                    nz = lanes_select(_m438, _o439.nz, nz);
+                    const LANES(court_counted_out) _o440 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m410, _o412.count, count_1);
+                    count_1 = lanes_select(_m438, _o440.count, count_1);
                 }
-                const LANES(court_here_out) _o413 =
+                const LANES(court_here_out) _o441 =
                     LANES(court_here)(K(2.0), which);
-                here = _o413.here;
-                const M _m414 = lanes_both(_m403, here);
+                here = _o441.here;
+                const M _m442 = lanes_both(_m431, here);
                 {
-                    const LANES(court_bridge_normal_out) _o415 =
+                    const LANES(court_bridge_normal_out) _o443 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m414, _o415.nx, nx);
-                    ny = lanes_select(_m414, _o415.ny, ny);
-                    nz = lanes_select(_m414, _o415.nz, nz);
-                    const LANES(court_counted_out) _o416 =
+                    nx = lanes_select(_m442, _o443.nx, nx);
+                    ny = lanes_select(_m442, _o443.ny, ny);
+                    nz = lanes_select(_m442, _o443.nz, nz);
+                    const LANES(court_counted_out) _o444 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m414, _o416.count, count_2);
+                    count_2 = lanes_select(_m442, _o444.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o417 =
+                const LANES(court_elsewhere_out) _o445 =
                     LANES(court_elsewhere)();
-                V curving = _o417.curving;
-                const LANES(court_again_out) _o418 =
+                V curving = _o445.curving;
+                const LANES(court_anew_out) _o446 =
+                    LANES(court_anew)();
+                V left_nx = _o446.left_nx;
+                V left_ny = _o446.left_ny;
+                V left_nz = _o446.left_nz;
+                const LANES(court_again_out) _o447 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o418.again;
-                const M _m419 = lanes_both(_m403, again);
-                {
-                    const LANES(court_ring_curvature_out) _o420 =
+                M again = _o447.again;
+                const M _m448 = lanes_both(_m431, again);
+                if (lanes_any(_m448)) {
+                    const LANES(court_ring_curvature_out) _o449 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m419, _o420.curvature, curving);
+                    curving = lanes_select(_m448, _o449.curvature, curving);
+                    const LANES(court_started_out) _o450 =
+                        LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
+                    V from_x = _o450.from_x;
+                    V from_y = _o450.from_y;
+                    V from_z = _o450.from_z;
+                    const LANES(court_ring_normal_out) _o451 =
+                        LANES(court_ring_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    left_nx = lanes_select(_m448, _o451.nx, left_nx);
+                    left_ny = lanes_select(_m448, _o451.ny, left_ny);
+                    left_nz = lanes_select(_m448, _o451.nz, left_nz);
                 }
-                const LANES(court_again_out) _o421 =
+                const LANES(court_again_out) _o452 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o421.again;
-                const M _m422 = lanes_both(_m403, again);
-                {
-                    const LANES(court_backboard_curvature_out) _o423 =
+                again = _o452.again;
+                const M _m453 = lanes_both(_m431, again);
+                if (lanes_any(_m453)) {
+                    const LANES(court_backboard_curvature_out) _o454 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m422, _o423.curvature, curving);
+                    curving = lanes_select(_m453, _o454.curvature, curving);
+                    const LANES(court_started_out) _o455 =
+                        LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
+                    V from_x = _o455.from_x;
+                    V from_y = _o455.from_y;
+                    V from_z = _o455.from_z;
+                    const LANES(court_backboard_normal_out) _o456 =
+                        LANES(court_backboard_normal)(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    left_nx = lanes_select(_m453, _o456.nx, left_nx);
+                    left_ny = lanes_select(_m453, _o456.ny, left_ny);
+                    left_nz = lanes_select(_m453, _o456.nz, left_nz);
                 }
-                const LANES(court_again_out) _o424 =
+                const LANES(court_again_out) _o457 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o424.again;
-                const M _m425 = lanes_both(_m403, again);
-                {
-                    const LANES(court_bridge_curvature_out) _o426 =
+                again = _o457.again;
+                const M _m458 = lanes_both(_m431, again);
+                if (lanes_any(_m458)) {
+                    const LANES(court_bridge_curvature_out) _o459 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m425, _o426.curvature, curving);
+                    curving = lanes_select(_m458, _o459.curvature, curving);
+                    const LANES(court_started_out) _o460 =
+                        LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
+                    V from_x = _o460.from_x;
+                    V from_y = _o460.from_y;
+                    V from_z = _o460.from_z;
+                    const LANES(court_bridge_normal_out) _o461 =
+                        LANES(court_bridge_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    left_nx = lanes_select(_m458, _o461.nx, left_nx);
+                    left_ny = lanes_select(_m458, _o461.ny, left_ny);
+                    left_nz = lanes_select(_m458, _o461.nz, left_nz);
                 }
-                const LANES(court_carry_flight_out) _o427 =
-                    LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m403, _o427.dx, dx);
-                dy = lanes_select(_m403, _o427.dy, dy);
-                dz = lanes_select(_m403, _o427.dz, dz);
-                dvx = lanes_select(_m403, _o427.dvx, dvx);
-                dvy = lanes_select(_m403, _o427.dvy, dvy);
-                dvz = lanes_select(_m403, _o427.dvz, dvz);
-                V delay = _o427.delay;
-                V shift = _o427.shift;
-                const LANES(court_delayed_out) _o428 =
+                const LANES(court_carry_flight_out) _o462 =
+                    LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
+                dx = lanes_select(_m431, _o462.dx, dx);
+                dy = lanes_select(_m431, _o462.dy, dy);
+                dz = lanes_select(_m431, _o462.dz, dz);
+                V lifting = _o462.lifting;
+                dvx = lanes_select(_m431, _o462.dvx, dvx);
+                dvy = lanes_select(_m431, _o462.dvy, dvy);
+                dvz = lanes_select(_m431, _o462.dvz, dvz);
+                V delay = _o462.delay;
+                V shift = _o462.shift;
+                const LANES(court_delayed_out) _o463 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m403, _o428.clock_error, clock_error);
-                const M _m429 = lanes_both(_m403, ends);
+                clock_error = lanes_select(_m431, _o463.clock_error, clock_error);
+                const M _m464 = lanes_both(_m431, ends);
                 {
-                    const LANES(court_floored_out) _o430 =
+                    const LANES(court_floored_out) _o465 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m429, _o430.dx, dx);
-                    dy = lanes_select(_m429, _o430.dy, dy);
-                    dz = lanes_select(_m429, _o430.dz, dz);
+                    dx = lanes_select(_m464, _o465.dx, dx);
+                    dy = lanes_select(_m464, _o465.dy, dy);
+                    dz = lanes_select(_m464, _o465.dz, dz);
                 }
-                const LANES(court_unturned_out) _o431 =
+                const LANES(court_unturned_out) _o466 =
                     LANES(court_unturned)();
-                V dnx = _o431.dnx;
-                V dny = _o431.dny;
-                V dnz = _o431.dnz;
-                V turn = _o431.turn;
-                const LANES(court_here_out) _o432 =
+                V dnx = _o466.dnx;
+                V dny = _o466.dny;
+                V dnz = _o466.dnz;
+                V turn = _o466.turn;
+                const LANES(court_here_out) _o467 =
                     LANES(court_here)(K(0.0), which);
-                here = _o432.here;
-                const M _m433 = lanes_both(_m403, here);
-                if (lanes_any(_m433)) {
-                    const LANES(court_ring_carry_normal_out) _o434 =
+                here = _o467.here;
+                const M _m468 = lanes_both(_m431, here);
+                if (lanes_any(_m468)) {
+                    const LANES(court_ring_carry_normal_out) _o469 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m433, _o434.dnx, dnx);
-                    dny = lanes_select(_m433, _o434.dny, dny);
-                    dnz = lanes_select(_m433, _o434.dnz, dnz);
-                    turn = lanes_select(_m433, _o434.turn, turn);
+                    dnx = lanes_select(_m468, _o469.dnx, dnx);
+                    dny = lanes_select(_m468, _o469.dny, dny);
+                    dnz = lanes_select(_m468, _o469.dnz, dnz);
+                    turn = lanes_select(_m468, _o469.turn, turn);
                 }
-                const LANES(court_here_out) _o435 =
+                const LANES(court_here_out) _o470 =
                     LANES(court_here)(K(1.0), which);
-                here = _o435.here;
-                const M _m436 = lanes_both(_m403, here);
+                here = _o470.here;
+                const M _m471 = lanes_both(_m431, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o437 =
+                    const LANES(court_backboard_carry_normal_out) _o472 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m436, _o437.dnx, dnx);
-                    dny = lanes_select(_m436, _o437.dny, dny);
-                    dnz = lanes_select(_m436, _o437.dnz, dnz);
-                    turn = lanes_select(_m436, _o437.turn, turn);
+                    dnx = lanes_select(_m471, _o472.dnx, dnx);
+                    dny = lanes_select(_m471, _o472.dny, dny);
+                    dnz = lanes_select(_m471, _o472.dnz, dnz);
+                    turn = lanes_select(_m471, _o472.turn, turn);
                 }
-                const LANES(court_here_out) _o438 =
+                const LANES(court_here_out) _o473 =
                     LANES(court_here)(K(2.0), which);
-                here = _o438.here;
-                const M _m439 = lanes_both(_m403, here);
+                here = _o473.here;
+                const M _m474 = lanes_both(_m431, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o440 =
+                    const LANES(court_bridge_carry_normal_out) _o475 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m439, _o440.dnx, dnx);
-                    dny = lanes_select(_m439, _o440.dny, dny);
-                    dnz = lanes_select(_m439, _o440.dnz, dnz);
-                    turn = lanes_select(_m439, _o440.turn, turn);
+                    dnx = lanes_select(_m474, _o475.dnx, dnx);
+                    dny = lanes_select(_m474, _o475.dny, dny);
+                    dnz = lanes_select(_m474, _o475.dnz, dnz);
+                    turn = lanes_select(_m474, _o475.turn, turn);
                 }
-                const LANES(court_untaken_out) _o441 =
+                const LANES(court_untaken_out) _o476 =
                     LANES(court_untaken)();
-                M struck_0 = _o441.mine;
-                const LANES(court_ring_impact_taken_out) _o442 =
+                M struck_0 = _o476.mine;
+                const LANES(court_ring_impact_taken_out) _o477 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o442.its_0;
-                V its_1_ring_impact = _o442.its_1;
+                V its_0_ring_impact = _o477.its_0;
+                V its_1_ring_impact = _o477.its_1;
                 {
-                    const double *const _t444[][2] = {
+                    const double *const _t479[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t445[][1] = {
+                    static const double _t480[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k443 = 0; _k443 < 3; _k443++) {
-                        const V own_1 = lanes_load(_t444[_k443][0] + (i & varying));
-                        const V own_2 = lanes_load(_t444[_k443][1] + (i & varying));
-                        const V own_index = K(_t445[_k443][0]);
-                        const LANES(court_here_out) _o446 =
+                    for (size_t _k478 = 0; _k478 < 3; _k478++) {
+                        const V own_1 = lanes_load(_t479[_k478][0] + (i & varying));
+                        const V own_2 = lanes_load(_t479[_k478][1] + (i & varying));
+                        const V own_index = K(_t480[_k478][0]);
+                        const LANES(court_here_out) _o481 =
                             LANES(court_here)(own_index, which);
-                        M here = _o446.here;
-                        const M _m447 = lanes_both(_m403, here);
-                        if (lanes_any(_m447)) {
-                            const LANES(court_ring_impact_taken_out) _o448 =
+                        M here = _o481.here;
+                        const M _m482 = lanes_both(_m431, here);
+                        if (lanes_any(_m482)) {
+                            const LANES(court_ring_impact_taken_out) _o483 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m447, _o448.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m447, _o448.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m447, _o448.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m482, _o483.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m482, _o483.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m482, _o483.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m449 = lanes_both(_m403, struck_0);
-                if (lanes_any(_m449)) {
-                    const LANES(court_ring_impact_doubt_out) _o450 =
+                const M _m484 = lanes_both(_m431, struck_0);
+                if (lanes_any(_m484)) {
+                    const LANES(court_ring_impact_doubt_out) _o485 =
                         LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    M unsure = _o450.unsure;
-                    const LANES(court_undecided_out) _o451 =
+                    M unsure = _o485.unsure;
+                    const LANES(court_undecided_out) _o486 =
                         LANES(court_undecided)(uncertain, unsure);
-                    uncertain = lanes_select(_m449, _o451.uncertain, uncertain);
-                    const LANES(court_carry_ring_impact_out) _o452 =
-                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    dvx = lanes_select(_m449, _o452.dvx, dvx);
-                    dvy = lanes_select(_m449, _o452.dvy, dvy);
-                    dvz = lanes_select(_m449, _o452.dvz, dvz);
-                    dwx = lanes_select(_m449, _o452.dwx, dwx);
-                    dwy = lanes_select(_m449, _o452.dwy, dwy);
-                    dwz = lanes_select(_m449, _o452.dwz, dwz);
-                    const LANES(court_ring_impact_out) _o453 =
+                    uncertain = lanes_select(_m484, _o486.uncertain, uncertain);
+                    const LANES(court_carry_ring_impact_out) _o487 =
+                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    dvx = lanes_select(_m484, _o487.dvx, dvx);
+                    dvy = lanes_select(_m484, _o487.dvy, dvy);
+                    dvz = lanes_select(_m484, _o487.dvz, dvz);
+                    dwx = lanes_select(_m484, _o487.dwx, dwx);
+                    dwy = lanes_select(_m484, _o487.dwy, dwy);
+                    dwz = lanes_select(_m484, _o487.dwz, dwz);
+                    const LANES(court_ring_impact_out) _o488 =
                         LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m449, _o453.vx, vx);
-                    vy = lanes_select(_m449, _o453.vy, vy);
-                    vz = lanes_select(_m449, _o453.vz, vz);
-                    wx = lanes_select(_m449, _o453.wx, wx);
-                    wy = lanes_select(_m449, _o453.wy, wy);
-                    wz = lanes_select(_m449, _o453.wz, wz);
+                    vx = lanes_select(_m484, _o488.vx, vx);
+                    vy = lanes_select(_m484, _o488.vy, vy);
+                    vz = lanes_select(_m484, _o488.vz, vz);
+                    wx = lanes_select(_m484, _o488.wx, wx);
+                    wy = lanes_select(_m484, _o488.wy, wy);
+                    wz = lanes_select(_m484, _o488.wz, wz);
                 }
-                const M _m454 = lanes_both(_m403, touches);
+                const M _m489 = lanes_both(_m431, touches);
                 {
-                    const LANES(court_touched_out) _o455 =
+                    const LANES(court_touched_out) _o490 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m454, _o455.first, first);
-                    last = lanes_select(_m454, _o455.last, last);
+                    first = lanes_select(_m489, _o490.first, first);
+                    last = lanes_select(_m489, _o490.last, last);
                 }
-                const M _m456 = lanes_both(_m403, touches);
-                if (lanes_any(_m456)) {
-                    const LANES(court_slowed_out) _o457 =
+                const M _m491 = lanes_both(_m431, touches);
+                if (lanes_any(_m491)) {
+                    const LANES(court_slowed_out) _o492 =
                         LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, position_error, vx, vy, vz);
-                    M slow = _o457.slow;
-                    M nearly = _o457.nearly;
-                    assured = lanes_select(_m456, _o457.assured, assured);
-                    const M _m458 = lanes_both(_m456, slow);
-                    if (lanes_any(_m458)) {
-                        const LANES(court_gripped_out) _o459 =
+                    M slow = _o492.slow;
+                    M nearly = _o492.nearly;
+                    assured = lanes_select(_m491, _o492.assured, assured);
+                    const M _m493 = lanes_both(_m491, slow);
+                    if (lanes_any(_m493)) {
+                        const LANES(court_gripped_out) _o494 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o459.rolled_x;
-                        V rolled_y = _o459.rolled_y;
-                        V rolled_z = _o459.rolled_z;
-                        V slip = _o459.slip;
-                        V bounce = _o459.bounce;
-                        const LANES(court_here_out) _o460 =
+                        V rolled_x = _o494.rolled_x;
+                        V rolled_y = _o494.rolled_y;
+                        V rolled_z = _o494.rolled_z;
+                        V slip = _o494.slip;
+                        V bounce = _o494.bounce;
+                        const LANES(court_here_out) _o495 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o460.here;
-                        const M _m461 = lanes_both(_m458, here);
-                        if (lanes_any(_m461)) {
-                            const LANES(court_ring_turning_out) _o462 =
+                        M here = _o495.here;
+                        const M _m496 = lanes_both(_m493, here);
+                        if (lanes_any(_m496)) {
+                            const LANES(court_ring_turning_out) _o497 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o462.turning_x;
-                            V turning_y = _o462.turning_y;
-                            V turning_z = _o462.turning_z;
-                            const LANES(court_pressed_on_out) _o463 =
+                            V turning_x = _o497.turning_x;
+                            V turning_y = _o497.turning_y;
+                            V turning_z = _o497.turning_z;
+                            const LANES(court_pressed_on_out) _o498 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o463.press;
-                            V weight = _o463.weight;
-                            V drag = _o463.drag;
-                            V thrust_x = _o463.thrust_x;
-                            V thrust_y = _o463.thrust_y;
-                            V thrust_z = _o463.thrust_z;
-                            const LANES(court_alone_out) _o464 =
+                            V press = _o498.press;
+                            V weight = _o498.weight;
+                            V drag = _o498.drag;
+                            V thrust_x = _o498.thrust_x;
+                            V thrust_y = _o498.thrust_y;
+                            V thrust_z = _o498.thrust_z;
+                            const LANES(court_alone_out) _o499 =
                                 LANES(court_alone)();
-                            V nearest = _o464.nearest;
-                            V wedge = _o464.wedge;
-                            const LANES(court_backboard_closing_out) _o465 =
+                            V nearest = _o499.nearest;
+                            V wedge = _o499.wedge;
+                            const LANES(court_backboard_closing_out) _o500 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o465.gap;
-                            V nearing = _o465.nearing;
-                            V swerve = _o465.swerve;
-                            V facing = _o465.facing;
-                            const LANES(court_neared_body_out) _o466 =
+                            V gap = _o500.gap;
+                            V nearing = _o500.nearing;
+                            V swerve = _o500.swerve;
+                            V facing = _o500.facing;
+                            const LANES(court_neared_body_out) _o501 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o466.nearest;
-                            wedge = _o466.wedge;
-                            const LANES(court_bridge_closing_out) _o467 =
+                            nearest = _o501.nearest;
+                            wedge = _o501.wedge;
+                            const LANES(court_bridge_closing_out) _o502 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o467.gap;
-                            nearing = _o467.nearing;
-                            swerve = _o467.swerve;
-                            facing = _o467.facing;
-                            const LANES(court_neared_body_out) _o468 =
+                            gap = _o502.gap;
+                            nearing = _o502.nearing;
+                            swerve = _o502.swerve;
+                            facing = _o502.facing;
+                            const LANES(court_neared_body_out) _o503 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o468.nearest;
-                            wedge = _o468.wedge;
-                            const LANES(court_end_beside_out) _o469 =
+                            nearest = _o503.nearest;
+                            wedge = _o503.wedge;
+                            const LANES(court_end_beside_out) _o504 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o469.gap;
-                            const LANES(court_neared_out) _o470 =
+                            gap = _o504.gap;
+                            const LANES(court_neared_out) _o505 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o470.nearest;
-                            const LANES(court_ring_parting_out) _o471 =
+                            nearest = _o505.nearest;
+                            const LANES(court_ring_parting_out) _o506 =
                                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o471.lift;
-                            const LANES(court_ring_impact_settling_out) _o472 =
+                            V lift = _o506.lift;
+                            const LANES(court_ring_impact_settling_out) _o507 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o472.settles;
-                            M lodges = _o472.lodges;
-                            M slides = _o472.slides;
-                            M parts = _o472.parts;
-                            assured = lanes_select(_m461, _o472.assured, assured);
-                            M unsure = _o472.unsure;
-                            const LANES(court_settled_out) _o473 =
+                            M settles = _o507.settles;
+                            M lodges = _o507.lodges;
+                            M slides = _o507.slides;
+                            M parts = _o507.parts;
+                            assured = lanes_select(_m496, _o507.assured, assured);
+                            M unsure = _o507.unsure;
+                            const LANES(court_settled_out) _o508 =
                                 LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m461, _o473.mode, mode);
-                            held = lanes_select(_m461, _o473.held, held);
-                            outcome = lanes_select(_m461, _o473.outcome, outcome);
-                            slip_left = lanes_select(_m461, _o473.slip_left, slip_left);
-                            uncertain = lanes_select(_m461, _o473.uncertain, uncertain);
+                            mode = lanes_select(_m496, _o508.mode, mode);
+                            held = lanes_select(_m496, _o508.held, held);
+                            outcome = lanes_select(_m496, _o508.outcome, outcome);
+                            slip_left = lanes_select(_m496, _o508.slip_left, slip_left);
+                            uncertain = lanes_select(_m496, _o508.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o474 =
+                        const LANES(court_here_out) _o509 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o474.here;
-                        const M _m475 = lanes_both(_m458, here);
-                        if (lanes_any(_m475)) {
-                            const LANES(court_backboard_turning_out) _o476 =
+                        here = _o509.here;
+                        const M _m510 = lanes_both(_m493, here);
+                        if (lanes_any(_m510)) {
+                            const LANES(court_backboard_turning_out) _o511 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o476.turning_x;
-                            V turning_y = _o476.turning_y;
-                            V turning_z = _o476.turning_z;
-                            const LANES(court_pressed_on_out) _o477 =
+                            V turning_x = _o511.turning_x;
+                            V turning_y = _o511.turning_y;
+                            V turning_z = _o511.turning_z;
+                            const LANES(court_pressed_on_out) _o512 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o477.press;
-                            V weight = _o477.weight;
-                            V drag = _o477.drag;
-                            V thrust_x = _o477.thrust_x;
-                            V thrust_y = _o477.thrust_y;
-                            V thrust_z = _o477.thrust_z;
-                            const LANES(court_alone_out) _o478 =
+                            V press = _o512.press;
+                            V weight = _o512.weight;
+                            V drag = _o512.drag;
+                            V thrust_x = _o512.thrust_x;
+                            V thrust_y = _o512.thrust_y;
+                            V thrust_z = _o512.thrust_z;
+                            const LANES(court_alone_out) _o513 =
                                 LANES(court_alone)();
-                            V nearest = _o478.nearest;
-                            V wedge = _o478.wedge;
-                            const LANES(court_ring_closing_out) _o479 =
+                            V nearest = _o513.nearest;
+                            V wedge = _o513.wedge;
+                            const LANES(court_ring_closing_out) _o514 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o479.gap;
-                            V nearing = _o479.nearing;
-                            V swerve = _o479.swerve;
-                            V facing = _o479.facing;
-                            const LANES(court_neared_body_out) _o480 =
+                            V gap = _o514.gap;
+                            V nearing = _o514.nearing;
+                            V swerve = _o514.swerve;
+                            V facing = _o514.facing;
+                            const LANES(court_neared_body_out) _o515 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o480.nearest;
-                            wedge = _o480.wedge;
-                            const LANES(court_bridge_closing_out) _o481 =
+                            nearest = _o515.nearest;
+                            wedge = _o515.wedge;
+                            const LANES(court_bridge_closing_out) _o516 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o481.gap;
-                            nearing = _o481.nearing;
-                            swerve = _o481.swerve;
-                            facing = _o481.facing;
-                            const LANES(court_neared_body_out) _o482 =
+                            gap = _o516.gap;
+                            nearing = _o516.nearing;
+                            swerve = _o516.swerve;
+                            facing = _o516.facing;
+                            const LANES(court_neared_body_out) _o517 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o482.nearest;
-                            wedge = _o482.wedge;
-                            const LANES(court_end_beside_out) _o483 =
+                            nearest = _o517.nearest;
+                            wedge = _o517.wedge;
+                            const LANES(court_end_beside_out) _o518 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o483.gap;
-                            const LANES(court_neared_out) _o484 =
+                            gap = _o518.gap;
+                            const LANES(court_neared_out) _o519 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o484.nearest;
-                            const LANES(court_backboard_parting_out) _o485 =
+                            nearest = _o519.nearest;
+                            const LANES(court_backboard_parting_out) _o520 =
                                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o485.lift;
-                            const LANES(court_ring_impact_settling_out) _o486 =
+                            V lift = _o520.lift;
+                            const LANES(court_ring_impact_settling_out) _o521 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o486.settles;
-                            M lodges = _o486.lodges;
-                            M slides = _o486.slides;
-                            M parts = _o486.parts;
-                            assured = lanes_select(_m475, _o486.assured, assured);
-                            M unsure = _o486.unsure;
-                            const LANES(court_settled_out) _o487 =
+                            M settles = _o521.settles;
+                            M lodges = _o521.lodges;
+                            M slides = _o521.slides;
+                            M parts = _o521.parts;
+                            assured = lanes_select(_m510, _o521.assured, assured);
+                            M unsure = _o521.unsure;
+                            const LANES(court_settled_out) _o522 =
                                 LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m475, _o487.mode, mode);
-                            held = lanes_select(_m475, _o487.held, held);
-                            outcome = lanes_select(_m475, _o487.outcome, outcome);
-                            slip_left = lanes_select(_m475, _o487.slip_left, slip_left);
-                            uncertain = lanes_select(_m475, _o487.uncertain, uncertain);
+                            mode = lanes_select(_m510, _o522.mode, mode);
+                            held = lanes_select(_m510, _o522.held, held);
+                            outcome = lanes_select(_m510, _o522.outcome, outcome);
+                            slip_left = lanes_select(_m510, _o522.slip_left, slip_left);
+                            uncertain = lanes_select(_m510, _o522.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o488 =
+                        const LANES(court_here_out) _o523 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o488.here;
-                        const M _m489 = lanes_both(_m458, here);
-                        if (lanes_any(_m489)) {
-                            const LANES(court_bridge_turning_out) _o490 =
+                        here = _o523.here;
+                        const M _m524 = lanes_both(_m493, here);
+                        if (lanes_any(_m524)) {
+                            const LANES(court_bridge_turning_out) _o525 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o490.turning_x;
-                            V turning_y = _o490.turning_y;
-                            V turning_z = _o490.turning_z;
-                            const LANES(court_pressed_on_out) _o491 =
+                            V turning_x = _o525.turning_x;
+                            V turning_y = _o525.turning_y;
+                            V turning_z = _o525.turning_z;
+                            const LANES(court_pressed_on_out) _o526 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o491.press;
-                            V weight = _o491.weight;
-                            V drag = _o491.drag;
-                            V thrust_x = _o491.thrust_x;
-                            V thrust_y = _o491.thrust_y;
-                            V thrust_z = _o491.thrust_z;
-                            const LANES(court_alone_out) _o492 =
+                            V press = _o526.press;
+                            V weight = _o526.weight;
+                            V drag = _o526.drag;
+                            V thrust_x = _o526.thrust_x;
+                            V thrust_y = _o526.thrust_y;
+                            V thrust_z = _o526.thrust_z;
+                            const LANES(court_alone_out) _o527 =
                                 LANES(court_alone)();
-                            V nearest = _o492.nearest;
-                            V wedge = _o492.wedge;
-                            const LANES(court_ring_closing_out) _o493 =
+                            V nearest = _o527.nearest;
+                            V wedge = _o527.wedge;
+                            const LANES(court_ring_closing_out) _o528 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o493.gap;
-                            V nearing = _o493.nearing;
-                            V swerve = _o493.swerve;
-                            V facing = _o493.facing;
-                            const LANES(court_neared_body_out) _o494 =
+                            V gap = _o528.gap;
+                            V nearing = _o528.nearing;
+                            V swerve = _o528.swerve;
+                            V facing = _o528.facing;
+                            const LANES(court_neared_body_out) _o529 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o494.nearest;
-                            wedge = _o494.wedge;
-                            const LANES(court_backboard_closing_out) _o495 =
+                            nearest = _o529.nearest;
+                            wedge = _o529.wedge;
+                            const LANES(court_backboard_closing_out) _o530 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o495.gap;
-                            nearing = _o495.nearing;
-                            swerve = _o495.swerve;
-                            facing = _o495.facing;
-                            const LANES(court_neared_body_out) _o496 =
+                            gap = _o530.gap;
+                            nearing = _o530.nearing;
+                            swerve = _o530.swerve;
+                            facing = _o530.facing;
+                            const LANES(court_neared_body_out) _o531 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o496.nearest;
-                            wedge = _o496.wedge;
-                            const LANES(court_end_beside_out) _o497 =
+                            nearest = _o531.nearest;
+                            wedge = _o531.wedge;
+                            const LANES(court_end_beside_out) _o532 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o497.gap;
-                            const LANES(court_neared_out) _o498 =
+                            gap = _o532.gap;
+                            const LANES(court_neared_out) _o533 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o498.nearest;
-                            const LANES(court_bridge_parting_out) _o499 =
+                            nearest = _o533.nearest;
+                            const LANES(court_bridge_parting_out) _o534 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o499.lift;
-                            const LANES(court_ring_impact_settling_out) _o500 =
+                            V lift = _o534.lift;
+                            const LANES(court_ring_impact_settling_out) _o535 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o500.settles;
-                            M lodges = _o500.lodges;
-                            M slides = _o500.slides;
-                            M parts = _o500.parts;
-                            assured = lanes_select(_m489, _o500.assured, assured);
-                            M unsure = _o500.unsure;
-                            const LANES(court_settled_out) _o501 =
+                            M settles = _o535.settles;
+                            M lodges = _o535.lodges;
+                            M slides = _o535.slides;
+                            M parts = _o535.parts;
+                            assured = lanes_select(_m524, _o535.assured, assured);
+                            M unsure = _o535.unsure;
+                            const LANES(court_settled_out) _o536 =
                                 LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m489, _o501.mode, mode);
-                            held = lanes_select(_m489, _o501.held, held);
-                            outcome = lanes_select(_m489, _o501.outcome, outcome);
-                            slip_left = lanes_select(_m489, _o501.slip_left, slip_left);
-                            uncertain = lanes_select(_m489, _o501.uncertain, uncertain);
+                            mode = lanes_select(_m524, _o536.mode, mode);
+                            held = lanes_select(_m524, _o536.held, held);
+                            outcome = lanes_select(_m524, _o536.outcome, outcome);
+                            slip_left = lanes_select(_m524, _o536.slip_left, slip_left);
+                            uncertain = lanes_select(_m524, _o536.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m502 = lanes_both(rows, limited);
-            if (lanes_any(_m502)) {
-                const LANES(court_timed_out) _o503 =
+            const M _m537 = lanes_both(rows, limited);
+            if (lanes_any(_m537)) {
+                const LANES(court_timed_out) _o538 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o503.timed;
-                const M _m504 = lanes_both(_m502, timed);
-                if (lanes_any(_m504)) {
-                    const LANES(court_carry_time_out) _o505 =
+                M timed = _o538.timed;
+                const M _m539 = lanes_both(_m537, timed);
+                if (lanes_any(_m539)) {
+                    const LANES(court_carry_time_out) _o540 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m504, _o505.dx, dx);
-                    dy = lanes_select(_m504, _o505.dy, dy);
-                    dz = lanes_select(_m504, _o505.dz, dz);
-                    dvx = lanes_select(_m504, _o505.dvx, dvx);
-                    dvy = lanes_select(_m504, _o505.dvy, dvy);
-                    dvz = lanes_select(_m504, _o505.dvz, dvz);
-                    clock_error = lanes_select(_m504, _o505.clock_error, clock_error);
+                    dx = lanes_select(_m539, _o540.dx, dx);
+                    dy = lanes_select(_m539, _o540.dy, dy);
+                    dz = lanes_select(_m539, _o540.dz, dz);
+                    dvx = lanes_select(_m539, _o540.dvx, dvx);
+                    dvy = lanes_select(_m539, _o540.dvy, dvy);
+                    dvz = lanes_select(_m539, _o540.dvz, dvz);
+                    clock_error = lanes_select(_m539, _o540.clock_error, clock_error);
                 }
             }
-            const M _m506 = lanes_both(rows, hopped);
-            if (lanes_any(_m506)) {
-                const LANES(court_carry_hop_out) _o507 =
+            const M _m541 = lanes_both(rows, hopped);
+            if (lanes_any(_m541)) {
+                const LANES(court_carry_hop_out) _o542 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m506, _o507.dx, dx);
-                dy = lanes_select(_m506, _o507.dy, dy);
-                dz = lanes_select(_m506, _o507.dz, dz);
+                dx = lanes_select(_m541, _o542.dx, dx);
+                dy = lanes_select(_m541, _o542.dy, dy);
+                dz = lanes_select(_m541, _o542.dz, dz);
             }
-            const LANES(court_closing_out) _o508 =
+            const LANES(court_closing_out) _o543 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o508.closed;
-            const M _m509 = lanes_both(rows, closed);
+            M closed = _o543.closed;
+            const M _m544 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o510 =
+                const LANES(court_claimed_errors_out) _o545 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m509, _o510.position_error, position_claim);
-                velocity_claim = lanes_select(_m509, _o510.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m509, _o510.spin_error, spin_claim);
-                time_claim = lanes_select(_m509, _o510.time_error, time_claim);
+                position_claim = lanes_select(_m544, _o545.position_error, position_claim);
+                velocity_claim = lanes_select(_m544, _o545.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m544, _o545.spin_error, spin_claim);
+                time_claim = lanes_select(_m544, _o545.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);

@@ -1,6 +1,6 @@
 /* Flight in the scene court.
 
-   Generated from templates/js/flight.js.j2, scene court, derivation 3f88369cf0271616,
+   Generated from templates/js/flight.js.j2, scene court, derivation 21d553f17b586a5d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Numbers in, an array of numbers out; SI units. */
