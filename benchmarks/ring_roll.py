@@ -60,7 +60,7 @@ class Roll:
         self.g, self.r_h = arb(scene["gravity"]), arb(scene["ring_radius"])
         self.r_b = arb(scene["ball_radius"])
         self.r = (self.r_b + arb(scene["wire_radius"])).mid()
-        self.boxes = tuple(_boxes(scene))
+        self.boxes = tuple(boxes(scene))
         self.end = float(scene["end_depth"])
         self.ball = float(scene["ball_radius"])
         x, y, z, vx, vy, vz, wx, wy, wz = (arb(float(part)) for part in state)
@@ -213,7 +213,7 @@ def _values(row: list[arb], t: Floats) -> Floats:
     return np.polynomial.polynomial.polyval(t, np.array([float(c) for c in row]))
 
 
-def _boxes(scene: Mapping[str, float]) -> Iterator[tuple[Floats, Floats]]:
+def boxes(scene: Mapping[str, float]) -> Iterator[tuple[Floats, Floats]]:
     """The board and the bridge, by their lowest and highest corners."""
     p, front = scene, -scene["board_distance"]
     width, level = p["board_half_width"], p["wire_radius"]

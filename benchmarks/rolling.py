@@ -18,6 +18,7 @@ from hoopgen.generated.numpy.court import Event
 from numpy.typing import NDArray
 
 import hoopgen
+from benchmarks.bounced import bounced
 from benchmarks.ring_roll import BOARD, BRIDGE, END, LEAVES, RING, TIME, Floats, Roll, fall
 from benchmarks.workloads import free_throw
 from hoopgen import COURT, PAPER_COURT
@@ -34,20 +35,33 @@ def elastic(restitution: float) -> Mapping[str, float]:
 class Found:
     """What the comparison of shots has found.
 
-    `ends` counts how contacts end; `errors` are the largest differences of time, position, velocity
-    and spin (s, m, m/s, rad/s) where a shot is not flagged, and `ratios` their largest shares of
-    what the engine claims; `wrong` are the shots that end otherwise, or are further off, with what
-    is wrong.
+    `lodged` are those that end between two bodies, or at rest, which are always flagged. `before`
+    has what shots were off by at the last bounce, and what they claimed there: of position,
+    velocity, spin and time. `ends` counts how contacts end; `errors` are the largest differences of
+    time, position, velocity and spin (s, m, m/s, rad/s) where a shot is not flagged, and `ratios`
+    their largest shares of what the engine claims; `wrong` are the shots that end otherwise, or are
+    further off, with what is wrong.
     """
 
     shots: int = 0
     flagged: int = 0
     flagged_wrong: int = 0
+    lodged: int = 0
+    before: list[tuple[Floats, Floats]] = field(default_factory=list)
     ends: dict[str, int] = field(default_factory=dict)
     errors: Floats = field(default_factory=lambda: np.zeros(4))
     ratios: Floats = field(default_factory=lambda: np.zeros(4))
     leaving: float = 0.0
     wrong: list[tuple[str, list[str]]] = field(default_factory=list)
+
+    def bounced(self) -> tuple[float, float, float]:
+        """Return the median error of the position when a ball begins to roll, m, and its shares.
+
+        Of what the shot claims then: the median, and the largest, of time and motion too.
+        """
+        off, known = (np.array(part) for part in zip(*self.before, strict=True))
+        shares = np.divide(off, known, out=np.zeros_like(off), where=off > 0)
+        return float(np.median(off[:, 0])), float(np.median(shares[:, 0])), float(shares.max())
 
 
 NAMES = {LEAVES: "leaves", END: "end plane", BOARD: "board", BRIDGE: "bridge", TIME: "time limit"}
@@ -76,7 +90,12 @@ def compare(
         what, errors, claimed, late = _again(shots, shot, rest, states[shot], scene, time_limit)
         flagged = bool(shots.uncertain[shot])
         found.flagged += flagged
+        found.lodged += shots.outcome[shot] == COURT.outcomes["LODGED"]
+        off, known = _bounced(states[shot], log[first:row], scene)
+        found.before.append((off, known))
         bad = [what] if what else []
+        if np.any(off > known):
+            bad.append("further off than claimed when it begins to roll")
         if not flagged and not bad:
             ratios = np.divide(errors, claimed, out=np.zeros(4), where=errors > 0)
             found.errors = np.maximum(found.errors, errors)
@@ -89,6 +108,23 @@ def compare(
             found.wrong.append((bad[0], [float(part).hex() for part in states[shot]]))
         name = NAMES[_ended(rest, shots.outcome[shot])]
         found.ends[name] = found.ends.get(name, 0) + 1
+
+
+def _bounced(release: Floats, impacts: Any, scene: Mapping[str, float]) -> tuple[Floats, Floats]:
+    """Return what the engine is off by after the last bounce, and what it claims there.
+
+    Of position, velocity, spin and time.
+    """
+    off, late = bounced(release, impacts, scene, scene["ring_restitution"])
+    there = hoopgen.simulate(
+        release,
+        scene,
+        scene=COURT,
+        time_limit=60.0,
+        max_contacts=len(impacts),
+        fields=("time_error", "state_error"),
+    )
+    return np.array([*off, late]), np.array([*there.state_error[0], there.time_error[0]])
 
 
 def _ended(rest: NDArray[Any], outcome: int) -> int:
@@ -251,7 +287,7 @@ def main() -> None:
     parser.add_argument("--shots", type=int, default=2_000, help="that settle, default 2,000")
     found = settled(parser.parse_args().shots)
     for name, value in vars(found).items():
-        print(f"{name}: {value}")
+        print(f"{name}: {found.bounced() if name == 'before' else value}")
     sys.exit(bool(found.wrong))
 
 

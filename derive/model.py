@@ -228,7 +228,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> lis
         ),
         kernel(
             "carry_flight",
-            tangent.carried_to_contact(scene.flight),
+            tangent.carried_to_contact(scene.flight, scene.rolls),
             order,
             "Errors of a state at the end of a flight to a surface, from those at its start.",
             "derivative of Eq. 3 and of the contact time, with roundings",
@@ -309,7 +309,7 @@ def _law_kernels(
         ),
         "carry": kernel(
             f"carry_{law.name}",
-            tangent.carried_through_impact(law, ball_radius),
+            tangent.carried_through_impact(law, ball_radius, scene.rolls),
             order,
             "Errors of velocity and spin after a contact, from those before it.",
             f"derivative of {law.called}, with roundings",

@@ -22,7 +22,7 @@ from hoopgen.derive.search.bernstein import PolynomialApproach
 from hoopgen.derive.search.plane import PlaneSearch
 from hoopgen.derive.search.ring import RingApproach
 from hoopgen.derive.surfaces import Surface
-from mpmath import mpf
+from mpmath import cos, findroot, mpf, sin
 from test_derive_evaluation import PARAMETERS, digits, exactly
 
 RING, BOARD, BRIDGE = HOOP.surfaces
@@ -94,6 +94,62 @@ def test_errors_are_carried_along_any_axis_as_along_z(steps: int) -> None:
             for name, e in usual.items():
                 same, wanted = exactly(other[names.get(name, name)], moved), exactly(e, values)
                 assert abs(same - wanted) <= mpf(10) ** -30 * (1 + abs(wanted))
+
+
+def _hop(place: list[Any], velocity: list[Any]) -> tuple[Any, list[Any]]:
+    """Return when a ball is as far from the origin again as it was, and where; free fall is -z."""
+    g = mpf(PARAMETERS["gravity"])
+
+    def at(t: Any) -> list[Any]:
+        return [
+            p + v * t - (g * t * t / 2 if k == 2 else 0)
+            for k, (p, v) in enumerate(zip(place, velocity, strict=True))
+        ]
+
+    def off(t: Any) -> Any:
+        return sum((p * p - q * q for p, q in zip(at(t), place, strict=True)), mpf(0)) / t
+
+    # The speed off the unit sphere by half of what presses the ball onto it.
+    press = g * place[2] - sum((v * v for v in velocity), mpf(0))
+    rate = sum((p * v for p, v in zip(place, velocity, strict=True)), mpf(0))
+    t = findroot(off, 2 * rate / press)
+    return t, at(t)
+
+
+@pytest.mark.parametrize("small", [2, 4, 6])
+def test_errors_of_a_hop_are_those_of_the_ball_that_comes_back_to_where_it_was(small: int) -> None:
+    """On a unit sphere, with a speed V off it: by differences, whatever V; off the sphere, too."""
+    with digits(60):
+        slope = mpf(1) / 5
+        place = [mpf(0), sin(slope), cos(slope)]
+        over = [mpf(1) / 3, cos(slope), -sin(slope)]
+        bounce = mpf(10) ** -small
+        velocity = [v + bounce * p for v, p in zip(over, place, strict=True)]
+        t, there = _hop(place, velocity)
+        g = mpf(PARAMETERS["gravity"])
+        moving = [*velocity[:2], velocity[2] - g * t]
+        values = dict(zip(("x", "y", "z"), there, strict=True))
+        values |= dict(zip(("vx", "vy", "vz"), moving, strict=True))
+        values |= {f"n{axis}": p for axis, p in zip("xyz", there, strict=True)}
+        values |= {f"left_n{axis}": p for axis, p in zip("xyz", place, strict=True)}
+        values |= {name: mpf(0) for name in ("late", "clock")}
+        values |= {"t": t, "gravity": g, "contacts": mpf(9), "curving": mpf(1)}
+        # What V is off by is as small as V, which is v·n: n turns as the place does.
+        dx = [mpf(1), mpf(2), mpf(1) / 2]
+        flat = sum((d * v for d, v in zip(dx, velocity, strict=True)), mpf(0))
+        dv = [mpf(3), -mpf(1), mpf(2)]
+        turned = sum((d * p for d, p in zip(dv, place, strict=True)), mpf(0))
+        dv = [d - (turned + flat - bounce) * p for d, p in zip(dv, place, strict=True)]
+        values |= {f"d{axis}": d for axis, d in zip("xyz", dx, strict=True)}
+        values |= {f"dv{axis}": d for axis, d in zip("xyz", dv, strict=True)}
+        step = mpf(10) ** -25
+        moved = [p + step * d for p, d in zip(place, dx, strict=True)]
+        _, beside = _hop(moved, [v + step * d for v, d in zip(velocity, dv, strict=True)])
+        carried = tangent.carried_to_contact(HOOP.flight, returning=True)
+        for axis, one, other in zip("xyz", beside, there, strict=True):
+            wanted = (one - other) / step
+            # Roundings of a hop count as u |v|²/g: of what an error of one part is nothing.
+            assert abs(exactly(carried[f"d{axis}"], values) - wanted) < mpf(10) ** -13
 
 
 # -- Which search

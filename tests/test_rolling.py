@@ -252,6 +252,35 @@ def test_settled_shots_roll_as_a_second_formulation_says() -> None:
 
 
 @needs_library
+def test_errors_of_ever_smaller_bounces_are_claimed_but_not_a_thousand_times() -> None:
+    """Held against the same bounces with 400 bits, up to where the ball rolls."""
+    found = rolling.Found()
+    rolling.compare(free_throw(1 << 13), rolling.elastic(0.7), 4.0, 30, found)
+    assert found.shots == 30
+    off, share, most = found.bounced()
+    assert 1e-16 < off < 1e-12
+    assert most <= 1
+    assert share > 1e-3
+
+
+@needs_library
+def test_without_restitution_a_ball_leaves_the_bridge_beside_the_ring_that_it_touches() -> None:
+    """It moves away from the ring, and, leaving a corner, comes over a seam to where it is held."""
+    rows = [274, 862, 1462, 1984, 7432]
+    states = free_throw(rows[-1] + 1)[rows]
+    shots = hoopgen.simulate(states, _elastic(0.0), scene=COURT, time_limit=6.0, record=True)
+    assert not np.any(shots.outcome == COURT.outcomes["CAPPED"])
+    assert shots.contacts.max() < 100
+    at_bridge = shots.events[
+        (shots.events["surface"] == 2) & (shots.events["kind"] == Event.IMPACT)
+    ]
+    low, high = list(ring_roll.boxes(NBA))[1]
+    place = at_bridge["before"][:, :3]
+    away = np.linalg.norm(place - np.clip(place, low, high), axis=1)
+    np.testing.assert_allclose(away, NBA["ball_radius"], rtol=0, atol=1e-15)
+
+
+@needs_library
 def test_rolling_from_a_bounce_is_off_by_the_square_of_its_speed() -> None:
     for restitution, throws in ((0.3, 200), (0.5, 300)):
         found = list(rolling.bounces(free_throw(throws), restitution))

@@ -7,11 +7,15 @@ worst-case factors would grow much faster than errors do: after a few contacts D
 errors grow most, as they do themselves. Where D happens to shrink in a segment, each of its
 components is lifted to 1/(`LIFT` k) of what that one segment, the shot's k-th, could at worst make
 of D's size before; `GUARD` covers what D has not met.
+
+Where balls roll, bounces become ever smaller, and what they are off by across the surface must not
+be mistaken for a delay of the next: with V the speed off the surface it would count |v|/V times,
+and D grow by orders of magnitude that errors do not (`carried_to_contact`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cache
 
 import sympy as sp
@@ -46,6 +50,10 @@ curving, shift, turn = sp.symbols("curving shift turn", nonnegative=True)
 after one flight, the error of the position at the contact and of the normal."""
 late = sp.Symbol("late", nonnegative=True)
 """Bound on the delay of the arrival, s (`events.crossing`)."""
+left_normal = sp.Matrix(sp.symbols("left_nx left_ny left_nz", real=True))
+"""Normal where the flight to a contact began, if on the very surface that it meets; else zero."""
+lifting = sp.Symbol("lifting", positive=True)
+"""By how much of the worst errors are no smaller: after a short hop, `LIFT` itself."""
 contacts = sp.Symbol("contacts", nonnegative=True)
 """How many contacts there were, this one too."""
 clock, clock_error = sp.symbols("clock clock_error", nonnegative=True)
@@ -54,7 +62,19 @@ clock, clock_error = sp.symbols("clock clock_error", nonnegative=True)
 time_error = sp.Symbol("time_error", nonnegative=True)
 """Bound on the error of the time since the release that decisions allow for, s."""
 
-ARGUMENTS = (clock, clock_error, contacts, late, *ERRORS, *dn, curving, shift, turn)
+ARGUMENTS = (
+    clock,
+    clock_error,
+    contacts,
+    late,
+    *ERRORS,
+    *dn,
+    *left_normal,
+    curving,
+    shift,
+    turn,
+    lifting,
+)
 """What the kernels of this room are given, in calling order."""
 
 
@@ -102,17 +122,22 @@ def _greatest(components: Iterable[sp.Expr]) -> sp.Expr:
     return hold(largest(*map(size, components)))
 
 
-def _lifted(error: sp.Expr, worst: sp.Expr) -> sp.Expr:
+def _lifted(error: sp.Expr, worst: sp.Expr, by: sp.Expr | None = None) -> sp.Expr:
     """Return the error, not nearer to zero than 1/(LIFT k) of the worst."""
-    floor = hold(worst / hold(LIFT * (1 + contacts)))
+    floor = hold(worst / (hold(LIFT * (1 + contacts)) if by is None else by))
     return IfLess(size(error), floor, IfLess(error, 0, -floor, floor), error)
 
 
-def carried_to_contact(flight: Parabola) -> dict[str, sp.Expr]:
+def carried_to_contact(flight: Parabola, returning: bool = False) -> dict[str, sp.Expr]:
     """Return the errors at the end of a flight of time t that meets a surface there.
 
     Arguments are the errors at its start, and the state and normal at its end. The contact of the
     erring flight is dt = -(n·dx)/(n·v) later: there its error lies in the surface.
+
+    With `returning` a ball that comes back to the surface it left has the normal there too,
+    `left_normal`. Its arrival is a root of F/t: as far off the surface as it began, so it comes
+    back, and what it was off by is no delay. Of ever smaller bounces, n·v going to zero, that would
+    be nearly all.
     """
     roundings = _flown(flight)
     shifts = [
@@ -120,18 +145,28 @@ def carried_to_contact(flight: Parabola) -> dict[str, sp.Expr]:
         for error, drift, rounding in zip(dx, dv, roundings, strict=True)
     ]
     moved = sp.Matrix(shifts)
-    delay = hold(-moved.dot(normal) / hold(velocity.dot(normal)))
+    off = hold(_off_level(flight, roundings)) if returning else moved.dot(normal)
+    delay = hold(-off / hold(velocity.dot(normal)))
     _, fallen = flight.at(delay)
     falling = [after - before for after, before in zip(fallen, velocity, strict=True)]
     # An error along the surface that the ball left is across it only as far as the normal turned.
     across = smallest(1, hold(_greatest(velocity) * t) * curving)
     drift = hold(_greatest(dv) * t + hold(largest(*roundings)))
     glancing = hold(_greatest(velocity) / size(hold(velocity.dot(normal))))
-    slid = hold(hold(_greatest(dx) + drift) + hold(hold(across * _greatest(dx)) + drift) * glancing)
-    outputs = {
-        str(name): _lifted(hold(value), slid)
-        for name, value in zip(dx, moved + delay * velocity, strict=True)
-    }
+    aside, slow = drift, hold(_greatest(dx) + drift)
+    if returning:
+        aside = hold(_greatest(dv) * t + hold(largest(*_returned(flight, roundings))))
+    slid = hold(slow + hold(hold(across * _greatest(dx)) + aside) * glancing)
+    places = [hold(value) for value in moved + delay * velocity]
+    lifts = [_lifted(value, slid) for value in places]
+    told: dict[str, sp.Expr] = {}
+    if returning:
+        # A hop changes errors by little of them, and leaves what V is off by in proportion to V.
+        short = sp.Rational(1, 4)
+        slid = hold(IfLess(across, short, slow, slid))
+        lifts = [IfLess(across, short, *both) for both in zip(places, lifts, strict=True)]
+        told["lifting"] = IfLess(across, short, LIFT, hold(LIFT * (1 + contacts)))
+    outputs = {str(name): value for name, value in zip(dx, lifts, strict=True)} | told
     outputs |= {str(s): s + f for s, f in zip(dv, falling, strict=True)}
     return outputs | {
         "delay": largest(size(delay), late / GUARD) + 4 * UNIT_ROUNDOFF * hold(clock + t),
@@ -139,14 +174,46 @@ def carried_to_contact(flight: Parabola) -> dict[str, sp.Expr]:
     }
 
 
-def _flown(flight: Parabola) -> list[sp.Expr]:
-    """Return what a flight of time t rounds of each coordinate, given the state at its end."""
-    flown = [
+def started(flight: Parabola) -> dict[str, sp.Expr]:
+    """Return where a flight of time t began, given the state at its end."""
+    back, _ = flight.at(-t)
+    return {f"from_{s}": place for s, place in zip(POSITION, back, strict=True)}
+
+
+def _off_level(flight: Parabola, roundings: Sequence[sp.Expr]) -> sp.Expr:
+    """Return how much further off the surface errors bring a ball than it was when it left it."""
+    moved = [
+        hold(_away(hold(error + drift * t), rounding))
+        for error, drift, rounding in zip(dx, dv, _returned(flight, roundings), strict=True)
+    ]
+    return hold(normal.dot(sp.Matrix(moved))) - hold(left_normal.dot(sp.Matrix(dx)))
+
+
+def _returned(flight: Parabola, roundings: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """Return the roundings of a flight that count across the surface: back on it, those of F/t.
+
+    They are some u of how far the ball flew, and as many more as its place is larger than the
+    surface's radius of curvature: F/t is made of sums of such places, times a speed.
+    """
+    wide = hold(1 + curving * hold(sum(map(size, position))))
+    return [
+        IfLess(curving, sp.oo, hold(4 * UNIT_ROUNDOFF * hold(wide * far)), rounding)
+        for far, rounding in zip(_ways(flight), roundings, strict=True)
+    ]
+
+
+def _ways(flight: Parabola) -> list[sp.Expr]:
+    return [
         2 * size(v) * t + sp.Abs(pull) * t**2
         for v, pull in zip(velocity, flight.acceleration, strict=True)
     ]
+
+
+def _flown(flight: Parabola) -> list[sp.Expr]:
+    """Return what a flight of time t rounds of each coordinate, given the state at its end."""
     return [
-        UNIT_ROUNDOFF * hold(size(place) + far) for place, far in zip(position, flown, strict=True)
+        UNIT_ROUNDOFF * hold(size(place) + far)
+        for place, far in zip(position, _ways(flight), strict=True)
     ]
 
 
@@ -183,18 +250,31 @@ def before_impact(ball_radius: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return speed, hold(_greatest(dv) + ball_radius * _greatest(dw) + speed * turn)
 
 
-def carried_through_impact(law: Law, ball_radius: sp.Expr) -> dict[str, sp.Expr]:
-    """Return the errors of velocity and spin after a contact, from those before it."""
+def carried_through_impact(
+    law: Law, ball_radius: sp.Expr, returning: bool = False
+) -> dict[str, sp.Expr]:
+    """Return the errors of velocity and spin after a contact, from those before it.
+
+    With `returning` the velocity's are lifted along the surface alone: what the speed off it is
+    off by is that by which the ball came, and falls with it from hop to hop.
+    """
     inputs = (*velocity, *spin, *normal)
     tangents = dict(zip(inputs, (*dv, *dw, *dn), strict=True))
     after = law.after(normal, velocity, spin, ball_radius)
     speed, worst = before_impact(ball_radius)
-    outputs = {}
+    outputs: dict[str, sp.Expr] = {}
     for names, vector, scale in ((dv, after[0], speed), (dw, after[1], speed / ball_radius)):
-        for name, component in zip(names, vector, strict=True):
-            change = hold(directional(component, tangents))
-            grown = hold(_away(change, 2 * UNIT_ROUNDOFF * scale))
-            outputs[str(name)] = _lifted(grown, worst if scale is speed else worst / ball_radius)
+        largest_one = worst if scale is speed else worst / ball_radius
+        grown = [
+            hold(_away(hold(directional(component, tangents)), 2 * UNIT_ROUNDOFF * scale))
+            for component in vector
+        ]
+        lifts = [_lifted(one, largest_one, lifting if returning else None) for one in grown]
+        if returning and scale is speed:
+            gained = [hold(more - one) for more, one in zip(lifts, grown, strict=True)]
+            off = hold(normal.dot(sp.Matrix(gained)))
+            lifts = [more - off * n for more, n in zip(lifts, normal, strict=True)]
+        outputs |= {str(name): value for name, value in zip(names, lifts, strict=True)}
     return outputs
 
 

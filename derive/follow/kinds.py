@@ -15,6 +15,10 @@ from ..search.decisions import last, which
 from ..search.groups import Box, grouped
 from ..search.search import Parts, Search
 
+FROM = {axis: f"from_{axis}" for axis in "xyz"}
+LEFT = {f"n{axis}": f"left_n{axis}" for axis in "xyz"}
+"""What place and normal are called where the flight to a contact began."""
+
 INDEX = "own_index"
 """What the index of a surface is called in what is done for each of its kind."""
 
@@ -110,13 +114,16 @@ class Kind:
 
     def bent(self, common: Parts) -> Iterator[Node]:
         """Bound how the normal turns on the way of a ball back to the surface that it left."""
-        curving = Do(self.first.parts["curvature"], {}, {"curvature": "curving"})
+        parts = self.first.parts
+        asked = [Do(parts["curvature"], {}, {"curvature": "curving"})]
+        if "started" in common:
+            asked += [Do(common["started"], {"t": "when"}), Do(parts["normal"], FROM, LEFT)]
         if self.several:
-            curving = given_as(curving, self._its)
             yield Do(common["returned"], {"mine": self.mine})
+            asked = [given_as(node, self._its) for node in asked]
         else:
             yield Do(common["again"], {"index": self.first.index})
-        yield Guard("again", (curving,))
+        yield Guard("again", tuple(asked))
 
 
 def taken_as(kernel: Kernel, suffix: str) -> dict[str, str]:

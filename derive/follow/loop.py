@@ -234,6 +234,8 @@ def _contact(
         else:
             yield from kind.on(common, "normal", *_counted(common, kind.first, fields))
     yield Do(common["elsewhere"])
+    if "kept" in common:
+        yield Do(common["anew"])
     for kind in kinds:
         yield from kind.bent(common)
     yield Do(common["carry_flight"], {"t": "when"})

@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from ..contact.law import Law
-from ..errors.tangent import clock, directional, dv, dw, dx, late
+from ..errors.tangent import clock, directional, dv, dw, dx, late, left_normal, started
 from ..flight import rolling
 from ..flight.parabola import Parabola
 from ..ground.choice import (
@@ -59,6 +59,8 @@ BEGINS, ROLLS, LEAVES = 1, 2, 3
 
 stride, strongest, fastest = sp.symbols("stride strongest fastest", nonnegative=True)
 force, force_rate, force_bend, brace = sp.symbols("force force_rate force_bend brace", real=True)
+spare = sp.Symbol("spare", nonnegative=True)
+"""How long a ball that leaves a surface certainly meets nothing else."""
 gap, nearing, dent, lift, surge, snap = sp.symbols("gap nearing dent lift surge snap", real=True)
 turning = sp.Matrix(sp.symbols("turning_x turning_y turning_z", real=True))
 """The rate at which the normal turns, n'."""
@@ -188,7 +190,7 @@ def settling(law: Law, ball_radius: sp.Expr) -> Kernel:
 
 def near_by(ball_radius: sp.Expr) -> sp.Expr:
     """Return how far from a ball the other surface may be between which two it is wedged, m."""
-    return 2**8 * tolerance(ball_radius)
+    return sp.Rational(1, 2**28) * ball_radius
 
 
 def _pressed_on(acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) -> Kernel:
@@ -220,12 +222,10 @@ def tolerance(ball_radius: sp.Expr) -> sp.Expr:
     """Return what a ball may be off by that is taken for rolling, m; its errors grow by as much.
 
     It does not depend on the errors that the ball carries, so that the path is the same where none
-    are bounded. Two picometres are about what these are after the forty bounces that it takes.
-    Later jumps would be nearer to the limit, but the error of a bounce's speed, over that speed,
-    doubles with each: with a quarter of it errors at the end are hardly smaller, and more shots are
-    uncertain.
+    are bounded. Half a picometre is somewhat more than what these usually are by then: after a
+    later jump errors at the end are hardly smaller, and each takes more bounces.
     """
-    return sp.Rational(1, 2**36) * ball_radius
+    return sp.Rational(1, 2**38) * ball_radius
 
 
 def kernels(
@@ -248,6 +248,13 @@ def kernels(
         for k in range(rolling.ORDER)
     ]
     others = (
+        made(
+            "anew",
+            {str(n): 0 for n in left_normal},
+            "A ball that has come from elsewhere.",
+            "Table 1",
+        ),
+        made("started", started(flight), "Where a flight began.", "Eq. 3"),
         made("roll_start", rolling.start(ball_radius), "The constant terms.", "rolling"),
         made("roll_moved", rolling.moved(), "Where a rolling ball is at time t.", "its series"),
         made(
@@ -504,6 +511,10 @@ def _parting(strength: sp.Expr) -> tuple[Kernel, ...]:
     per = hold(size(rolling.per_reach))
     shortest = sp.Rational(1, 2**7)
     speed = hold(sum(map(size, velocity)) + strength * shortest)
+    # Of a body that it touches and moves away from, too, it is free for a while.
+    dipping = hold(strength + dent * speed**2)
+    away_from = Choose(Less(0, gap), nearing, -nearing)
+    unmet = hold(smallest(spare, first_root(hold(largest(gap, 0)), nearing, dipping)))
     rate = hold(speed * per + sp.sqrt(hold(strength * per)) + 1)
     bends = hold(64 * rate**3 * hold(strength + speed**2 * per))
     bent = hold(size(snap) + bends * sp.Rational(1, 2**30))
@@ -515,14 +526,27 @@ def _parting(strength: sp.Expr) -> tuple[Kernel, ...]:
         hold(sp.sqrt(hold(push / (bends * shortest)))),
     )
     away = hold(Choose(Less(0, surge), opening, tearing))
-    free = hold(nearest / (4 * speed))
-    hop = hold(smallest(shortest, away, free))
+    hop = hold(smallest(shortest, away, hold(spare / 4)))
     off = hold(
         16 * per * hold(hold(strength + speed**2 * per) * position_error + speed * velocity_error)
         + sp.Rational(1, 2**44) * strength
     )
     opens = some(Less(hold(off * rate), surge), Less(off, lift))
     return (
+        made("unmet", {"spare": sp.oo}, "Nothing next to the ball.", "Table 1"),
+        made("spared", {"spare": unmet}, "What it meets first.", "a parabola below the distance"),
+        made(
+            "spared_seam",
+            {
+                "spare": Choose(
+                    AtMost(size(gap), near),
+                    spare,
+                    hold(smallest(spare, first_root(size(gap), away_from, strength))),
+                )
+            },
+            "How long it stays off one part of the surface: there the distance bends anew.",
+            "a parabola below the distance",
+        ),
         made(
             "parted",
             {

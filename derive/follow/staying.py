@@ -57,6 +57,7 @@ def in_contact(
         Do(common["error_bounds"]),
         *_each(common, holders, "tube", "parting"),
         *_neighbours(common, contacts, gates),
+        *_at_seams(common, holders, "spared_seam"),
         Do(common["parted"]),
         Do(common["hopping"]),
     )
@@ -73,12 +74,11 @@ def _each(common: Parts, surfaces: Sequence[Contact], *parts: str) -> Iterator[N
 def _neighbours(
     common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]
 ) -> Iterator[Node]:
-    """Return the distance to the nearest surface that the ball is not on."""
-    yield Do(common["alone"])
+    """Return how long a ball that leaves a surface certainly meets no other one."""
+    yield Do(common["unmet"])
     for surface in (*contacts, *gates):
         yield Do(common["beside"], {"index": surface.index})
-        near = (_gap(surface), Do(common["neared"]))
-        yield Guard("beside", near)
+        yield Guard("beside", (_part(surface, "beside"), Do(common["spared"])))
 
 
 def _step(
@@ -98,12 +98,7 @@ def _step(
         yield Do(common["beside"], {"index": surface.index})
         yield Guard("beside", tuple(_beside(common, surface)))
     yield from _beside_gates(common, gates)
-    for surface in holders:
-        seams = [part for part in surface.parts if part.startswith("seam")]
-        if seams:
-            each = (n for s in seams for n in (_part(surface, s), Do(common["beside_seam"])))
-            yield Do(common["holding"], {"index": surface.index})
-            yield Guard("here", tuple(each))
+    yield from _at_seams(common, holders, "beside_seam")
     yield Do(common["beside_time"])
     yield Do(common["apart"])
     yield Do(common["neighbour"])
@@ -115,6 +110,16 @@ def _step(
     yield from _moved_beside(common, holders)
     yield Do(common["compared"])
     yield Do(common["rolled_on"])
+
+
+def _at_seams(common: Parts, holders: Sequence[Contact], asked: str) -> Iterator[Node]:
+    """Ask something of each seam of the surface that the ball is on."""
+    for surface in holders:
+        seams = [part for part in surface.parts if part.startswith("seam")]
+        if seams:
+            each = (n for s in seams for n in (_part(surface, s), Do(common[asked])))
+            yield Do(common["holding"], {"index": surface.index})
+            yield Guard("here", tuple(each))
 
 
 def _watched(common: Parts, asked: Sequence[Node]) -> Iterator[Node]:

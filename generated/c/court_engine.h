@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 49326d868b68e405,
+   Generated from templates/c/engine.h.j2, scene court, derivation 9b3a9e5b6a4b0e31,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -2084,9 +2084,9 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 surge = lanes_select(_m274, _o276.surge, surge);
                 snap = lanes_select(_m274, _o276.snap, snap);
             }
-            const LANES(court_alone_out) _o277 =
-                LANES(court_alone)();
-            V nearest = _o277.nearest;
+            const LANES(court_unmet_out) _o277 =
+                LANES(court_unmet)();
+            V spare = _o277.spare;
             const LANES(court_beside_out) _o278 =
                 LANES(court_beside)(held, K(0.0));
             M beside = _o278.beside;
@@ -2095,9 +2095,11 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 const LANES(court_ring_beside_out) _o280 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o280.gap;
-                const LANES(court_neared_out) _o281 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m279, _o281.nearest, nearest);
+                V nearing = _o280.nearing;
+                V dent = _o280.dent;
+                const LANES(court_spared_out) _o281 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m279, _o281.spare, spare);
             }
             const LANES(court_beside_out) _o282 =
                 LANES(court_beside)(held, K(1.0));
@@ -2107,9 +2109,11 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 const LANES(court_backboard_beside_out) _o284 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
                 V gap = _o284.gap;
-                const LANES(court_neared_out) _o285 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m283, _o285.nearest, nearest);
+                V nearing = _o284.nearing;
+                V dent = _o284.dent;
+                const LANES(court_spared_out) _o285 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m283, _o285.spare, spare);
             }
             const LANES(court_beside_out) _o286 =
                 LANES(court_beside)(held, K(2.0));
@@ -2119,28 +2123,140 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 const LANES(court_bridge_beside_out) _o288 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o288.gap;
-                const LANES(court_neared_out) _o289 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m287, _o289.nearest, nearest);
+                V nearing = _o288.nearing;
+                V dent = _o288.dent;
+                const LANES(court_spared_out) _o289 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m287, _o289.spare, spare);
             }
             const LANES(court_beside_out) _o290 =
                 LANES(court_beside)(held, K(3.0));
             beside = _o290.beside;
             const M _m291 = lanes_both(_m264, beside);
-            {
+            if (lanes_any(_m291)) {
                 const LANES(court_end_beside_out) _o292 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
                 V gap = _o292.gap;
-                const LANES(court_neared_out) _o293 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m291, _o293.nearest, nearest);
+                V nearing = _o292.nearing;
+                V dent = _o292.dent;
+                const LANES(court_spared_out) _o293 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m291, _o293.spare, spare);
             }
-            const LANES(court_parted_out) _o294 =
-                LANES(court_parted)(K(INFINITY), p_gravity, lift, nearest, per_reach, K(0.0), snap, surge, K(0.0), vx, vy, vz);
-            when = lanes_select(_m264, _o294.when, when);
-            const LANES(court_hopping_out) _o295 =
+            const LANES(court_holding_out) _o294 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o294.here;
+            const M _m295 = lanes_both(_m264, here);
+            if (lanes_any(_m295)) {
+                const LANES(court_backboard_seam0_out) _o296 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                V gap = _o296.gap;
+                V nearing = _o296.nearing;
+                V near = _o296.near;
+                const LANES(court_spared_seam_out) _o297 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m295, _o297.spare, spare);
+                const LANES(court_backboard_seam1_out) _o298 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = _o298.gap;
+                nearing = _o298.nearing;
+                near = _o298.near;
+                const LANES(court_spared_seam_out) _o299 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m295, _o299.spare, spare);
+                const LANES(court_backboard_seam2_out) _o300 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o300.gap;
+                nearing = _o300.nearing;
+                near = _o300.near;
+                const LANES(court_spared_seam_out) _o301 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m295, _o301.spare, spare);
+                const LANES(court_backboard_seam3_out) _o302 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o302.gap;
+                nearing = _o302.nearing;
+                near = _o302.near;
+                const LANES(court_spared_seam_out) _o303 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m295, _o303.spare, spare);
+                const LANES(court_backboard_seam4_out) _o304 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o304.gap;
+                nearing = _o304.nearing;
+                near = _o304.near;
+                const LANES(court_spared_seam_out) _o305 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m295, _o305.spare, spare);
+                const LANES(court_backboard_seam5_out) _o306 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o306.gap;
+                nearing = _o306.nearing;
+                near = _o306.near;
+                const LANES(court_spared_seam_out) _o307 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m295, _o307.spare, spare);
+            }
+            const LANES(court_holding_out) _o308 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o308.here;
+            const M _m309 = lanes_both(_m264, here);
+            if (lanes_any(_m309)) {
+                const LANES(court_bridge_seam0_out) _o310 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                V gap = _o310.gap;
+                V nearing = _o310.nearing;
+                V near = _o310.near;
+                const LANES(court_spared_seam_out) _o311 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m309, _o311.spare, spare);
+                const LANES(court_bridge_seam1_out) _o312 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = _o312.gap;
+                nearing = _o312.nearing;
+                near = _o312.near;
+                const LANES(court_spared_seam_out) _o313 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m309, _o313.spare, spare);
+                const LANES(court_bridge_seam2_out) _o314 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o314.gap;
+                nearing = _o314.nearing;
+                near = _o314.near;
+                const LANES(court_spared_seam_out) _o315 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m309, _o315.spare, spare);
+                const LANES(court_bridge_seam3_out) _o316 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o316.gap;
+                nearing = _o316.nearing;
+                near = _o316.near;
+                const LANES(court_spared_seam_out) _o317 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m309, _o317.spare, spare);
+                const LANES(court_bridge_seam4_out) _o318 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o318.gap;
+                nearing = _o318.nearing;
+                near = _o318.near;
+                const LANES(court_spared_seam_out) _o319 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m309, _o319.spare, spare);
+                const LANES(court_bridge_seam5_out) _o320 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o320.gap;
+                nearing = _o320.nearing;
+                near = _o320.near;
+                const LANES(court_spared_seam_out) _o321 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m309, _o321.spare, spare);
+            }
+            const LANES(court_parted_out) _o322 =
+                LANES(court_parted)(K(INFINITY), p_gravity, lift, per_reach, K(0.0), snap, spare, surge, K(0.0), vx, vy, vz);
+            when = lanes_select(_m264, _o322.when, when);
+            const LANES(court_hopping_out) _o323 =
                 LANES(court_hopping)();
-            which = lanes_select(_m264, _o295.which, which);
+            which = lanes_select(_m264, _o323.which, which);
         }
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         lanes_store(lists->kept_when + i, when);
@@ -4279,69 +4395,69 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o296 =
+            const LANES(court_departed_out) _o324 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o296.moves;
-            M ends = _o296.ends;
-            M touches = _o296.touches;
-            V reached = _o296.reached;
-            const LANES(court_body_of_out) _o297 =
+            M moves = _o324.moves;
+            M ends = _o324.ends;
+            M touches = _o324.touches;
+            V reached = _o324.reached;
+            const LANES(court_body_of_out) _o325 =
                 LANES(court_body_of)(which);
-            V body = _o297.body;
-            const M _m298 = lanes_both(rows, moves);
-            if (lanes_any(_m298)) {
-                const LANES(court_passing_out) _o299 =
+            V body = _o325.body;
+            const M _m326 = lanes_both(rows, moves);
+            if (lanes_any(_m326)) {
+                const LANES(court_passing_out) _o327 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m298, _o299.through, through);
-                const LANES(court_flight_out) _o300 =
+                through = lanes_select(_m326, _o327.through, through);
+                const LANES(court_flight_out) _o328 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m298, _o300.x, x);
-                y = lanes_select(_m298, _o300.y, y);
-                z = lanes_select(_m298, _o300.z, z);
-                vx = lanes_select(_m298, _o300.vx, vx);
-                vy = lanes_select(_m298, _o300.vy, vy);
-                vz = lanes_select(_m298, _o300.vz, vz);
-                const LANES(court_ticked_out) _o301 =
+                x = lanes_select(_m326, _o328.x, x);
+                y = lanes_select(_m326, _o328.y, y);
+                z = lanes_select(_m326, _o328.z, z);
+                vx = lanes_select(_m326, _o328.vx, vx);
+                vy = lanes_select(_m326, _o328.vy, vy);
+                vz = lanes_select(_m326, _o328.vz, vz);
+                const LANES(court_ticked_out) _o329 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m298, _o301.clock, clock);
+                clock = lanes_select(_m326, _o329.clock, clock);
             }
-            const M _m302 = lanes_both(rows, limited);
-            if (lanes_any(_m302)) {
-                const LANES(court_expired_out) _o303 =
+            const M _m330 = lanes_both(rows, limited);
+            if (lanes_any(_m330)) {
+                const LANES(court_expired_out) _o331 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m302, _o303.clock, clock);
-                body = lanes_select(_m302, _o303.body, body);
-                reached = lanes_select(_m302, _o303.reached, reached);
-                ends = lanes_choose(_m302, _o303.ends, ends);
+                clock = lanes_select(_m330, _o331.clock, clock);
+                body = lanes_select(_m330, _o331.body, body);
+                reached = lanes_select(_m330, _o331.reached, reached);
+                ends = lanes_choose(_m330, _o331.ends, ends);
             }
-            const M _m304 = lanes_both(rows, kept);
-            if (lanes_any(_m304)) {
-                const LANES(court_kept_on_out) _o305 =
+            const M _m332 = lanes_both(rows, kept);
+            if (lanes_any(_m332)) {
+                const LANES(court_kept_on_out) _o333 =
                     LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m304, _o305.body, body);
-                reached = lanes_select(_m304, _o305.reached, reached);
-                ends = lanes_choose(_m304, _o305.ends, ends);
-                last = lanes_select(_m304, _o305.last, last);
-                mode = lanes_select(_m304, _o305.mode, mode);
-                held = lanes_select(_m304, _o305.held, held);
-                rolls = lanes_select(_m304, _o305.rolls, rolls);
+                body = lanes_select(_m332, _o333.body, body);
+                reached = lanes_select(_m332, _o333.reached, reached);
+                ends = lanes_choose(_m332, _o333.ends, ends);
+                last = lanes_select(_m332, _o333.last, last);
+                mode = lanes_select(_m332, _o333.mode, mode);
+                held = lanes_select(_m332, _o333.held, held);
+                rolls = lanes_select(_m332, _o333.rolls, rolls);
             }
-            const LANES(court_here_out) _o306 =
+            const LANES(court_here_out) _o334 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o306.here;
-            const M _m307 = lanes_both(rows, here);
+            M here = _o334.here;
+            const M _m335 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o308 =
+                const LANES(court_end_bounds_out) _o336 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o308.g0;
-                const LANES(court_end_reached_out) _o309 =
+                V g0 = _o336.g0;
+                const LANES(court_end_reached_out) _o337 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m307, _o309.reached, reached);
+                reached = lanes_select(_m335, _o337.reached, reached);
             }
-            const LANES(court_accounted_out) _o310 =
+            const LANES(court_accounted_out) _o338 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o310.contacts;
-            V outcome = _o310.outcome;
+            contacts = _o338.contacts;
+            V outcome = _o338.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -4354,263 +4470,133 @@ static void LANES(court_plain)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o311 =
+            const LANES(court_meeting_out) _o339 =
                 LANES(court_meeting)(K(0.0), ends, touches);
-            M meeting = _o311.meeting;
-            const M _m312 = lanes_both(rows, meeting);
-            if (lanes_any(_m312)) {
-                const LANES(court_end_normal_out) _o313 =
+            M meeting = _o339.meeting;
+            const M _m340 = lanes_both(rows, meeting);
+            if (lanes_any(_m340)) {
+                const LANES(court_end_normal_out) _o341 =
                     LANES(court_end_normal)();
-                V nx = _o313.nx;
-                V ny = _o313.ny;
-                V nz = _o313.nz;
-                const LANES(court_here_out) _o314 =
+                V nx = _o341.nx;
+                V ny = _o341.ny;
+                V nz = _o341.nz;
+                const LANES(court_here_out) _o342 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o314.here;
-                const M _m315 = lanes_both(_m312, here);
+                M here = _o342.here;
+                const M _m343 = lanes_both(_m340, here);
                 {
-                    const LANES(court_ring_normal_out) _o316 =
+                    const LANES(court_ring_normal_out) _o344 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m315, _o316.nx, nx);
-                    ny = lanes_select(_m315, _o316.ny, ny);
-                    nz = lanes_select(_m315, _o316.nz, nz);
-                    const LANES(court_counted_out) _o317 =
+                    nx = lanes_select(_m343, _o344.nx, nx);
+                    ny = lanes_select(_m343, _o344.ny, ny);
+                    nz = lanes_select(_m343, _o344.nz, nz);
+                    const LANES(court_counted_out) _o345 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m315, _o317.count, count_0);
+                    count_0 = lanes_select(_m343, _o345.count, count_0);
                 }
-                const LANES(court_here_out) _o318 =
+                const LANES(court_here_out) _o346 =
                     LANES(court_here)(K(1.0), which);
-                here = _o318.here;
-                const M _m319 = lanes_both(_m312, here);
+                here = _o346.here;
+                const M _m347 = lanes_both(_m340, here);
                 {
-                    const LANES(court_backboard_normal_out) _o320 =
+                    const LANES(court_backboard_normal_out) _o348 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m319, _o320.nx, nx);
-                    ny = lanes_select(_m319, _o320.ny, ny);
-                    nz = lanes_select(_m319, _o320.nz, nz);
-                    const LANES(court_counted_out) _o321 =
+                    nx = lanes_select(_m347, _o348.nx, nx);
+                    ny = lanes_select(_m347, _o348.ny, ny);
+                    nz = lanes_select(_m347, _o348.nz, nz);
+                    const LANES(court_counted_out) _o349 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m319, _o321.count, count_1);
+                    count_1 = lanes_select(_m347, _o349.count, count_1);
                 }
-                const LANES(court_here_out) _o322 =
+                const LANES(court_here_out) _o350 =
                     LANES(court_here)(K(2.0), which);
-                here = _o322.here;
-                const M _m323 = lanes_both(_m312, here);
+                here = _o350.here;
+                const M _m351 = lanes_both(_m340, here);
                 {
-                    const LANES(court_bridge_normal_out) _o324 =
+                    const LANES(court_bridge_normal_out) _o352 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m323, _o324.nx, nx);
-                    ny = lanes_select(_m323, _o324.ny, ny);
-                    nz = lanes_select(_m323, _o324.nz, nz);
-                    const LANES(court_counted_out) _o325 =
+                    nx = lanes_select(_m351, _o352.nx, nx);
+                    ny = lanes_select(_m351, _o352.ny, ny);
+                    nz = lanes_select(_m351, _o352.nz, nz);
+                    const LANES(court_counted_out) _o353 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m323, _o325.count, count_2);
+                    count_2 = lanes_select(_m351, _o353.count, count_2);
                 }
-                const LANES(court_untaken_out) _o326 =
+                const LANES(court_untaken_out) _o354 =
                     LANES(court_untaken)();
-                M struck_0 = _o326.mine;
-                const LANES(court_ring_impact_taken_out) _o327 =
+                M struck_0 = _o354.mine;
+                const LANES(court_ring_impact_taken_out) _o355 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o327.its_0;
-                V its_1_ring_impact = _o327.its_1;
+                V its_0_ring_impact = _o355.its_0;
+                V its_1_ring_impact = _o355.its_1;
                 {
-                    const double *const _t329[][2] = {
+                    const double *const _t357[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t330[][1] = {
+                    static const double _t358[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k328 = 0; _k328 < 3; _k328++) {
-                        const V own_1 = lanes_load(_t329[_k328][0] + (i & varying));
-                        const V own_2 = lanes_load(_t329[_k328][1] + (i & varying));
-                        const V own_index = K(_t330[_k328][0]);
-                        const LANES(court_here_out) _o331 =
+                    for (size_t _k356 = 0; _k356 < 3; _k356++) {
+                        const V own_1 = lanes_load(_t357[_k356][0] + (i & varying));
+                        const V own_2 = lanes_load(_t357[_k356][1] + (i & varying));
+                        const V own_index = K(_t358[_k356][0]);
+                        const LANES(court_here_out) _o359 =
                             LANES(court_here)(own_index, which);
-                        M here = _o331.here;
-                        const M _m332 = lanes_both(_m312, here);
-                        if (lanes_any(_m332)) {
-                            const LANES(court_ring_impact_taken_out) _o333 =
+                        M here = _o359.here;
+                        const M _m360 = lanes_both(_m340, here);
+                        if (lanes_any(_m360)) {
+                            const LANES(court_ring_impact_taken_out) _o361 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m332, _o333.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m332, _o333.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m332, _o333.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m360, _o361.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m360, _o361.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m360, _o361.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m334 = lanes_both(_m312, struck_0);
-                if (lanes_any(_m334)) {
-                    const LANES(court_ring_impact_out) _o335 =
+                const M _m362 = lanes_both(_m340, struck_0);
+                if (lanes_any(_m362)) {
+                    const LANES(court_ring_impact_out) _o363 =
                         LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m334, _o335.vx, vx);
-                    vy = lanes_select(_m334, _o335.vy, vy);
-                    vz = lanes_select(_m334, _o335.vz, vz);
-                    wx = lanes_select(_m334, _o335.wx, wx);
-                    wy = lanes_select(_m334, _o335.wy, wy);
-                    wz = lanes_select(_m334, _o335.wz, wz);
+                    vx = lanes_select(_m362, _o363.vx, vx);
+                    vy = lanes_select(_m362, _o363.vy, vy);
+                    vz = lanes_select(_m362, _o363.vz, vz);
+                    wx = lanes_select(_m362, _o363.wx, wx);
+                    wy = lanes_select(_m362, _o363.wy, wy);
+                    wz = lanes_select(_m362, _o363.wz, wz);
                 }
-                const M _m336 = lanes_both(_m312, touches);
+                const M _m364 = lanes_both(_m340, touches);
                 {
-                    const LANES(court_touched_out) _o337 =
+                    const LANES(court_touched_out) _o365 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m336, _o337.first, first);
-                    last = lanes_select(_m336, _o337.last, last);
+                    first = lanes_select(_m364, _o365.first, first);
+                    last = lanes_select(_m364, _o365.last, last);
                 }
-                const M _m338 = lanes_both(_m312, touches);
-                if (lanes_any(_m338)) {
-                    const LANES(court_slowed_out) _o339 =
+                const M _m366 = lanes_both(_m340, touches);
+                if (lanes_any(_m366)) {
+                    const LANES(court_slowed_out) _o367 =
                         LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, K(0.0), vx, vy, vz);
-                    M slow = _o339.slow;
-                    M nearly = _o339.nearly;
-                    const M _m340 = lanes_both(_m338, slow);
-                    if (lanes_any(_m340)) {
-                        const LANES(court_gripped_out) _o341 =
+                    M slow = _o367.slow;
+                    M nearly = _o367.nearly;
+                    const M _m368 = lanes_both(_m366, slow);
+                    if (lanes_any(_m368)) {
+                        const LANES(court_gripped_out) _o369 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o341.rolled_x;
-                        V rolled_y = _o341.rolled_y;
-                        V rolled_z = _o341.rolled_z;
-                        V slip = _o341.slip;
-                        V bounce = _o341.bounce;
-                        const LANES(court_here_out) _o342 =
-                            LANES(court_here)(K(0.0), which);
-                        M here = _o342.here;
-                        const M _m343 = lanes_both(_m340, here);
-                        if (lanes_any(_m343)) {
-                            const LANES(court_ring_turning_out) _o344 =
-                                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o344.turning_x;
-                            V turning_y = _o344.turning_y;
-                            V turning_z = _o344.turning_z;
-                            const LANES(court_pressed_on_out) _o345 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o345.press;
-                            V weight = _o345.weight;
-                            V drag = _o345.drag;
-                            V thrust_x = _o345.thrust_x;
-                            V thrust_y = _o345.thrust_y;
-                            V thrust_z = _o345.thrust_z;
-                            const LANES(court_alone_out) _o346 =
-                                LANES(court_alone)();
-                            V nearest = _o346.nearest;
-                            V wedge = _o346.wedge;
-                            const LANES(court_backboard_closing_out) _o347 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o347.gap;
-                            V nearing = _o347.nearing;
-                            V swerve = _o347.swerve;
-                            V facing = _o347.facing;
-                            const LANES(court_neared_body_out) _o348 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o348.nearest;
-                            wedge = _o348.wedge;
-                            const LANES(court_bridge_closing_out) _o349 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o349.gap;
-                            nearing = _o349.nearing;
-                            swerve = _o349.swerve;
-                            facing = _o349.facing;
-                            const LANES(court_neared_body_out) _o350 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o350.nearest;
-                            wedge = _o350.wedge;
-                            const LANES(court_end_beside_out) _o351 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o351.gap;
-                            const LANES(court_neared_out) _o352 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o352.nearest;
-                            const LANES(court_ring_parting_out) _o353 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o353.lift;
-                            const LANES(court_ring_impact_settling_out) _o354 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o354.settles;
-                            M lodges = _o354.lodges;
-                            M slides = _o354.slides;
-                            M parts = _o354.parts;
-                            M unsure = _o354.unsure;
-                            const LANES(court_settled_out) _o355 =
-                                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m343, _o355.mode, mode);
-                            held = lanes_select(_m343, _o355.held, held);
-                            outcome = lanes_select(_m343, _o355.outcome, outcome);
-                            slip_left = lanes_select(_m343, _o355.slip_left, slip_left);
-                        }
-                        const LANES(court_here_out) _o356 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o356.here;
-                        const M _m357 = lanes_both(_m340, here);
-                        if (lanes_any(_m357)) {
-                            const LANES(court_backboard_turning_out) _o358 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o358.turning_x;
-                            V turning_y = _o358.turning_y;
-                            V turning_z = _o358.turning_z;
-                            const LANES(court_pressed_on_out) _o359 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o359.press;
-                            V weight = _o359.weight;
-                            V drag = _o359.drag;
-                            V thrust_x = _o359.thrust_x;
-                            V thrust_y = _o359.thrust_y;
-                            V thrust_z = _o359.thrust_z;
-                            const LANES(court_alone_out) _o360 =
-                                LANES(court_alone)();
-                            V nearest = _o360.nearest;
-                            V wedge = _o360.wedge;
-                            const LANES(court_ring_closing_out) _o361 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o361.gap;
-                            V nearing = _o361.nearing;
-                            V swerve = _o361.swerve;
-                            V facing = _o361.facing;
-                            const LANES(court_neared_body_out) _o362 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o362.nearest;
-                            wedge = _o362.wedge;
-                            const LANES(court_bridge_closing_out) _o363 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o363.gap;
-                            nearing = _o363.nearing;
-                            swerve = _o363.swerve;
-                            facing = _o363.facing;
-                            const LANES(court_neared_body_out) _o364 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o364.nearest;
-                            wedge = _o364.wedge;
-                            const LANES(court_end_beside_out) _o365 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o365.gap;
-                            const LANES(court_neared_out) _o366 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o366.nearest;
-                            const LANES(court_backboard_parting_out) _o367 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o367.lift;
-                            const LANES(court_ring_impact_settling_out) _o368 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o368.settles;
-                            M lodges = _o368.lodges;
-                            M slides = _o368.slides;
-                            M parts = _o368.parts;
-                            M unsure = _o368.unsure;
-                            const LANES(court_settled_out) _o369 =
-                                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m357, _o369.mode, mode);
-                            held = lanes_select(_m357, _o369.held, held);
-                            outcome = lanes_select(_m357, _o369.outcome, outcome);
-                            slip_left = lanes_select(_m357, _o369.slip_left, slip_left);
-                        }
+                        V rolled_x = _o369.rolled_x;
+                        V rolled_y = _o369.rolled_y;
+                        V rolled_z = _o369.rolled_z;
+                        V slip = _o369.slip;
+                        V bounce = _o369.bounce;
                         const LANES(court_here_out) _o370 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o370.here;
-                        const M _m371 = lanes_both(_m340, here);
+                            LANES(court_here)(K(0.0), which);
+                        M here = _o370.here;
+                        const M _m371 = lanes_both(_m368, here);
                         if (lanes_any(_m371)) {
-                            const LANES(court_bridge_turning_out) _o372 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            const LANES(court_ring_turning_out) _o372 =
+                                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
                             V turning_x = _o372.turning_x;
                             V turning_y = _o372.turning_y;
                             V turning_z = _o372.turning_z;
@@ -4626,8 +4612,8 @@ static void LANES(court_plain)(const court_job *job)
                                 LANES(court_alone)();
                             V nearest = _o374.nearest;
                             V wedge = _o374.wedge;
-                            const LANES(court_ring_closing_out) _o375 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            const LANES(court_backboard_closing_out) _o375 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
                             V gap = _o375.gap;
                             V nearing = _o375.nearing;
                             V swerve = _o375.swerve;
@@ -4636,8 +4622,8 @@ static void LANES(court_plain)(const court_job *job)
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
                             nearest = _o376.nearest;
                             wedge = _o376.wedge;
-                            const LANES(court_backboard_closing_out) _o377 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            const LANES(court_bridge_closing_out) _o377 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
                             gap = _o377.gap;
                             nearing = _o377.nearing;
                             swerve = _o377.swerve;
@@ -4652,22 +4638,152 @@ static void LANES(court_plain)(const court_job *job)
                             const LANES(court_neared_out) _o380 =
                                 LANES(court_neared)(gap, nearest);
                             nearest = _o380.nearest;
-                            const LANES(court_bridge_parting_out) _o381 =
-                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                            const LANES(court_ring_parting_out) _o381 =
+                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
                             V lift = _o381.lift;
                             const LANES(court_ring_impact_settling_out) _o382 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
                             M settles = _o382.settles;
                             M lodges = _o382.lodges;
                             M slides = _o382.slides;
                             M parts = _o382.parts;
                             M unsure = _o382.unsure;
                             const LANES(court_settled_out) _o383 =
-                                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
                             mode = lanes_select(_m371, _o383.mode, mode);
                             held = lanes_select(_m371, _o383.held, held);
                             outcome = lanes_select(_m371, _o383.outcome, outcome);
                             slip_left = lanes_select(_m371, _o383.slip_left, slip_left);
+                        }
+                        const LANES(court_here_out) _o384 =
+                            LANES(court_here)(K(1.0), which);
+                        here = _o384.here;
+                        const M _m385 = lanes_both(_m368, here);
+                        if (lanes_any(_m385)) {
+                            const LANES(court_backboard_turning_out) _o386 =
+                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+                            V turning_x = _o386.turning_x;
+                            V turning_y = _o386.turning_y;
+                            V turning_z = _o386.turning_z;
+                            const LANES(court_pressed_on_out) _o387 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o387.press;
+                            V weight = _o387.weight;
+                            V drag = _o387.drag;
+                            V thrust_x = _o387.thrust_x;
+                            V thrust_y = _o387.thrust_y;
+                            V thrust_z = _o387.thrust_z;
+                            const LANES(court_alone_out) _o388 =
+                                LANES(court_alone)();
+                            V nearest = _o388.nearest;
+                            V wedge = _o388.wedge;
+                            const LANES(court_ring_closing_out) _o389 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o389.gap;
+                            V nearing = _o389.nearing;
+                            V swerve = _o389.swerve;
+                            V facing = _o389.facing;
+                            const LANES(court_neared_body_out) _o390 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o390.nearest;
+                            wedge = _o390.wedge;
+                            const LANES(court_bridge_closing_out) _o391 =
+                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            gap = _o391.gap;
+                            nearing = _o391.nearing;
+                            swerve = _o391.swerve;
+                            facing = _o391.facing;
+                            const LANES(court_neared_body_out) _o392 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o392.nearest;
+                            wedge = _o392.wedge;
+                            const LANES(court_end_beside_out) _o393 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o393.gap;
+                            const LANES(court_neared_out) _o394 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o394.nearest;
+                            const LANES(court_backboard_parting_out) _o395 =
+                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+                            V lift = _o395.lift;
+                            const LANES(court_ring_impact_settling_out) _o396 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o396.settles;
+                            M lodges = _o396.lodges;
+                            M slides = _o396.slides;
+                            M parts = _o396.parts;
+                            M unsure = _o396.unsure;
+                            const LANES(court_settled_out) _o397 =
+                                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m385, _o397.mode, mode);
+                            held = lanes_select(_m385, _o397.held, held);
+                            outcome = lanes_select(_m385, _o397.outcome, outcome);
+                            slip_left = lanes_select(_m385, _o397.slip_left, slip_left);
+                        }
+                        const LANES(court_here_out) _o398 =
+                            LANES(court_here)(K(2.0), which);
+                        here = _o398.here;
+                        const M _m399 = lanes_both(_m368, here);
+                        if (lanes_any(_m399)) {
+                            const LANES(court_bridge_turning_out) _o400 =
+                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+                            V turning_x = _o400.turning_x;
+                            V turning_y = _o400.turning_y;
+                            V turning_z = _o400.turning_z;
+                            const LANES(court_pressed_on_out) _o401 =
+                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+                            V press = _o401.press;
+                            V weight = _o401.weight;
+                            V drag = _o401.drag;
+                            V thrust_x = _o401.thrust_x;
+                            V thrust_y = _o401.thrust_y;
+                            V thrust_z = _o401.thrust_z;
+                            const LANES(court_alone_out) _o402 =
+                                LANES(court_alone)();
+                            V nearest = _o402.nearest;
+                            V wedge = _o402.wedge;
+                            const LANES(court_ring_closing_out) _o403 =
+                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+                            V gap = _o403.gap;
+                            V nearing = _o403.nearing;
+                            V swerve = _o403.swerve;
+                            V facing = _o403.facing;
+                            const LANES(court_neared_body_out) _o404 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o404.nearest;
+                            wedge = _o404.wedge;
+                            const LANES(court_backboard_closing_out) _o405 =
+                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+                            gap = _o405.gap;
+                            nearing = _o405.nearing;
+                            swerve = _o405.swerve;
+                            facing = _o405.facing;
+                            const LANES(court_neared_body_out) _o406 =
+                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+                            nearest = _o406.nearest;
+                            wedge = _o406.wedge;
+                            const LANES(court_end_beside_out) _o407 =
+                                LANES(court_end_beside)(p_end_depth, vz, z);
+                            gap = _o407.gap;
+                            const LANES(court_neared_out) _o408 =
+                                LANES(court_neared)(gap, nearest);
+                            nearest = _o408.nearest;
+                            const LANES(court_bridge_parting_out) _o409 =
+                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                            V lift = _o409.lift;
+                            const LANES(court_ring_impact_settling_out) _o410 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+                            M settles = _o410.settles;
+                            M lodges = _o410.lodges;
+                            M slides = _o410.slides;
+                            M parts = _o410.parts;
+                            M unsure = _o410.unsure;
+                            const LANES(court_settled_out) _o411 =
+                                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+                            mode = lanes_select(_m399, _o411.mode, mode);
+                            held = lanes_select(_m399, _o411.held, held);
+                            outcome = lanes_select(_m399, _o411.outcome, outcome);
+                            slip_left = lanes_select(_m399, _o411.slip_left, slip_left);
                         }
                     }
                 }
@@ -7806,9 +7922,9 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 surge = lanes_select(_m384, _o386.surge, surge);
                 snap = lanes_select(_m384, _o386.snap, snap);
             }
-            const LANES(court_alone_out) _o387 =
-                LANES(court_alone)();
-            V nearest = _o387.nearest;
+            const LANES(court_unmet_out) _o387 =
+                LANES(court_unmet)();
+            V spare = _o387.spare;
             const LANES(court_beside_out) _o388 =
                 LANES(court_beside)(held, K(0.0));
             M beside = _o388.beside;
@@ -7817,9 +7933,11 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 const LANES(court_ring_beside_out) _o390 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o390.gap;
-                const LANES(court_neared_out) _o391 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m389, _o391.nearest, nearest);
+                V nearing = _o390.nearing;
+                V dent = _o390.dent;
+                const LANES(court_spared_out) _o391 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m389, _o391.spare, spare);
             }
             const LANES(court_beside_out) _o392 =
                 LANES(court_beside)(held, K(1.0));
@@ -7829,9 +7947,11 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 const LANES(court_backboard_beside_out) _o394 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
                 V gap = _o394.gap;
-                const LANES(court_neared_out) _o395 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m393, _o395.nearest, nearest);
+                V nearing = _o394.nearing;
+                V dent = _o394.dent;
+                const LANES(court_spared_out) _o395 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m393, _o395.spare, spare);
             }
             const LANES(court_beside_out) _o396 =
                 LANES(court_beside)(held, K(2.0));
@@ -7841,29 +7961,141 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 const LANES(court_bridge_beside_out) _o398 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
                 V gap = _o398.gap;
-                const LANES(court_neared_out) _o399 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m397, _o399.nearest, nearest);
+                V nearing = _o398.nearing;
+                V dent = _o398.dent;
+                const LANES(court_spared_out) _o399 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m397, _o399.spare, spare);
             }
             const LANES(court_beside_out) _o400 =
                 LANES(court_beside)(held, K(3.0));
             beside = _o400.beside;
             const M _m401 = lanes_both(_m373, beside);
-            {
+            if (lanes_any(_m401)) {
                 const LANES(court_end_beside_out) _o402 =
                     LANES(court_end_beside)(p_end_depth, vz, z);
                 V gap = _o402.gap;
-                const LANES(court_neared_out) _o403 =
-                    LANES(court_neared)(gap, nearest);
-                nearest = lanes_select(_m401, _o403.nearest, nearest);
+                V nearing = _o402.nearing;
+                V dent = _o402.dent;
+                const LANES(court_spared_out) _o403 =
+                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+                spare = lanes_select(_m401, _o403.spare, spare);
             }
-            const LANES(court_parted_out) _o404 =
-                LANES(court_parted)(doubt, p_gravity, lift, nearest, per_reach, position_error, snap, surge, velocity_error, vx, vy, vz);
-            when = lanes_select(_m373, _o404.when, when);
-            doubt = lanes_select(_m373, _o404.doubt, doubt);
-            const LANES(court_hopping_out) _o405 =
+            const LANES(court_holding_out) _o404 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o404.here;
+            const M _m405 = lanes_both(_m373, here);
+            if (lanes_any(_m405)) {
+                const LANES(court_backboard_seam0_out) _o406 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                V gap = _o406.gap;
+                V nearing = _o406.nearing;
+                V near = _o406.near;
+                const LANES(court_spared_seam_out) _o407 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m405, _o407.spare, spare);
+                const LANES(court_backboard_seam1_out) _o408 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = _o408.gap;
+                nearing = _o408.nearing;
+                near = _o408.near;
+                const LANES(court_spared_seam_out) _o409 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m405, _o409.spare, spare);
+                const LANES(court_backboard_seam2_out) _o410 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o410.gap;
+                nearing = _o410.nearing;
+                near = _o410.near;
+                const LANES(court_spared_seam_out) _o411 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m405, _o411.spare, spare);
+                const LANES(court_backboard_seam3_out) _o412 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = _o412.gap;
+                nearing = _o412.nearing;
+                near = _o412.near;
+                const LANES(court_spared_seam_out) _o413 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m405, _o413.spare, spare);
+                const LANES(court_backboard_seam4_out) _o414 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o414.gap;
+                nearing = _o414.nearing;
+                near = _o414.near;
+                const LANES(court_spared_seam_out) _o415 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m405, _o415.spare, spare);
+                const LANES(court_backboard_seam5_out) _o416 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = _o416.gap;
+                nearing = _o416.nearing;
+                near = _o416.near;
+                const LANES(court_spared_seam_out) _o417 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m405, _o417.spare, spare);
+            }
+            const LANES(court_holding_out) _o418 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o418.here;
+            const M _m419 = lanes_both(_m373, here);
+            if (lanes_any(_m419)) {
+                const LANES(court_bridge_seam0_out) _o420 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                V gap = _o420.gap;
+                V nearing = _o420.nearing;
+                V near = _o420.near;
+                const LANES(court_spared_seam_out) _o421 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m419, _o421.spare, spare);
+                const LANES(court_bridge_seam1_out) _o422 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = _o422.gap;
+                nearing = _o422.nearing;
+                near = _o422.near;
+                const LANES(court_spared_seam_out) _o423 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m419, _o423.spare, spare);
+                const LANES(court_bridge_seam2_out) _o424 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o424.gap;
+                nearing = _o424.nearing;
+                near = _o424.near;
+                const LANES(court_spared_seam_out) _o425 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m419, _o425.spare, spare);
+                const LANES(court_bridge_seam3_out) _o426 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = _o426.gap;
+                nearing = _o426.nearing;
+                near = _o426.near;
+                const LANES(court_spared_seam_out) _o427 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m419, _o427.spare, spare);
+                const LANES(court_bridge_seam4_out) _o428 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o428.gap;
+                nearing = _o428.nearing;
+                near = _o428.near;
+                const LANES(court_spared_seam_out) _o429 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m419, _o429.spare, spare);
+                const LANES(court_bridge_seam5_out) _o430 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = _o430.gap;
+                nearing = _o430.nearing;
+                near = _o430.near;
+                const LANES(court_spared_seam_out) _o431 =
+                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+                spare = lanes_select(_m419, _o431.spare, spare);
+            }
+            const LANES(court_parted_out) _o432 =
+                LANES(court_parted)(doubt, p_gravity, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz);
+            when = lanes_select(_m373, _o432.when, when);
+            doubt = lanes_select(_m373, _o432.doubt, doubt);
+            const LANES(court_hopping_out) _o433 =
                 LANES(court_hopping)();
-            which = lanes_select(_m373, _o405.which, which);
+            which = lanes_select(_m373, _o433.which, which);
         }
         lanes_store(lists->kept_doubt + i, doubt);
         lanes_store(lists->kept_position_error + i, position_error);
@@ -10457,90 +10689,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o406 =
+            const LANES(court_departed_out) _o434 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o406.moves;
-            M ends = _o406.ends;
-            M touches = _o406.touches;
-            V reached = _o406.reached;
-            M edge = _o406.edge;
-            const LANES(court_body_of_out) _o407 =
+            M moves = _o434.moves;
+            M ends = _o434.ends;
+            M touches = _o434.touches;
+            V reached = _o434.reached;
+            M edge = _o434.edge;
+            const LANES(court_body_of_out) _o435 =
                 LANES(court_body_of)(which);
-            V body = _o407.body;
-            const M _m408 = lanes_both(rows, moves);
-            if (lanes_any(_m408)) {
-                const LANES(court_passing_doubt_out) _o409 =
+            V body = _o435.body;
+            const M _m436 = lanes_both(rows, moves);
+            if (lanes_any(_m436)) {
+                const LANES(court_passing_doubt_out) _o437 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o409.unsure;
-                const LANES(court_undecided_out) _o410 =
+                M unsure = _o437.unsure;
+                const LANES(court_undecided_out) _o438 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m408, _o410.uncertain, uncertain);
-                const LANES(court_passing_out) _o411 =
+                uncertain = lanes_select(_m436, _o438.uncertain, uncertain);
+                const LANES(court_passing_out) _o439 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m408, _o411.through, through);
-                const LANES(court_flight_out) _o412 =
+                through = lanes_select(_m436, _o439.through, through);
+                const LANES(court_flight_out) _o440 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m408, _o412.x, x);
-                y = lanes_select(_m408, _o412.y, y);
-                z = lanes_select(_m408, _o412.z, z);
-                vx = lanes_select(_m408, _o412.vx, vx);
-                vy = lanes_select(_m408, _o412.vy, vy);
-                vz = lanes_select(_m408, _o412.vz, vz);
-                const LANES(court_ticked_out) _o413 =
+                x = lanes_select(_m436, _o440.x, x);
+                y = lanes_select(_m436, _o440.y, y);
+                z = lanes_select(_m436, _o440.z, z);
+                vx = lanes_select(_m436, _o440.vx, vx);
+                vy = lanes_select(_m436, _o440.vy, vy);
+                vz = lanes_select(_m436, _o440.vz, vz);
+                const LANES(court_ticked_out) _o441 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m408, _o413.clock, clock);
+                clock = lanes_select(_m436, _o441.clock, clock);
             }
-            const M _m414 = lanes_both(rows, limited);
-            if (lanes_any(_m414)) {
-                const LANES(court_expired_out) _o415 =
+            const M _m442 = lanes_both(rows, limited);
+            if (lanes_any(_m442)) {
+                const LANES(court_expired_out) _o443 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m414, _o415.clock, clock);
-                body = lanes_select(_m414, _o415.body, body);
-                reached = lanes_select(_m414, _o415.reached, reached);
-                ends = lanes_choose(_m414, _o415.ends, ends);
+                clock = lanes_select(_m442, _o443.clock, clock);
+                body = lanes_select(_m442, _o443.body, body);
+                reached = lanes_select(_m442, _o443.reached, reached);
+                ends = lanes_choose(_m442, _o443.ends, ends);
             }
-            const LANES(court_unhopped_out) _o416 =
+            const LANES(court_unhopped_out) _o444 =
                 LANES(court_unhopped)();
-            M hopped = _o416.hopped;
-            const M _m417 = lanes_both(rows, kept);
-            if (lanes_any(_m417)) {
-                const LANES(court_kept_on_out) _o418 =
+            M hopped = _o444.hopped;
+            const M _m445 = lanes_both(rows, kept);
+            if (lanes_any(_m445)) {
+                const LANES(court_kept_on_out) _o446 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m417, _o418.body, body);
-                reached = lanes_select(_m417, _o418.reached, reached);
-                doubt = lanes_select(_m417, _o418.doubt, doubt);
-                ends = lanes_choose(_m417, _o418.ends, ends);
-                hopped = lanes_choose(_m417, _o418.hopped, hopped);
-                last = lanes_select(_m417, _o418.last, last);
-                mode = lanes_select(_m417, _o418.mode, mode);
-                held = lanes_select(_m417, _o418.held, held);
-                rolls = lanes_select(_m417, _o418.rolls, rolls);
+                body = lanes_select(_m445, _o446.body, body);
+                reached = lanes_select(_m445, _o446.reached, reached);
+                doubt = lanes_select(_m445, _o446.doubt, doubt);
+                ends = lanes_choose(_m445, _o446.ends, ends);
+                hopped = lanes_choose(_m445, _o446.hopped, hopped);
+                last = lanes_select(_m445, _o446.last, last);
+                mode = lanes_select(_m445, _o446.mode, mode);
+                held = lanes_select(_m445, _o446.held, held);
+                rolls = lanes_select(_m445, _o446.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o419 =
+            const LANES(court_displacement_out) _o447 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o419.margin;
-            const LANES(court_here_out) _o420 =
+            V slack = _o447.margin;
+            const LANES(court_here_out) _o448 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o420.here;
-            const M _m421 = lanes_both(rows, here);
+            M here = _o448.here;
+            const M _m449 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o422 =
+                const LANES(court_end_bounds_out) _o450 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o422.g0;
-                const LANES(court_end_reached_out) _o423 =
+                V g0 = _o450.g0;
+                const LANES(court_end_reached_out) _o451 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m421, _o423.reached, reached);
-                const LANES(court_end_edge_out) _o424 =
+                reached = lanes_select(_m449, _o451.reached, reached);
+                const LANES(court_end_edge_out) _o452 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m421, _o424.edge, edge);
+                edge = lanes_choose(_m449, _o452.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o425 =
+            const LANES(court_doubted_in_contact_out) _o453 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o425.uncertain;
-            const LANES(court_accounted_out) _o426 =
+            uncertain = _o453.uncertain;
+            const LANES(court_accounted_out) _o454 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o426.contacts;
-            V outcome = _o426.outcome;
+            contacts = _o454.contacts;
+            V outcome = _o454.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -10553,475 +10785,511 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o427 =
+            const LANES(court_meeting_out) _o455 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o427.meeting;
-            const M _m428 = lanes_both(rows, meeting);
-            if (lanes_any(_m428)) {
-                const LANES(court_end_normal_out) _o429 =
+            M meeting = _o455.meeting;
+            const M _m456 = lanes_both(rows, meeting);
+            if (lanes_any(_m456)) {
+                const LANES(court_end_normal_out) _o457 =
                     LANES(court_end_normal)();
-                V nx = _o429.nx;
-                V ny = _o429.ny;
-                V nz = _o429.nz;
-                const LANES(court_here_out) _o430 =
+                V nx = _o457.nx;
+                V ny = _o457.ny;
+                V nz = _o457.nz;
+                const LANES(court_here_out) _o458 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o430.here;
-                const M _m431 = lanes_both(_m428, here);
+                M here = _o458.here;
+                const M _m459 = lanes_both(_m456, here);
                 {
-                    const LANES(court_ring_normal_out) _o432 =
+                    const LANES(court_ring_normal_out) _o460 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m431, _o432.nx, nx);
-                    ny = lanes_select(_m431, _o432.ny, ny);
-                    nz = lanes_select(_m431, _o432.nz, nz);
-                    const LANES(court_counted_out) _o433 =
+                    nx = lanes_select(_m459, _o460.nx, nx);
+                    ny = lanes_select(_m459, _o460.ny, ny);
+                    nz = lanes_select(_m459, _o460.nz, nz);
+                    const LANES(court_counted_out) _o461 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m431, _o433.count, count_0);
+                    count_0 = lanes_select(_m459, _o461.count, count_0);
                 }
-                const LANES(court_here_out) _o434 =
+                const LANES(court_here_out) _o462 =
                     LANES(court_here)(K(1.0), which);
-                here = _o434.here;
-                const M _m435 = lanes_both(_m428, here);
+                here = _o462.here;
+                const M _m463 = lanes_both(_m456, here);
                 {
-                    const LANES(court_backboard_normal_out) _o436 =
+                    const LANES(court_backboard_normal_out) _o464 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m435, _o436.nx, nx);
-                    ny = lanes_select(_m435, _o436.ny, ny);
-                    nz = lanes_select(_m435, _o436.nz, nz);
-                    const LANES(court_counted_out) _o437 =
+                    nx = lanes_select(_m463, _o464.nx, nx);
+                    ny = lanes_select(_m463, _o464.ny, ny);
+                    nz = lanes_select(_m463, _o464.nz, nz);
+                    const LANES(court_counted_out) _o465 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m435, _o437.count, count_1);
+                    count_1 = lanes_select(_m463, _o465.count, count_1);
                 }
-                const LANES(court_here_out) _o438 =
+                const LANES(court_here_out) _o466 =
                     LANES(court_here)(K(2.0), which);
-                here = _o438.here;
-                const M _m439 = lanes_both(_m428, here);
+                here = _o466.here;
+                const M _m467 = lanes_both(_m456, here);
                 {
-                    const LANES(court_bridge_normal_out) _o440 =
+                    const LANES(court_bridge_normal_out) _o468 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m439, _o440.nx, nx);
-                    ny = lanes_select(_m439, _o440.ny, ny);
-                    nz = lanes_select(_m439, _o440.nz, nz);
-                    const LANES(court_counted_out) _o441 =
+                    nx = lanes_select(_m467, _o468.nx, nx);
+                    ny = lanes_select(_m467, _o468.ny, ny);
+                    nz = lanes_select(_m467, _o468.nz, nz);
+                    const LANES(court_counted_out) _o469 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m439, _o441.count, count_2);
+                    count_2 = lanes_select(_m467, _o469.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o442 =
+                const LANES(court_elsewhere_out) _o470 =
                     LANES(court_elsewhere)();
-                V curving = _o442.curving;
-                const LANES(court_again_out) _o443 =
+                V curving = _o470.curving;
+                const LANES(court_anew_out) _o471 =
+                    LANES(court_anew)();
+                V left_nx = _o471.left_nx;
+                V left_ny = _o471.left_ny;
+                V left_nz = _o471.left_nz;
+                const LANES(court_again_out) _o472 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o443.again;
-                const M _m444 = lanes_both(_m428, again);
-                {
-                    const LANES(court_ring_curvature_out) _o445 =
+                M again = _o472.again;
+                const M _m473 = lanes_both(_m456, again);
+                if (lanes_any(_m473)) {
+                    const LANES(court_ring_curvature_out) _o474 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m444, _o445.curvature, curving);
+                    curving = lanes_select(_m473, _o474.curvature, curving);
+                    const LANES(court_started_out) _o475 =
+                        LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
+                    V from_x = _o475.from_x;
+                    V from_y = _o475.from_y;
+                    V from_z = _o475.from_z;
+                    const LANES(court_ring_normal_out) _o476 =
+                        LANES(court_ring_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    left_nx = lanes_select(_m473, _o476.nx, left_nx);
+                    left_ny = lanes_select(_m473, _o476.ny, left_ny);
+                    left_nz = lanes_select(_m473, _o476.nz, left_nz);
                 }
-                const LANES(court_again_out) _o446 =
+                const LANES(court_again_out) _o477 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o446.again;
-                const M _m447 = lanes_both(_m428, again);
-                {
-                    const LANES(court_backboard_curvature_out) _o448 =
+                again = _o477.again;
+                const M _m478 = lanes_both(_m456, again);
+                if (lanes_any(_m478)) {
+                    const LANES(court_backboard_curvature_out) _o479 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m447, _o448.curvature, curving);
+                    curving = lanes_select(_m478, _o479.curvature, curving);
+                    const LANES(court_started_out) _o480 =
+                        LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
+                    V from_x = _o480.from_x;
+                    V from_y = _o480.from_y;
+                    V from_z = _o480.from_z;
+                    const LANES(court_backboard_normal_out) _o481 =
+                        LANES(court_backboard_normal)(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    left_nx = lanes_select(_m478, _o481.nx, left_nx);
+                    left_ny = lanes_select(_m478, _o481.ny, left_ny);
+                    left_nz = lanes_select(_m478, _o481.nz, left_nz);
                 }
-                const LANES(court_again_out) _o449 =
+                const LANES(court_again_out) _o482 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o449.again;
-                const M _m450 = lanes_both(_m428, again);
-                {
-                    const LANES(court_bridge_curvature_out) _o451 =
+                again = _o482.again;
+                const M _m483 = lanes_both(_m456, again);
+                if (lanes_any(_m483)) {
+                    const LANES(court_bridge_curvature_out) _o484 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m450, _o451.curvature, curving);
+                    curving = lanes_select(_m483, _o484.curvature, curving);
+                    const LANES(court_started_out) _o485 =
+                        LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
+                    V from_x = _o485.from_x;
+                    V from_y = _o485.from_y;
+                    V from_z = _o485.from_z;
+                    const LANES(court_bridge_normal_out) _o486 =
+                        LANES(court_bridge_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    left_nx = lanes_select(_m483, _o486.nx, left_nx);
+                    left_ny = lanes_select(_m483, _o486.ny, left_ny);
+                    left_nz = lanes_select(_m483, _o486.nz, left_nz);
                 }
-                const LANES(court_carry_flight_out) _o452 =
-                    LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m428, _o452.dx, dx);
-                dy = lanes_select(_m428, _o452.dy, dy);
-                dz = lanes_select(_m428, _o452.dz, dz);
-                dvx = lanes_select(_m428, _o452.dvx, dvx);
-                dvy = lanes_select(_m428, _o452.dvy, dvy);
-                dvz = lanes_select(_m428, _o452.dvz, dvz);
-                V delay = _o452.delay;
-                V shift = _o452.shift;
-                const LANES(court_delayed_out) _o453 =
+                const LANES(court_carry_flight_out) _o487 =
+                    LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
+                dx = lanes_select(_m456, _o487.dx, dx);
+                dy = lanes_select(_m456, _o487.dy, dy);
+                dz = lanes_select(_m456, _o487.dz, dz);
+                V lifting = _o487.lifting;
+                dvx = lanes_select(_m456, _o487.dvx, dvx);
+                dvy = lanes_select(_m456, _o487.dvy, dvy);
+                dvz = lanes_select(_m456, _o487.dvz, dvz);
+                V delay = _o487.delay;
+                V shift = _o487.shift;
+                const LANES(court_delayed_out) _o488 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m428, _o453.clock_error, clock_error);
-                const M _m454 = lanes_both(_m428, ends);
+                clock_error = lanes_select(_m456, _o488.clock_error, clock_error);
+                const M _m489 = lanes_both(_m456, ends);
                 {
-                    const LANES(court_floored_out) _o455 =
+                    const LANES(court_floored_out) _o490 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m454, _o455.dx, dx);
-                    dy = lanes_select(_m454, _o455.dy, dy);
-                    dz = lanes_select(_m454, _o455.dz, dz);
+                    dx = lanes_select(_m489, _o490.dx, dx);
+                    dy = lanes_select(_m489, _o490.dy, dy);
+                    dz = lanes_select(_m489, _o490.dz, dz);
                 }
-                const LANES(court_unturned_out) _o456 =
+                const LANES(court_unturned_out) _o491 =
                     LANES(court_unturned)();
-                V dnx = _o456.dnx;
-                V dny = _o456.dny;
-                V dnz = _o456.dnz;
-                V turn = _o456.turn;
-                const LANES(court_here_out) _o457 =
+                V dnx = _o491.dnx;
+                V dny = _o491.dny;
+                V dnz = _o491.dnz;
+                V turn = _o491.turn;
+                const LANES(court_here_out) _o492 =
                     LANES(court_here)(K(0.0), which);
-                here = _o457.here;
-                const M _m458 = lanes_both(_m428, here);
-                if (lanes_any(_m458)) {
-                    const LANES(court_ring_carry_normal_out) _o459 =
+                here = _o492.here;
+                const M _m493 = lanes_both(_m456, here);
+                if (lanes_any(_m493)) {
+                    const LANES(court_ring_carry_normal_out) _o494 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m458, _o459.dnx, dnx);
-                    dny = lanes_select(_m458, _o459.dny, dny);
-                    dnz = lanes_select(_m458, _o459.dnz, dnz);
-                    turn = lanes_select(_m458, _o459.turn, turn);
+                    dnx = lanes_select(_m493, _o494.dnx, dnx);
+                    dny = lanes_select(_m493, _o494.dny, dny);
+                    dnz = lanes_select(_m493, _o494.dnz, dnz);
+                    turn = lanes_select(_m493, _o494.turn, turn);
                 }
-                const LANES(court_here_out) _o460 =
+                const LANES(court_here_out) _o495 =
                     LANES(court_here)(K(1.0), which);
-                here = _o460.here;
-                const M _m461 = lanes_both(_m428, here);
+                here = _o495.here;
+                const M _m496 = lanes_both(_m456, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o462 =
+                    const LANES(court_backboard_carry_normal_out) _o497 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m461, _o462.dnx, dnx);
-                    dny = lanes_select(_m461, _o462.dny, dny);
-                    dnz = lanes_select(_m461, _o462.dnz, dnz);
-                    turn = lanes_select(_m461, _o462.turn, turn);
+                    dnx = lanes_select(_m496, _o497.dnx, dnx);
+                    dny = lanes_select(_m496, _o497.dny, dny);
+                    dnz = lanes_select(_m496, _o497.dnz, dnz);
+                    turn = lanes_select(_m496, _o497.turn, turn);
                 }
-                const LANES(court_here_out) _o463 =
+                const LANES(court_here_out) _o498 =
                     LANES(court_here)(K(2.0), which);
-                here = _o463.here;
-                const M _m464 = lanes_both(_m428, here);
+                here = _o498.here;
+                const M _m499 = lanes_both(_m456, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o465 =
+                    const LANES(court_bridge_carry_normal_out) _o500 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m464, _o465.dnx, dnx);
-                    dny = lanes_select(_m464, _o465.dny, dny);
-                    dnz = lanes_select(_m464, _o465.dnz, dnz);
-                    turn = lanes_select(_m464, _o465.turn, turn);
+                    dnx = lanes_select(_m499, _o500.dnx, dnx);
+                    dny = lanes_select(_m499, _o500.dny, dny);
+                    dnz = lanes_select(_m499, _o500.dnz, dnz);
+                    turn = lanes_select(_m499, _o500.turn, turn);
                 }
-                const LANES(court_untaken_out) _o466 =
+                const LANES(court_untaken_out) _o501 =
                     LANES(court_untaken)();
-                M struck_0 = _o466.mine;
-                const LANES(court_ring_impact_taken_out) _o467 =
+                M struck_0 = _o501.mine;
+                const LANES(court_ring_impact_taken_out) _o502 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o467.its_0;
-                V its_1_ring_impact = _o467.its_1;
+                V its_0_ring_impact = _o502.its_0;
+                V its_1_ring_impact = _o502.its_1;
                 {
-                    const double *const _t469[][2] = {
+                    const double *const _t504[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t470[][1] = {
+                    static const double _t505[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k468 = 0; _k468 < 3; _k468++) {
-                        const V own_1 = lanes_load(_t469[_k468][0] + (i & varying));
-                        const V own_2 = lanes_load(_t469[_k468][1] + (i & varying));
-                        const V own_index = K(_t470[_k468][0]);
-                        const LANES(court_here_out) _o471 =
+                    for (size_t _k503 = 0; _k503 < 3; _k503++) {
+                        const V own_1 = lanes_load(_t504[_k503][0] + (i & varying));
+                        const V own_2 = lanes_load(_t504[_k503][1] + (i & varying));
+                        const V own_index = K(_t505[_k503][0]);
+                        const LANES(court_here_out) _o506 =
                             LANES(court_here)(own_index, which);
-                        M here = _o471.here;
-                        const M _m472 = lanes_both(_m428, here);
-                        if (lanes_any(_m472)) {
-                            const LANES(court_ring_impact_taken_out) _o473 =
+                        M here = _o506.here;
+                        const M _m507 = lanes_both(_m456, here);
+                        if (lanes_any(_m507)) {
+                            const LANES(court_ring_impact_taken_out) _o508 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m472, _o473.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m472, _o473.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m472, _o473.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m507, _o508.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m507, _o508.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m507, _o508.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m474 = lanes_both(_m428, struck_0);
-                if (lanes_any(_m474)) {
-                    const LANES(court_ring_impact_doubt_out) _o475 =
+                const M _m509 = lanes_both(_m456, struck_0);
+                if (lanes_any(_m509)) {
+                    const LANES(court_ring_impact_doubt_out) _o510 =
                         LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    M unsure = _o475.unsure;
-                    const LANES(court_undecided_out) _o476 =
+                    M unsure = _o510.unsure;
+                    const LANES(court_undecided_out) _o511 =
                         LANES(court_undecided)(uncertain, unsure);
-                    uncertain = lanes_select(_m474, _o476.uncertain, uncertain);
-                    const LANES(court_carry_ring_impact_out) _o477 =
-                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    dvx = lanes_select(_m474, _o477.dvx, dvx);
-                    dvy = lanes_select(_m474, _o477.dvy, dvy);
-                    dvz = lanes_select(_m474, _o477.dvz, dvz);
-                    dwx = lanes_select(_m474, _o477.dwx, dwx);
-                    dwy = lanes_select(_m474, _o477.dwy, dwy);
-                    dwz = lanes_select(_m474, _o477.dwz, dwz);
-                    const LANES(court_ring_impact_out) _o478 =
+                    uncertain = lanes_select(_m509, _o511.uncertain, uncertain);
+                    const LANES(court_carry_ring_impact_out) _o512 =
+                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    dvx = lanes_select(_m509, _o512.dvx, dvx);
+                    dvy = lanes_select(_m509, _o512.dvy, dvy);
+                    dvz = lanes_select(_m509, _o512.dvz, dvz);
+                    dwx = lanes_select(_m509, _o512.dwx, dwx);
+                    dwy = lanes_select(_m509, _o512.dwy, dwy);
+                    dwz = lanes_select(_m509, _o512.dwz, dwz);
+                    const LANES(court_ring_impact_out) _o513 =
                         LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m474, _o478.vx, vx);
-                    vy = lanes_select(_m474, _o478.vy, vy);
-                    vz = lanes_select(_m474, _o478.vz, vz);
-                    wx = lanes_select(_m474, _o478.wx, wx);
-                    wy = lanes_select(_m474, _o478.wy, wy);
-                    wz = lanes_select(_m474, _o478.wz, wz);
+                    vx = lanes_select(_m509, _o513.vx, vx);
+                    vy = lanes_select(_m509, _o513.vy, vy);
+                    vz = lanes_select(_m509, _o513.vz, vz);
+                    wx = lanes_select(_m509, _o513.wx, wx);
+                    wy = lanes_select(_m509, _o513.wy, wy);
+                    wz = lanes_select(_m509, _o513.wz, wz);
                 }
-                const M _m479 = lanes_both(_m428, touches);
+                const M _m514 = lanes_both(_m456, touches);
                 {
-                    const LANES(court_touched_out) _o480 =
+                    const LANES(court_touched_out) _o515 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m479, _o480.first, first);
-                    last = lanes_select(_m479, _o480.last, last);
+                    first = lanes_select(_m514, _o515.first, first);
+                    last = lanes_select(_m514, _o515.last, last);
                 }
-                const M _m481 = lanes_both(_m428, touches);
-                if (lanes_any(_m481)) {
-                    const LANES(court_slowed_out) _o482 =
+                const M _m516 = lanes_both(_m456, touches);
+                if (lanes_any(_m516)) {
+                    const LANES(court_slowed_out) _o517 =
                         LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, position_error, vx, vy, vz);
-                    M slow = _o482.slow;
-                    M nearly = _o482.nearly;
-                    assured = lanes_select(_m481, _o482.assured, assured);
-                    const M _m483 = lanes_both(_m481, slow);
-                    if (lanes_any(_m483)) {
-                        const LANES(court_gripped_out) _o484 =
+                    M slow = _o517.slow;
+                    M nearly = _o517.nearly;
+                    assured = lanes_select(_m516, _o517.assured, assured);
+                    const M _m518 = lanes_both(_m516, slow);
+                    if (lanes_any(_m518)) {
+                        const LANES(court_gripped_out) _o519 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o484.rolled_x;
-                        V rolled_y = _o484.rolled_y;
-                        V rolled_z = _o484.rolled_z;
-                        V slip = _o484.slip;
-                        V bounce = _o484.bounce;
-                        const LANES(court_here_out) _o485 =
+                        V rolled_x = _o519.rolled_x;
+                        V rolled_y = _o519.rolled_y;
+                        V rolled_z = _o519.rolled_z;
+                        V slip = _o519.slip;
+                        V bounce = _o519.bounce;
+                        const LANES(court_here_out) _o520 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o485.here;
-                        const M _m486 = lanes_both(_m483, here);
-                        if (lanes_any(_m486)) {
-                            const LANES(court_ring_turning_out) _o487 =
+                        M here = _o520.here;
+                        const M _m521 = lanes_both(_m518, here);
+                        if (lanes_any(_m521)) {
+                            const LANES(court_ring_turning_out) _o522 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o487.turning_x;
-                            V turning_y = _o487.turning_y;
-                            V turning_z = _o487.turning_z;
-                            const LANES(court_pressed_on_out) _o488 =
+                            V turning_x = _o522.turning_x;
+                            V turning_y = _o522.turning_y;
+                            V turning_z = _o522.turning_z;
+                            const LANES(court_pressed_on_out) _o523 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o488.press;
-                            V weight = _o488.weight;
-                            V drag = _o488.drag;
-                            V thrust_x = _o488.thrust_x;
-                            V thrust_y = _o488.thrust_y;
-                            V thrust_z = _o488.thrust_z;
-                            const LANES(court_alone_out) _o489 =
+                            V press = _o523.press;
+                            V weight = _o523.weight;
+                            V drag = _o523.drag;
+                            V thrust_x = _o523.thrust_x;
+                            V thrust_y = _o523.thrust_y;
+                            V thrust_z = _o523.thrust_z;
+                            const LANES(court_alone_out) _o524 =
                                 LANES(court_alone)();
-                            V nearest = _o489.nearest;
-                            V wedge = _o489.wedge;
-                            const LANES(court_backboard_closing_out) _o490 =
+                            V nearest = _o524.nearest;
+                            V wedge = _o524.wedge;
+                            const LANES(court_backboard_closing_out) _o525 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o490.gap;
-                            V nearing = _o490.nearing;
-                            V swerve = _o490.swerve;
-                            V facing = _o490.facing;
-                            const LANES(court_neared_body_out) _o491 =
+                            V gap = _o525.gap;
+                            V nearing = _o525.nearing;
+                            V swerve = _o525.swerve;
+                            V facing = _o525.facing;
+                            const LANES(court_neared_body_out) _o526 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o491.nearest;
-                            wedge = _o491.wedge;
-                            const LANES(court_bridge_closing_out) _o492 =
+                            nearest = _o526.nearest;
+                            wedge = _o526.wedge;
+                            const LANES(court_bridge_closing_out) _o527 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o492.gap;
-                            nearing = _o492.nearing;
-                            swerve = _o492.swerve;
-                            facing = _o492.facing;
-                            const LANES(court_neared_body_out) _o493 =
+                            gap = _o527.gap;
+                            nearing = _o527.nearing;
+                            swerve = _o527.swerve;
+                            facing = _o527.facing;
+                            const LANES(court_neared_body_out) _o528 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o493.nearest;
-                            wedge = _o493.wedge;
-                            const LANES(court_end_beside_out) _o494 =
+                            nearest = _o528.nearest;
+                            wedge = _o528.wedge;
+                            const LANES(court_end_beside_out) _o529 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o494.gap;
-                            const LANES(court_neared_out) _o495 =
+                            gap = _o529.gap;
+                            const LANES(court_neared_out) _o530 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o495.nearest;
-                            const LANES(court_ring_parting_out) _o496 =
+                            nearest = _o530.nearest;
+                            const LANES(court_ring_parting_out) _o531 =
                                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o496.lift;
-                            const LANES(court_ring_impact_settling_out) _o497 =
+                            V lift = _o531.lift;
+                            const LANES(court_ring_impact_settling_out) _o532 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o497.settles;
-                            M lodges = _o497.lodges;
-                            M slides = _o497.slides;
-                            M parts = _o497.parts;
-                            assured = lanes_select(_m486, _o497.assured, assured);
-                            M unsure = _o497.unsure;
-                            const LANES(court_settled_out) _o498 =
+                            M settles = _o532.settles;
+                            M lodges = _o532.lodges;
+                            M slides = _o532.slides;
+                            M parts = _o532.parts;
+                            assured = lanes_select(_m521, _o532.assured, assured);
+                            M unsure = _o532.unsure;
+                            const LANES(court_settled_out) _o533 =
                                 LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m486, _o498.mode, mode);
-                            held = lanes_select(_m486, _o498.held, held);
-                            outcome = lanes_select(_m486, _o498.outcome, outcome);
-                            slip_left = lanes_select(_m486, _o498.slip_left, slip_left);
-                            uncertain = lanes_select(_m486, _o498.uncertain, uncertain);
+                            mode = lanes_select(_m521, _o533.mode, mode);
+                            held = lanes_select(_m521, _o533.held, held);
+                            outcome = lanes_select(_m521, _o533.outcome, outcome);
+                            slip_left = lanes_select(_m521, _o533.slip_left, slip_left);
+                            uncertain = lanes_select(_m521, _o533.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o499 =
+                        const LANES(court_here_out) _o534 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o499.here;
-                        const M _m500 = lanes_both(_m483, here);
-                        if (lanes_any(_m500)) {
-                            const LANES(court_backboard_turning_out) _o501 =
+                        here = _o534.here;
+                        const M _m535 = lanes_both(_m518, here);
+                        if (lanes_any(_m535)) {
+                            const LANES(court_backboard_turning_out) _o536 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o501.turning_x;
-                            V turning_y = _o501.turning_y;
-                            V turning_z = _o501.turning_z;
-                            const LANES(court_pressed_on_out) _o502 =
+                            V turning_x = _o536.turning_x;
+                            V turning_y = _o536.turning_y;
+                            V turning_z = _o536.turning_z;
+                            const LANES(court_pressed_on_out) _o537 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o502.press;
-                            V weight = _o502.weight;
-                            V drag = _o502.drag;
-                            V thrust_x = _o502.thrust_x;
-                            V thrust_y = _o502.thrust_y;
-                            V thrust_z = _o502.thrust_z;
-                            const LANES(court_alone_out) _o503 =
+                            V press = _o537.press;
+                            V weight = _o537.weight;
+                            V drag = _o537.drag;
+                            V thrust_x = _o537.thrust_x;
+                            V thrust_y = _o537.thrust_y;
+                            V thrust_z = _o537.thrust_z;
+                            const LANES(court_alone_out) _o538 =
                                 LANES(court_alone)();
-                            V nearest = _o503.nearest;
-                            V wedge = _o503.wedge;
-                            const LANES(court_ring_closing_out) _o504 =
+                            V nearest = _o538.nearest;
+                            V wedge = _o538.wedge;
+                            const LANES(court_ring_closing_out) _o539 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o504.gap;
-                            V nearing = _o504.nearing;
-                            V swerve = _o504.swerve;
-                            V facing = _o504.facing;
-                            const LANES(court_neared_body_out) _o505 =
+                            V gap = _o539.gap;
+                            V nearing = _o539.nearing;
+                            V swerve = _o539.swerve;
+                            V facing = _o539.facing;
+                            const LANES(court_neared_body_out) _o540 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o505.nearest;
-                            wedge = _o505.wedge;
-                            const LANES(court_bridge_closing_out) _o506 =
+                            nearest = _o540.nearest;
+                            wedge = _o540.wedge;
+                            const LANES(court_bridge_closing_out) _o541 =
                                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o506.gap;
-                            nearing = _o506.nearing;
-                            swerve = _o506.swerve;
-                            facing = _o506.facing;
-                            const LANES(court_neared_body_out) _o507 =
+                            gap = _o541.gap;
+                            nearing = _o541.nearing;
+                            swerve = _o541.swerve;
+                            facing = _o541.facing;
+                            const LANES(court_neared_body_out) _o542 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o507.nearest;
-                            wedge = _o507.wedge;
-                            const LANES(court_end_beside_out) _o508 =
+                            nearest = _o542.nearest;
+                            wedge = _o542.wedge;
+                            const LANES(court_end_beside_out) _o543 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o508.gap;
-                            const LANES(court_neared_out) _o509 =
+                            gap = _o543.gap;
+                            const LANES(court_neared_out) _o544 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o509.nearest;
-                            const LANES(court_backboard_parting_out) _o510 =
+                            nearest = _o544.nearest;
+                            const LANES(court_backboard_parting_out) _o545 =
                                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o510.lift;
-                            const LANES(court_ring_impact_settling_out) _o511 =
+                            V lift = _o545.lift;
+                            const LANES(court_ring_impact_settling_out) _o546 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o511.settles;
-                            M lodges = _o511.lodges;
-                            M slides = _o511.slides;
-                            M parts = _o511.parts;
-                            assured = lanes_select(_m500, _o511.assured, assured);
-                            M unsure = _o511.unsure;
-                            const LANES(court_settled_out) _o512 =
+                            M settles = _o546.settles;
+                            M lodges = _o546.lodges;
+                            M slides = _o546.slides;
+                            M parts = _o546.parts;
+                            assured = lanes_select(_m535, _o546.assured, assured);
+                            M unsure = _o546.unsure;
+                            const LANES(court_settled_out) _o547 =
                                 LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m500, _o512.mode, mode);
-                            held = lanes_select(_m500, _o512.held, held);
-                            outcome = lanes_select(_m500, _o512.outcome, outcome);
-                            slip_left = lanes_select(_m500, _o512.slip_left, slip_left);
-                            uncertain = lanes_select(_m500, _o512.uncertain, uncertain);
+                            mode = lanes_select(_m535, _o547.mode, mode);
+                            held = lanes_select(_m535, _o547.held, held);
+                            outcome = lanes_select(_m535, _o547.outcome, outcome);
+                            slip_left = lanes_select(_m535, _o547.slip_left, slip_left);
+                            uncertain = lanes_select(_m535, _o547.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o513 =
+                        const LANES(court_here_out) _o548 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o513.here;
-                        const M _m514 = lanes_both(_m483, here);
-                        if (lanes_any(_m514)) {
-                            const LANES(court_bridge_turning_out) _o515 =
+                        here = _o548.here;
+                        const M _m549 = lanes_both(_m518, here);
+                        if (lanes_any(_m549)) {
+                            const LANES(court_bridge_turning_out) _o550 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o515.turning_x;
-                            V turning_y = _o515.turning_y;
-                            V turning_z = _o515.turning_z;
-                            const LANES(court_pressed_on_out) _o516 =
+                            V turning_x = _o550.turning_x;
+                            V turning_y = _o550.turning_y;
+                            V turning_z = _o550.turning_z;
+                            const LANES(court_pressed_on_out) _o551 =
                                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o516.press;
-                            V weight = _o516.weight;
-                            V drag = _o516.drag;
-                            V thrust_x = _o516.thrust_x;
-                            V thrust_y = _o516.thrust_y;
-                            V thrust_z = _o516.thrust_z;
-                            const LANES(court_alone_out) _o517 =
+                            V press = _o551.press;
+                            V weight = _o551.weight;
+                            V drag = _o551.drag;
+                            V thrust_x = _o551.thrust_x;
+                            V thrust_y = _o551.thrust_y;
+                            V thrust_z = _o551.thrust_z;
+                            const LANES(court_alone_out) _o552 =
                                 LANES(court_alone)();
-                            V nearest = _o517.nearest;
-                            V wedge = _o517.wedge;
-                            const LANES(court_ring_closing_out) _o518 =
+                            V nearest = _o552.nearest;
+                            V wedge = _o552.wedge;
+                            const LANES(court_ring_closing_out) _o553 =
                                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o518.gap;
-                            V nearing = _o518.nearing;
-                            V swerve = _o518.swerve;
-                            V facing = _o518.facing;
-                            const LANES(court_neared_body_out) _o519 =
+                            V gap = _o553.gap;
+                            V nearing = _o553.nearing;
+                            V swerve = _o553.swerve;
+                            V facing = _o553.facing;
+                            const LANES(court_neared_body_out) _o554 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o519.nearest;
-                            wedge = _o519.wedge;
-                            const LANES(court_backboard_closing_out) _o520 =
+                            nearest = _o554.nearest;
+                            wedge = _o554.wedge;
+                            const LANES(court_backboard_closing_out) _o555 =
                                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o520.gap;
-                            nearing = _o520.nearing;
-                            swerve = _o520.swerve;
-                            facing = _o520.facing;
-                            const LANES(court_neared_body_out) _o521 =
+                            gap = _o555.gap;
+                            nearing = _o555.nearing;
+                            swerve = _o555.swerve;
+                            facing = _o555.facing;
+                            const LANES(court_neared_body_out) _o556 =
                                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o521.nearest;
-                            wedge = _o521.wedge;
-                            const LANES(court_end_beside_out) _o522 =
+                            nearest = _o556.nearest;
+                            wedge = _o556.wedge;
+                            const LANES(court_end_beside_out) _o557 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o522.gap;
-                            const LANES(court_neared_out) _o523 =
+                            gap = _o557.gap;
+                            const LANES(court_neared_out) _o558 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o523.nearest;
-                            const LANES(court_bridge_parting_out) _o524 =
+                            nearest = _o558.nearest;
+                            const LANES(court_bridge_parting_out) _o559 =
                                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o524.lift;
-                            const LANES(court_ring_impact_settling_out) _o525 =
+                            V lift = _o559.lift;
+                            const LANES(court_ring_impact_settling_out) _o560 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o525.settles;
-                            M lodges = _o525.lodges;
-                            M slides = _o525.slides;
-                            M parts = _o525.parts;
-                            assured = lanes_select(_m514, _o525.assured, assured);
-                            M unsure = _o525.unsure;
-                            const LANES(court_settled_out) _o526 =
+                            M settles = _o560.settles;
+                            M lodges = _o560.lodges;
+                            M slides = _o560.slides;
+                            M parts = _o560.parts;
+                            assured = lanes_select(_m549, _o560.assured, assured);
+                            M unsure = _o560.unsure;
+                            const LANES(court_settled_out) _o561 =
                                 LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m514, _o526.mode, mode);
-                            held = lanes_select(_m514, _o526.held, held);
-                            outcome = lanes_select(_m514, _o526.outcome, outcome);
-                            slip_left = lanes_select(_m514, _o526.slip_left, slip_left);
-                            uncertain = lanes_select(_m514, _o526.uncertain, uncertain);
+                            mode = lanes_select(_m549, _o561.mode, mode);
+                            held = lanes_select(_m549, _o561.held, held);
+                            outcome = lanes_select(_m549, _o561.outcome, outcome);
+                            slip_left = lanes_select(_m549, _o561.slip_left, slip_left);
+                            uncertain = lanes_select(_m549, _o561.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m527 = lanes_both(rows, limited);
-            if (lanes_any(_m527)) {
-                const LANES(court_timed_out) _o528 =
+            const M _m562 = lanes_both(rows, limited);
+            if (lanes_any(_m562)) {
+                const LANES(court_timed_out) _o563 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o528.timed;
-                const M _m529 = lanes_both(_m527, timed);
-                if (lanes_any(_m529)) {
-                    const LANES(court_carry_time_out) _o530 =
+                M timed = _o563.timed;
+                const M _m564 = lanes_both(_m562, timed);
+                if (lanes_any(_m564)) {
+                    const LANES(court_carry_time_out) _o565 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m529, _o530.dx, dx);
-                    dy = lanes_select(_m529, _o530.dy, dy);
-                    dz = lanes_select(_m529, _o530.dz, dz);
-                    dvx = lanes_select(_m529, _o530.dvx, dvx);
-                    dvy = lanes_select(_m529, _o530.dvy, dvy);
-                    dvz = lanes_select(_m529, _o530.dvz, dvz);
-                    clock_error = lanes_select(_m529, _o530.clock_error, clock_error);
+                    dx = lanes_select(_m564, _o565.dx, dx);
+                    dy = lanes_select(_m564, _o565.dy, dy);
+                    dz = lanes_select(_m564, _o565.dz, dz);
+                    dvx = lanes_select(_m564, _o565.dvx, dvx);
+                    dvy = lanes_select(_m564, _o565.dvy, dvy);
+                    dvz = lanes_select(_m564, _o565.dvz, dvz);
+                    clock_error = lanes_select(_m564, _o565.clock_error, clock_error);
                 }
             }
-            const M _m531 = lanes_both(rows, hopped);
-            if (lanes_any(_m531)) {
-                const LANES(court_carry_hop_out) _o532 =
+            const M _m566 = lanes_both(rows, hopped);
+            if (lanes_any(_m566)) {
+                const LANES(court_carry_hop_out) _o567 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m531, _o532.dx, dx);
-                dy = lanes_select(_m531, _o532.dy, dy);
-                dz = lanes_select(_m531, _o532.dz, dz);
+                dx = lanes_select(_m566, _o567.dx, dx);
+                dy = lanes_select(_m566, _o567.dy, dy);
+                dz = lanes_select(_m566, _o567.dz, dz);
             }
-            const LANES(court_closing_out) _o533 =
+            const LANES(court_closing_out) _o568 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o533.closed;
-            const M _m534 = lanes_both(rows, closed);
+            M closed = _o568.closed;
+            const M _m569 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o535 =
+                const LANES(court_claimed_errors_out) _o570 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m534, _o535.position_error, position_claim);
-                velocity_claim = lanes_select(_m534, _o535.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m534, _o535.spin_error, spin_claim);
-                time_claim = lanes_select(_m534, _o535.time_error, time_claim);
+                position_claim = lanes_select(_m569, _o570.position_error, position_claim);
+                velocity_claim = lanes_select(_m569, _o570.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m569, _o570.spin_error, spin_claim);
+                time_claim = lanes_select(_m569, _o570.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 49326d868b68e405,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 9b3a9e5b6a4b0e31,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -117,11 +117,12 @@ LANES(court_displacement)(V delay, V horizon, V extent, V speed, V position_erro
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 158 operations: 33 additions, 2 subtractions, 40 multiplications, 3 divisions, 8 negations, 17 absolute values, 23 comparisons, 32 selections. */
 typedef struct {
     V dx;
     V dy;
     V dz;
+    V lifting;
     V dvx;
     V dvy;
     V dvz;
@@ -130,46 +131,63 @@ typedef struct {
 } LANES(court_carry_flight_out);
 
 LANES_INLINE LANES(court_carry_flight_out)
-LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V p_gravity)
+LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V left_nx, V left_ny, V left_nz, V curving, V p_gravity)
 {
-    const V _s0 = lanes_add(dx, lanes_mul(dvx, t));
-    const V _s1 = lanes_abs(vx);
-    const V _s2 = lanes_mul(K(2.0), t);
-    const V _s3 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s1), lanes_abs(x)));
-    const V _s4 = lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), lanes_neg(_s3), _s3));
-    const V _s5 = lanes_add(dy, lanes_mul(dvy, t));
-    const V _s6 = lanes_abs(vy);
-    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s6), lanes_abs(y)));
-    const V _s8 = lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s7), _s7));
-    const V _s9 = lanes_add(dz, lanes_mul(dvz, t));
-    const V _s10 = lanes_abs(vz);
-    const V _s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s2, _s10)), lanes_abs(z)));
-    const V _s12 = lanes_add(_s9, lanes_select(lanes_less(_s9, K(0.0)), lanes_neg(_s11), _s11));
-    const V _s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, _s4), lanes_mul(ny, _s8)), lanes_mul(nz, _s12))), _s13);
-    const V _s15 = lanes_add(lanes_mul(vx, _s14), _s4);
-    const V _s16 = lanes_max(_s1, _s6);
-    const V _s17 = lanes_max(_s16, _s10);
-    const V _s18 = lanes_abs(dx);
-    const V _s19 = lanes_abs(dy);
-    const V _s20 = lanes_max(_s18, _s19);
-    const V _s21 = lanes_abs(dz);
-    const V _s22 = lanes_max(_s20, _s21);
-    const V _s23 = lanes_mul(curving, lanes_mul(t, _s17));
-    const V _s24 = lanes_abs(dvx);
-    const V _s25 = lanes_abs(dvy);
-    const V _s26 = lanes_max(_s24, _s25);
-    const V _s27 = lanes_abs(dvz);
-    const V _s28 = lanes_max(_s3, _s7);
-    const V _s29 = lanes_add(lanes_mul(t, lanes_max(_s26, _s27)), lanes_max(_s28, _s11));
-    const V _s30 = lanes_add(lanes_mul(lanes_div(_s17, lanes_abs(_s13)), lanes_add(lanes_mul(_s22, lanes_min(_s23, K(1.0))), _s29)), lanes_add(_s29, _s22));
-    const V _s31 = lanes_div(_s30, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
-    const V _s32 = lanes_neg(_s31);
-    const V _s33 = lanes_add(lanes_mul(vy, _s14), _s8);
-    const V _s34 = lanes_add(lanes_mul(vz, _s14), _s12);
-    const V _s35 = lanes_abs(_s14);
-    const V _s36 = lanes_mul(K(0.0625), late);
-    return (LANES(court_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s31), lanes_select(lanes_less(_s15, K(0.0)), _s32, _s31), _s15), lanes_select(lanes_less(lanes_abs(_s33), _s31), lanes_select(lanes_less(_s33, K(0.0)), _s32, _s31), _s33), lanes_select(lanes_less(lanes_abs(_s34), _s31), lanes_select(lanes_less(_s34, K(0.0)), _s32, _s31), _s34), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s35, _s36)), _s30 };
+    const V _s0 = lanes_abs(vx);
+    const V _s1 = lanes_abs(vy);
+    const V _s2 = lanes_max(_s0, _s1);
+    const V _s3 = lanes_abs(vz);
+    const V _s4 = lanes_max(_s2, _s3);
+    const V _s5 = lanes_mul(curving, lanes_mul(t, _s4));
+    const V _s6 = lanes_min(_s5, K(1.0));
+    const V _s7 = lanes_add(dx, lanes_mul(dvx, t));
+    const V _s8 = lanes_abs(x);
+    const V _s9 = lanes_abs(y);
+    const V _s10 = lanes_abs(z);
+    const V _s11 = lanes_add(K(1.0), lanes_mul(curving, lanes_add(lanes_add(_s8, _s9), _s10)));
+    const V _s12 = lanes_mul(K(2.0), t);
+    const V _s13 = lanes_mul(_s12, _s0);
+    const V _s14 = lanes_mul(K(1.1102230246251565e-16), lanes_add(_s13, _s8));
+    const M _s15 = lanes_less(curving, K(INFINITY));
+    const V _s16 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s13, _s11)), _s14);
+    const M _s17 = lanes_less(_s7, K(0.0));
+    const V _s18 = lanes_add(dy, lanes_mul(dvy, t));
+    const V _s19 = lanes_mul(_s12, _s1);
+    const V _s20 = lanes_mul(K(1.1102230246251565e-16), lanes_add(_s19, _s9));
+    const V _s21 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s19, _s11)), _s20);
+    const M _s22 = lanes_less(_s18, K(0.0));
+    const V _s23 = lanes_add(dz, lanes_mul(dvz, t));
+    const V _s24 = lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s12, _s3));
+    const V _s25 = lanes_mul(K(1.1102230246251565e-16), lanes_add(_s24, _s10));
+    const V _s26 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s24, _s11)), _s25);
+    const M _s27 = lanes_less(_s23, K(0.0));
+    const V _s28 = lanes_add(lanes_add(lanes_mul(nx, lanes_add(_s7, lanes_select(_s17, lanes_neg(_s16), _s16))), lanes_mul(ny, lanes_add(_s18, lanes_select(_s22, lanes_neg(_s21), _s21)))), lanes_mul(nz, lanes_add(_s23, lanes_select(_s27, lanes_neg(_s26), _s26))));
+    const V _s29 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s30 = lanes_neg(lanes_div(lanes_sub(_s28, lanes_add(lanes_add(lanes_mul(dx, left_nx), lanes_mul(dy, left_ny)), lanes_mul(dz, left_nz))), _s29));
+    const V _s31 = lanes_add(lanes_mul(vx, _s30), lanes_add(_s7, lanes_select(_s17, lanes_neg(_s14), _s14)));
+    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s33 = lanes_abs(dx);
+    const V _s34 = lanes_abs(dy);
+    const V _s35 = lanes_max(_s33, _s34);
+    const V _s36 = lanes_abs(dz);
+    const V _s37 = lanes_max(_s35, _s36);
+    const V _s38 = lanes_abs(dvx);
+    const V _s39 = lanes_abs(dvy);
+    const V _s40 = lanes_max(_s38, _s39);
+    const V _s41 = lanes_abs(dvz);
+    const V _s42 = lanes_mul(t, lanes_max(_s40, _s41));
+    const V _s43 = lanes_max(_s16, _s21);
+    const V _s44 = lanes_max(_s14, _s20);
+    const V _s45 = lanes_add(lanes_add(_s42, lanes_max(_s44, _s25)), _s37);
+    const V _s46 = lanes_add(lanes_mul(lanes_div(_s4, lanes_abs(_s29)), lanes_add(lanes_mul(_s37, _s6), lanes_add(_s42, lanes_max(_s43, _s26)))), _s45);
+    const V _s47 = lanes_div(_s46, _s32);
+    const V _s48 = lanes_neg(_s47);
+    const M _s49 = lanes_less(_s6, K(0.25));
+    const V _s50 = lanes_add(lanes_mul(vy, _s30), lanes_add(_s18, lanes_select(_s22, lanes_neg(_s20), _s20)));
+    const V _s51 = lanes_add(lanes_mul(vz, _s30), lanes_add(_s23, lanes_select(_s27, lanes_neg(_s25), _s25)));
+    const V _s52 = lanes_abs(_s30);
+    const V _s53 = lanes_mul(K(0.0625), late);
+    return (LANES(court_carry_flight_out)){ lanes_select(_s49, _s31, lanes_select(lanes_less(lanes_abs(_s31), _s47), lanes_select(lanes_less(_s31, K(0.0)), _s48, _s47), _s31)), lanes_select(_s49, _s50, lanes_select(lanes_less(lanes_abs(_s50), _s47), lanes_select(lanes_less(_s50, K(0.0)), _s48, _s47), _s50)), lanes_select(_s49, _s51, lanes_select(lanes_less(lanes_abs(_s51), _s47), lanes_select(lanes_less(_s51, K(0.0)), _s48, _s47), _s51)), lanes_select(_s49, K(8.0), _s32), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s30)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s52, _s53)), lanes_select(_s49, _s45, _s46) };
 }
 
 /* Errors of a state at the time limit, from those at the start of the flight.
@@ -1550,6 +1568,34 @@ LANES(court_roll_7)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
     return (LANES(court_roll_7_out)){ _s19, _s23, _s32, _s36, _s39, _s42, _s45, lanes_mul(K(0.125), _s7), lanes_mul(K(0.125), _s15), lanes_mul(K(0.125), _s17), lanes_neg(_s49) };
 }
 
+/* A ball that has come from elsewhere.
+   Table 1. No operations. */
+typedef struct {
+    V left_nx;
+    V left_ny;
+    V left_nz;
+} LANES(court_anew_out);
+
+LANES_INLINE LANES(court_anew_out)
+LANES(court_anew)(void)
+{
+    return (LANES(court_anew_out)){ K(0.0), K(0.0), K(0.0) };
+}
+
+/* Where a flight began.
+   Eq. 3. 9 operations: 1 addition, 3 subtractions, 5 multiplications. */
+typedef struct {
+    V from_x;
+    V from_y;
+    V from_z;
+} LANES(court_started_out);
+
+LANES_INLINE LANES(court_started_out)
+LANES(court_started)(V p_gravity, V t, V vx, V vy, V vz, V x, V y, V z)
+{
+    return (LANES(court_started_out)){ lanes_sub(x, lanes_mul(t, vx)), lanes_sub(y, lanes_mul(t, vy)), lanes_sub(z, lanes_mul(t, lanes_add(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t)))) };
+}
+
 /* The constant terms.
    rolling. 6 operations: 2 additions, 4 multiplications. */
 typedef struct {
@@ -1721,7 +1767,7 @@ LANES(court_slowed)(V p_ball_radius, V p_gravity, V nx, V ny, V nz, V position_e
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_mul(_s0, _s0);
-    const V _s2 = lanes_mul(lanes_mul(K(2.9103830456733704e-11), p_ball_radius), lanes_add(p_gravity, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), p_ball_radius)));
+    const V _s2 = lanes_mul(lanes_mul(K(7.275957614183426e-12), p_ball_radius), lanes_add(p_gravity, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), p_ball_radius)));
     const M _s3 = lanes_less(_s1, _s2);
     return (LANES(court_slowed_out)){ lanes_either(_s3, lanes_both(lanes_less(_s1, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)), lanes_less(K(0.0), position_error))), _s3, K(0.0) };
 }
@@ -1809,9 +1855,9 @@ typedef struct {
 LANES_INLINE LANES(court_begun_errors_out)
 LANES(court_begun_errors)(V p_ball_radius, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V vx, V vy, V vz)
 {
-    const V _s0 = lanes_mul(K(1.4551915228366852e-11), p_ball_radius);
+    const V _s0 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
     const V _s1 = lanes_neg(_s0);
-    const V _s2 = lanes_mul(lanes_mul(K(5.820766091346741e-11), p_ball_radius), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), p_ball_radius)));
+    const V _s2 = lanes_mul(lanes_mul(K(1.4551915228366852e-11), p_ball_radius), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), p_ball_radius)));
     const V _s3 = lanes_neg(_s2);
     const V _s4 = lanes_div(_s2, p_ball_radius);
     const V _s5 = lanes_neg(_s4);
@@ -1869,7 +1915,7 @@ LANES(court_beside_body)(V p_ball_radius, V dent, V doubt, V fastest, V gap, V i
     const M _s3 = lanes_both(_s1, _s2);
     const V _s4 = lanes_mul(nearing, nearing);
     const V _s5 = lanes_add(strongest, lanes_mul(dent, lanes_mul(fastest, fastest)));
-    const V _s6 = lanes_select(_s1, lanes_mul(K(1.4551915228366852e-11), p_ball_radius), gap);
+    const V _s6 = lanes_select(_s1, lanes_mul(K(3.637978807091713e-12), p_ball_radius), gap);
     const V _s7 = lanes_add(_s4, lanes_mul(lanes_mul(K(2.0), _s5), _s6));
     const V _s8 = lanes_sqrt(_s7);
     const V _s9 = lanes_select(lanes_at_most(K(0.0), _s7), lanes_div(lanes_select(_s2, lanes_mul(K(2.0), _s6), lanes_add(nearing, _s8)), lanes_select(_s2, lanes_sub(_s8, nearing), lanes_max(K(0.0), _s5))), K(INFINITY));
@@ -1956,21 +2002,70 @@ LANES(court_rolled_on)(V clock, M rests, V stride, V which)
     return (LANES(court_rolled_on_out)){ lanes_add(clock, stride), lanes_both(lanes_equal(which, K(-1.0)), lanes_not(rests)) };
 }
 
+/* Nothing next to the ball.
+   Table 1. No operations. */
+typedef struct {
+    V spare;
+} LANES(court_unmet_out);
+
+LANES_INLINE LANES(court_unmet_out)
+LANES(court_unmet)(void)
+{
+    return (LANES(court_unmet_out)){ K(INFINITY) };
+}
+
+/* What it meets first.
+   a parabola below the distance. 30 operations: 6 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root, 3 absolute values, 5 comparisons, 6 selections. */
+typedef struct {
+    V spare;
+} LANES(court_spared_out);
+
+LANES_INLINE LANES(court_spared_out)
+LANES(court_spared)(V dent, V gap, V p_gravity, V nearing, V spare, V vx, V vy, V vz)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_mul(K(0.0078125), p_gravity), lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
+    const V _s1 = lanes_add(p_gravity, lanes_mul(dent, lanes_mul(_s0, _s0)));
+    const V _s2 = lanes_max(gap, K(0.0));
+    const V _s3 = lanes_add(lanes_mul(nearing, nearing), lanes_mul(lanes_mul(K(2.0), _s1), _s2));
+    const V _s4 = lanes_sqrt(_s3);
+    const M _s5 = lanes_less(nearing, K(0.0));
+    const V _s6 = lanes_select(lanes_at_most(K(0.0), _s3), lanes_div(lanes_select(_s5, lanes_mul(K(2.0), _s2), lanes_add(nearing, _s4)), lanes_select(_s5, lanes_sub(_s4, nearing), lanes_max(K(0.0), _s1))), K(INFINITY));
+    return (LANES(court_spared_out)){ lanes_min(_s6, spare) };
+}
+
+/* How long it stays off one part of the surface: there the distance bends anew.
+   a parabola below the distance. 24 operations: 2 additions, 1 subtraction, 4 multiplications, 1 division, 1 square root, 1 negation, 1 absolute value, 6 comparisons, 7 selections. */
+typedef struct {
+    V spare;
+} LANES(court_spared_seam_out);
+
+LANES_INLINE LANES(court_spared_seam_out)
+LANES(court_spared_seam)(V gap, V p_gravity, V near, V nearing, V spare)
+{
+    const V _s0 = lanes_abs(gap);
+    const V _s1 = lanes_select(lanes_less(K(0.0), gap), nearing, lanes_neg(nearing));
+    const V _s2 = lanes_add(lanes_mul(lanes_mul(K(2.0), p_gravity), _s0), lanes_mul(_s1, _s1));
+    const V _s3 = lanes_sqrt(_s2);
+    const M _s4 = lanes_less(_s1, K(0.0));
+    const V _s5 = lanes_select(lanes_at_most(K(0.0), _s2), lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s0), lanes_add(_s1, _s3)), lanes_select(_s4, lanes_sub(_s3, _s1), lanes_max(K(0.0), p_gravity))), K(INFINITY));
+    return (LANES(court_spared_seam_out)){ lanes_select(lanes_at_most(_s0, near), spare, lanes_min(_s5, spare)) };
+}
+
 /* How long a ball that leaves a surface certainly does not meet it, nor anything else.
-   Taylor's theorem of the gap. 67 operations: 10 additions, 21 multiplications, 6 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
+   Taylor's theorem of the gap. 66 operations: 10 additions, 21 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
 typedef struct {
     V when;
     V doubt;
 } LANES(court_parted_out);
 
 LANES_INLINE LANES(court_parted_out)
-LANES(court_parted)(V doubt, V p_gravity, V lift, V nearest, V per_reach, V position_error, V snap, V surge, V velocity_error, V vx, V vy, V vz)
+LANES(court_parted)(V doubt, V p_gravity, V lift, V per_reach, V position_error, V snap, V spare, V surge, V velocity_error, V vx, V vy, V vz)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_mul(K(0.0078125), p_gravity), lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
-    const V _s1 = lanes_div(lanes_mul(K(0.25), nearest), _s0);
+    const V _s0 = lanes_mul(K(0.25), spare);
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(K(0.0078125), p_gravity), lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
     const V _s2 = lanes_abs(per_reach);
-    const V _s3 = lanes_add(p_gravity, lanes_mul(lanes_mul(_s0, _s0), _s2));
-    const V _s4 = lanes_add(lanes_add(K(1.0), lanes_mul(_s0, _s2)), lanes_sqrt(lanes_mul(p_gravity, _s2)));
+    const V _s3 = lanes_add(p_gravity, lanes_mul(lanes_mul(_s1, _s1), _s2));
+    const V _s4 = lanes_add(lanes_add(K(1.0), lanes_mul(_s1, _s2)), lanes_sqrt(lanes_mul(p_gravity, _s2)));
     const V _s5 = lanes_mul(lanes_mul(K(64.0), _s3), lanes_mul(_s4, lanes_mul(_s4, _s4)));
     const V _s6 = lanes_mul(K(0.5), surge);
     const V _s7 = lanes_sqrt(lanes_div(_s6, _s5));
@@ -1984,8 +2079,8 @@ LANES(court_parted)(V doubt, V p_gravity, V lift, V nearest, V per_reach, V posi
     const V _s15 = lanes_min(_s13, _s14);
     const V _s16 = lanes_select(lanes_less(K(0.0), surge), lanes_min(_s7, _s10), lanes_min(_s12, _s15));
     const V _s17 = lanes_min(_s16, K(0.0078125));
-    const V _s18 = lanes_min(_s1, _s17);
-    const V _s19 = lanes_add(lanes_mul(K(5.684341886080802e-14), p_gravity), lanes_mul(lanes_mul(K(16.0), lanes_add(lanes_mul(position_error, _s3), lanes_mul(velocity_error, _s0))), _s2));
+    const V _s18 = lanes_min(_s0, _s17);
+    const V _s19 = lanes_add(lanes_mul(K(5.684341886080802e-14), p_gravity), lanes_mul(lanes_mul(K(16.0), lanes_add(lanes_mul(position_error, _s3), lanes_mul(velocity_error, _s1))), _s2));
     return (LANES(court_parted_out)){ lanes_max(K(0.0), _s18), lanes_select(lanes_either(lanes_less(lanes_mul(_s19, _s4), surge), lanes_less(_s19, lift)), doubt, K(0.0)) };
 }
 
@@ -2457,7 +2552,7 @@ LANES(court_ring_impact_settling)(V p_ball_radius, V bounce, V drag, V lift, V n
     const V _s17 = lanes_mul(_s12, _s0);
     const V _s18 = lanes_mul(K(4.0), drag);
     const V _s19 = lanes_add(lanes_add(lanes_mul(_s16, _s2), lanes_div(lanes_mul(_s18, lanes_mul(_s2, _s2)), _s17)), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s2), _s0));
-    const V _s20 = lanes_mul(K(1.4551915228366852e-11), p_ball_radius);
+    const V _s20 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
     const M _s21 = lanes_both(_s15, lanes_at_most(_s19, _s20));
     const V _s22 = lanes_mul(K(3.725290298461914e-09), p_ball_radius);
     const M _s23 = lanes_at_most(wedge, _s22);
@@ -2522,7 +2617,7 @@ LANES(court_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
+   derivative of the contact with friction, with roundings. 315 operations: 41 additions, 56 subtractions, 126 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
 typedef struct {
     V dvx;
     V dvy;
@@ -2533,7 +2628,7 @@ typedef struct {
 } LANES(court_carry_ring_impact_out);
 
 LANES_INLINE LANES(court_carry_ring_impact_out)
-LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
+LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V lifting, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
@@ -2567,35 +2662,38 @@ LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
     const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
     const V _s30 = lanes_neg(_s29);
     const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
-    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
-    const V _s33 = lanes_abs(dwx);
-    const V _s34 = lanes_abs(dwy);
-    const V _s35 = lanes_max(_s33, _s34);
-    const V _s36 = lanes_abs(dwz);
-    const V _s37 = lanes_abs(dvx);
-    const V _s38 = lanes_abs(dvy);
-    const V _s39 = lanes_max(_s37, _s38);
-    const V _s40 = lanes_abs(dvz);
-    const V _s41 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s35, _s36)), lanes_mul(turn, _s28)), lanes_max(_s39, _s40));
-    const V _s42 = lanes_div(_s41, _s32);
-    const V _s43 = lanes_neg(_s42);
+    const V _s32 = lanes_abs(dwx);
+    const V _s33 = lanes_abs(dwy);
+    const V _s34 = lanes_max(_s32, _s33);
+    const V _s35 = lanes_abs(dwz);
+    const V _s36 = lanes_abs(dvx);
+    const V _s37 = lanes_abs(dvy);
+    const V _s38 = lanes_max(_s36, _s37);
+    const V _s39 = lanes_abs(dvz);
+    const V _s40 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s34, _s35)), lanes_mul(turn, _s28)), lanes_max(_s38, _s39));
+    const V _s41 = lanes_div(_s40, lifting);
+    const V _s42 = lanes_neg(_s41);
+    const V _s43 = lanes_select(lanes_less(lanes_abs(_s31), _s41), lanes_select(lanes_less(_s31, K(0.0)), _s42, _s41), _s31);
     const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
     const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
-    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
-    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s30, _s29));
-    const V _s48 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
-    const V _s49 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
-    const V _s50 = lanes_add(lanes_add(dwx, lanes_mul(_s48, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
-    const V _s51 = lanes_div(_s29, p_ball_radius);
-    const V _s52 = lanes_neg(_s51);
-    const V _s53 = lanes_add(_s50, lanes_select(lanes_less(_s50, K(0.0)), _s52, _s51));
-    const V _s54 = lanes_div(_s41, lanes_mul(p_ball_radius, _s32));
+    const V _s46 = lanes_select(lanes_less(lanes_abs(_s45), _s41), lanes_select(lanes_less(_s45, K(0.0)), _s42, _s41), _s45);
+    const V _s47 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
+    const V _s48 = lanes_add(_s47, lanes_select(lanes_less(_s47, K(0.0)), _s30, _s29));
+    const V _s49 = lanes_select(lanes_less(lanes_abs(_s48), _s41), lanes_select(lanes_less(_s48, K(0.0)), _s42, _s41), _s48);
+    const V _s50 = lanes_add(lanes_add(lanes_mul(nx, lanes_sub(_s43, _s31)), lanes_mul(ny, lanes_sub(_s46, _s45))), lanes_mul(nz, lanes_sub(_s49, _s48)));
+    const V _s51 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
+    const V _s52 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
+    const V _s53 = lanes_add(lanes_add(dwx, lanes_mul(_s51, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s52, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
+    const V _s54 = lanes_div(_s29, p_ball_radius);
     const V _s55 = lanes_neg(_s54);
-    const V _s56 = lanes_add(lanes_add(dwy, lanes_mul(_s48, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
-    const V _s57 = lanes_add(_s56, lanes_select(lanes_less(_s56, K(0.0)), _s52, _s51));
-    const V _s58 = lanes_add(lanes_add(dwz, lanes_mul(_s48, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
-    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s52, _s51));
-    return (LANES(court_carry_ring_impact_out)){ lanes_select(lanes_less(lanes_abs(_s31), _s42), lanes_select(lanes_less(_s31, K(0.0)), _s43, _s42), _s31), lanes_select(lanes_less(lanes_abs(_s45), _s42), lanes_select(lanes_less(_s45, K(0.0)), _s43, _s42), _s45), lanes_select(lanes_less(lanes_abs(_s47), _s42), lanes_select(lanes_less(_s47, K(0.0)), _s43, _s42), _s47), lanes_select(lanes_less(lanes_abs(_s53), _s54), lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54), _s53), lanes_select(lanes_less(lanes_abs(_s57), _s54), lanes_select(lanes_less(_s57, K(0.0)), _s55, _s54), _s57), lanes_select(lanes_less(lanes_abs(_s59), _s54), lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54), _s59) };
+    const V _s56 = lanes_add(_s53, lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54));
+    const V _s57 = lanes_div(_s40, lanes_mul(p_ball_radius, lifting));
+    const V _s58 = lanes_neg(_s57);
+    const V _s59 = lanes_add(lanes_add(dwy, lanes_mul(_s51, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s52, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
+    const V _s60 = lanes_add(_s59, lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54));
+    const V _s61 = lanes_add(lanes_add(dwz, lanes_mul(_s51, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s52, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
+    const V _s62 = lanes_add(_s61, lanes_select(lanes_less(_s61, K(0.0)), _s55, _s54));
+    return (LANES(court_carry_ring_impact_out)){ lanes_sub(_s43, lanes_mul(nx, _s50)), lanes_sub(_s46, lanes_mul(ny, _s50)), lanes_sub(_s49, lanes_mul(nz, _s50)), lanes_select(lanes_less(lanes_abs(_s56), _s57), lanes_select(lanes_less(_s56, K(0.0)), _s58, _s57), _s56), lanes_select(lanes_less(lanes_abs(_s60), _s57), lanes_select(lanes_less(_s60, K(0.0)), _s58, _s57), _s60), lanes_select(lanes_less(lanes_abs(_s62), _s57), lanes_select(lanes_less(_s62, K(0.0)), _s58, _s57), _s62) };
 }
 
 /* Outward unit normal n3 at a contact.

@@ -122,6 +122,13 @@ LOOP = {
     "clock": Letter("t_c", "time since the release"),
     "clock_error": Letter(r"\varepsilon_t", "what the contacts' times are off by, summed"),
     "curving": Letter(r"\kappa", "curvature of the surface, if it is met twice running"),
+    **{
+        f"left_n{axis}": Letter(
+            rf"n^0_{axis}", f"normal along {axis} where the flight began, if on the same surface"
+        )
+        for axis in AXES
+    },
+    "lifting": Letter(r"\Lambda", "errors are no smaller than the worst by that"),
     "shift": Letter(r"\varsigma", "error of the position at a contact, at worst after one flight"),
     "turn": Letter(r"\tau", "error of the normal, at worst after one flight"),
     "reached": Letter(r"\text{reached}", "the outcome of an event that ends the shot"),
@@ -182,6 +189,7 @@ IN_CONTACT = {
     "bounce": Letter("V", "speed off the surface"),
     "nearest": Letter("d_1", "distance to what is next to the ball"),
     "wedge": Letter("d_2", "how far the ball gets from what it is pressed onto besides"),
+    "spare": Letter(r"t_r", "how long a ball that leaves a surface certainly meets nothing else"),
     "swerve": Letter(r"\ddot d_r", "second derivative of the distance of a ball that rolls"),
     "facing": Letter(r"\chi_n", "cosine of the angle between the normals of two surfaces"),
     "press": Letter("N_r", "normal force on a ball that rolls on, per unit mass"),
