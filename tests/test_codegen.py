@@ -569,9 +569,14 @@ def test_the_hash_of_the_derivation_changes_with_every_expression() -> None:
 
 
 def numpy_operations(function: ast.FunctionDef) -> int:
-    """Count the operations of a printed NumPy function; the sign of a constant is none."""
+    """Count the operations of a printed NumPy function.
+
+    The sign of a constant is none, nor is it one to round what a kernel is given.
+    """
 
     def counts(node: ast.AST) -> bool:
+        if isinstance(node, ast.Call) and ast.unparse(node.func) in ("_single", "_halves"):
+            return False
         if isinstance(node, ast.UnaryOp):
             constant = isinstance(node.operand, ast.Constant) or ast.unparse(node.operand) == "_inf"
             return not constant

@@ -193,7 +193,8 @@ class NumPyLoop(Printer):
         for body in node.body:
             assert isinstance(body, Do)
             self._do(body, inside, indent, inner, depth)
-        for name in own.gives:
+        # The body may assign its own truth: that goes last.
+        for name in sorted(own.gives, key=lambda name: name == node.truth):
             new = local(name, depth)
             self.lines.append(
                 f"{indent}{new} = _choose({names[node.truth]}, {inside[name]}, {names[name]})"
