@@ -195,9 +195,7 @@ def writes(nodes: Iterable[Node]) -> dict[str, Kind]:
             for output, variable in node.assigned.items():
                 found.setdefault(variable, kinds[output])
                 if found[variable] != kinds[output]:
-                    raise ValueError(
-                        f"{variable} is both {found[variable]} and {kinds[output]}"
-                    )
+                    raise ValueError(f"{variable} is both {found[variable]} and {kinds[output]}")
     return found
 
 

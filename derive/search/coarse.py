@@ -87,7 +87,15 @@ class CoarseRing(RingApproach):
     @property
     def passed(self) -> tuple[sp.Symbol, ...]:
         """What its kernels are given beside the constants of the flight: margins and windows."""
-        return (flat, tilt, grit, jerk, parting, drift, *(edge for window in self._later() for edge in window))
+        return (
+            flat,
+            tilt,
+            grit,
+            jerk,
+            parting,
+            drift,
+            *(edge for window in self._later() for edge in window),
+        )
 
     def _later(self) -> list[tuple[sp.Symbol, sp.Symbol]]:
         """The windows after the first, which nothing is before."""
@@ -140,7 +148,9 @@ class CoarseRing(RingApproach):
         """
         innermost, outermost = self.radii()
         latest = hold(horizon * (1 + sp.Rational(1, 2**22)))
-        found = [(hold(largest(0, low)), hold(smallest(latest, high))) for low, high in self.windows]
+        found = [
+            (hold(largest(0, low)), hold(smallest(latest, high))) for low, high in self.windows
+        ]
         first = enter(found, *(sp.Integer(0),) * 3)
         later = {
             edge.name: value

@@ -21,7 +21,7 @@ from hoopgen.derive.ground.tree import (
     writes,
 )
 
-from .printers import C, C_SINGLE, Spelling, constant
+from .printers import C_SINGLE, C, Spelling, constant
 
 TYPES: dict[Kind, str] = {"double": "V", "single": "S", "truth": "M"}
 """What variables are in C."""
