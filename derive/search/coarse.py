@@ -1,29 +1,38 @@
-"""The ring's search in single precision: half the work, and most flights need no more.
+"""The ring's search in single precision: half the work, and nearly every flight needs no more.
 
 The flight is drawn anew from its place at t0, where the first window opens. Between there and the
 end of the last window, D later, the ball is over the annulus at both ends, so that horizontally it
 goes no further than twice the annulus's outer radius A = R_H + R, and vertically |vz| D is at most
-3/2 g D² + 2 R. With v = 2^-24, the unit roundoff of single precision, the roundings of that place,
-of Eq. 3 and of the event condition come to less than
+3/2 g D² + 2 R. With v = 2^-24, the unit roundoff of single precision, all roundings are counted as
+errors of the place and of the velocity,
 
-    p = 2^-20 (A + g D²) = 16 v (A + g D²)
+    p = 2^-20 (A + g D²) = 16 v (A + g D²)    and    2^-22 |v|:
 
-if they are all counted as errors of the place, and 2^-22 of the speed as errors of the velocity: of
-the place there are 6 v A + 7/2 v g D², of the gap's formula what 5/2 v A would make, of time what
-3 v A + 3/2 v g D² would; and what is left of p makes more than the roundings of the rate, 32 v A
-times the speed, and of F/t, 24 v A times the speed and max(1, R/I). The margins of the search in
-double precision, given these as errors, are therefore those of the search in single precision.
+of the place itself there are 6 v A + 7/2 v g D², of the gap's formula what 5/2 v A would make, of
+times and steps what 6 v A + 5/2 v g D² would; and p less the first of these makes more than the
+roundings of the rate, 32 v A |v|. What `RingApproach.margins` makes of these errors, and of those
+of the state that a search allows for, are the margins here.
+
+Where the ball has just left the ring, F and F' are less than that. There
+
+    F = t (F'_0 + t H),    F' = 2 F/t - F'_0,
+
+with F'_0 from double precision and H, half of F'' at first, known to 69 v max(1, R/I) A/I of C,
+which bounds |F''|: each of H's terms is at most C, or C max(1, R/I), and rho known to 6 v A. F' is off by
+K t²/6 at the most where no third derivative exceeds K, whose weights in both differ by s (t - s)/t.
+Errors of the state that a search allows for are a share of it, and a short hop bears a small share
+alone: how much follows from F'_0.
 
 Of the bound on F'' the roundings stay below `blur` and `ease`: rho is off by 6 v A, and rho' by
-v V (39 A/I + 5), less than 2^-13 V where A <= 2^5 I; z by (10 R + 7/2 g D²) v, less than 2^-15 R
-where g D² <= 2^7 R; the rest is relative, 8 v. By so much time is rounded at the edges of windows, too, where no contact can
-begin: 2^-16 R and less, of the 2^-14 R that they are wider by.
+v V (15 A/I + 8), less than 2^-13 V where A <= 2^5 I; z and its tangent by 1424 v R, less than
+2^-13 R, where g D² <= 2^7 R; the rest is relative, 8 v. Times at the edges of windows are off by
+what the ball moves 2^-16 R in; no contact can begin there, as they are wider by 2^-14 R.
 
 So a step is without a root for the true flight, too, and where the slope r fulfils
 r² > 16 C (F - m + 2 m) one simple root follows, to which Newton's method converges: F itself is at
-most F - m + 2 m, and so h < 2^-4. A search that gets no further, because F is within its
-margin or a step is none, goes on from there in double precision; so does one that is not of those
-sizes, or in which anything is not a number.
+most F - m + 2 m, and so h < 2^-4. C bounds |F''| on twice the way to the root. A search that gets
+no further, because F is within its margin or a step is none, goes on from there in double
+precision; so does one that is not of those sizes, or in which anything is not a number.
 """
 
 from __future__ import annotations
@@ -123,13 +132,14 @@ class CoarseRing(RingApproach):
         turn = hold(swing * inverse**3)
         weight = 6 * self.gravity * there[2]
         sinking = hold(hold(largest(-moving[2], 0) + self.gravity * width) * width)
+        sinking = hold(sinking + 2 * self.blur(width)[1])
         growing = hold(6 * self.gravity * sinking + 3 * hold(turn * inverse) * moved)
         slack = sp.Rational(1, 2**12) * hold(size(steady) + size(weight) + turn)
         upper = hold(self.bend + hold(growing + slack))
         return Choose(AtMost(reach, hold(width * fall)), largest(curvature, upper), ceiling)
 
     def _moved(self, width: sp.Expr) -> sp.Expr:
-        """At least how far the ball moves sideways in that time."""
+        """No less than the ball moves sideways in that time."""
         vx, vy, _ = VELOCITY
         return hold(hold(sp.Abs(vx) + sp.Abs(vy)) * width)
 
@@ -171,10 +181,10 @@ class CoarseRing(RingApproach):
         return first | later | {"latest": ends, "sound": sound}
 
     def blur(self, width: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-        """Return the same of single precision, as in the head of this file."""
+        """Return the same of single precision: see the head of this file."""
         _, outermost = self.radii()
         around = sp.Rational(1, 2**20) * outermost + sp.Rational(1, 2**13) * self._moved(width)
-        return around, sp.Rational(1, 2**15) * self.ring.reach
+        return around, sp.Rational(1, 2**13) * self.ring.reach
 
     @property
     def rate(self) -> sp.Expr:
@@ -237,7 +247,8 @@ class CoarseRing(RingApproach):
         reach = hold(self.ring.reach, "R")
         stretch = hold(largest(1, reach / innermost))
         whole = hold(5 * hold(reach * fastest + hold(stretch * fastest) * furthest))
-        finer = smallest(SHARES[0], hold(sp.Rational(1, 2**8) * hold(largest(parting, 0)) / whole))
+        bearable = hold(sp.Rational(1, 2**8) * parting / whole)
+        finer = largest(SHARES[-1], smallest(SHARES[0], bearable))
         allowing = hold(Choose(Less(0, leaving), finer, SHARES[0]))
         place = SAFETY * hold(
             allowing * furthest + sp.Rational(1, 2**20) * hold(outermost + dropped)
@@ -263,7 +274,7 @@ class CoarseRing(RingApproach):
             "flat": 5 * reach * place,
             "tilt": Choose(Less(0, leaving), SAFETY * hold(tilting), sp.oo),
             "jerk": SAFETY * hold(self.gravity * upright + hold(turn * sideways) / (2 * innermost)),
-            "grit": sp.Rational(1, 2**19) * hold(stretch * bend),
+            "grit": sp.Rational(1, 2**17) * hold(stretch * hold(outermost / innermost)) * bend,
             "parting": parting,
             "drift": drift,
             "rate_margin": slope,

@@ -128,7 +128,6 @@ class CurvedSearch(Search):
 
 def _coarse(coarse: CoarseRing) -> dict[str, Formula]:
     """Return the kernels of the search in single precision."""
-    source = "Newton from the left under a curvature bound, in single precision"
     return {
         "opened": (
             coarse.opened(),
@@ -148,7 +147,7 @@ def _coarse(coarse: CoarseRing) -> dict[str, Formula]:
         ),
         "started": (
             coarse.started(),
-            "Distance from the axis, rate of the gap and of that distance, at the start of the flight.",
+            "Distance from the axis, its rate and that of the gap, at the start of a flight.",
             "Table 2",
         ),
         "lost": (

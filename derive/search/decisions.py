@@ -156,7 +156,7 @@ KERNELS = {
                 "ceiling": ceiling,
                 "flat": flat,
                 "tilt": rate_margin,
-                "allowing": share,
+                "allowing": Choose(every(sound, fits), share, SHARES[0]),
             },
             "Whether a search begins in single precision, and what it is known by.",
         ),

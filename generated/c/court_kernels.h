@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 9b3a9e5b6a4b0e31,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 4ca1b003af022174,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -648,7 +648,7 @@ LANES(court_opened)(V horizon, V time)
 }
 
 /* Whether a search begins in single precision, and what it is known by.
-   Table 1. 4 operations: 2 conjunctions, 1 disjunction, 1 complement. */
+   Table 1. 6 operations: 3 conjunctions, 1 disjunction, 1 complement, 1 selection. */
 typedef struct {
     M leaping;
     M searching;
@@ -663,7 +663,7 @@ LANES_INLINE LANES(court_coarse_out)
 LANES(court_coarse)(V ceiling, M fits, V flat, V rate_margin, M searching, V share, M sound)
 {
     const M _s0 = lanes_both(lanes_both(searching, sound), fits);
-    return (LANES(court_coarse_out)){ _s0, lanes_either(searching, lanes_not(sound)), _s0, ceiling, flat, rate_margin, share };
+    return (LANES(court_coarse_out)){ _s0, lanes_either(searching, lanes_not(sound)), _s0, ceiling, flat, rate_margin, lanes_select(lanes_both(sound, fits), share, K(2.9802322387695312e-08)) };
 }
 
 /* What a search in single precision found, and whether it goes on, and from when.
@@ -3091,7 +3091,7 @@ LANES(court_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S
 }
 
 /* What a search in single precision is given, from where it begins.
-   running error analysis. 107 operations: 21 additions, 8 subtractions, 54 multiplications, 4 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections. */
+   running error analysis. 109 operations: 21 additions, 8 subtractions, 55 multiplications, 5 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections. */
 typedef struct {
     S share;
     S t;
@@ -3135,23 +3135,25 @@ LANES(court_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S
     const S _s9 = singles_mul(_s1, _s8);
     const S _s10 = singles_add(extent, singles_mul(horizon, _s1));
     const S _s11 = singles_mul(KS(5.0), singles_add(singles_mul(_s9, _s10), singles_mul(_s2, _s1)));
-    const S _s12 = singles_div(singles_mul(KS(0.00390625), singles_max(parting, KS(0.0))), _s11);
-    const S _s13 = singles_select(_s0, singles_min(_s12, KS(2.9802322387695312e-08)), KS(2.9802322387695312e-08));
-    const S _s14 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(singles_mul(KS(4.0), p_gravity), z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
-    const S _s15 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
-    const S _s16 = singles_mul(singles_mul(KS(2.0), p_ring_radius), singles_mul(_s15, _s15));
-    const S _s17 = singles_div(KS(1.0), _s6);
-    const S _s18 = singles_mul(_s17, singles_mul(_s17, _s17));
-    const S _s19 = singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s2), singles_mul(_s16, _s18)), singles_abs(_s14));
-    const S _s20 = singles_sub(horizon, t);
-    const S _s21 = singles_mul(p_gravity, singles_mul(_s20, _s20));
-    const S _s22 = singles_add(singles_mul(_s10, _s13), singles_mul(KS(9.5367431640625e-07), singles_add(_s21, singles_add(p_ring_radius, _s3))));
-    const S _s23 = singles_div(singles_mul(KS(0.5), singles_mul(singles_mul(_s16, singles_add(singles_abs(vx), singles_abs(vy))), _s18)), _s6);
-    return (LANES(court_ring_grain_out)){ _s13, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s14, _s16, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s19), singles_mul(singles_mul(KS(5.0048828125), _s2), _s22), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s13), _s11))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(p_gravity, singles_add(singles_mul(p_gravity, _s20), singles_abs(vz))), _s23)), singles_mul(KS(1.9073486328125e-06), singles_mul(_s19, _s8)), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s9), _s22), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s13), _s2), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s21, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
+    const S _s12 = singles_div(singles_mul(KS(0.00390625), parting), _s11);
+    const S _s13 = singles_min(_s12, KS(2.9802322387695312e-08));
+    const S _s14 = singles_select(_s0, singles_max(KS(2.842170943040401e-14), _s13), KS(2.9802322387695312e-08));
+    const S _s15 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(singles_mul(KS(4.0), p_gravity), z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
+    const S _s16 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s17 = singles_mul(singles_mul(KS(2.0), p_ring_radius), singles_mul(_s16, _s16));
+    const S _s18 = singles_div(KS(1.0), _s6);
+    const S _s19 = singles_mul(_s18, singles_mul(_s18, _s18));
+    const S _s20 = singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s2), singles_mul(_s17, _s19)), singles_abs(_s15));
+    const S _s21 = singles_sub(horizon, t);
+    const S _s22 = singles_mul(p_gravity, singles_mul(_s21, _s21));
+    const S _s23 = singles_add(p_ring_radius, _s3);
+    const S _s24 = singles_add(singles_mul(_s10, _s14), singles_mul(KS(9.5367431640625e-07), singles_add(_s22, _s23)));
+    const S _s25 = singles_div(singles_mul(KS(0.5), singles_mul(singles_mul(_s17, singles_add(singles_abs(vx), singles_abs(vy))), _s19)), _s6);
+    return (LANES(court_ring_grain_out)){ _s14, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s15, _s17, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s20), singles_mul(singles_mul(KS(5.0048828125), _s2), _s24), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s14), _s11))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(p_gravity, singles_add(singles_mul(p_gravity, _s21), singles_abs(vz))), _s25)), singles_mul(singles_mul(KS(7.62939453125e-06), singles_mul(singles_div(_s23, _s6), _s8)), _s20), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s9), _s24), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s14), _s2), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s22, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
 }
 
 /* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
-   Newton from the left under a curvature bound. 233 operations: 40 additions, 20 subtractions, 80 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections. */
+   Newton from the left under a curvature bound. 237 operations: 42 additions, 20 subtractions, 82 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections. */
 typedef struct {
     S t;
     S end;
@@ -3202,7 +3204,7 @@ LANES(court_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx
     const S _s37 = singles_sub(end, t);
     const S _s38 = singles_min(_s36, _s37);
     const S _s39 = singles_mul(KS(1.00006103515625), _s25);
-    const S _s40 = singles_add(singles_add(singles_mul(KS(3.0517578125e-05), p_ball_radius), singles_mul(KS(3.0517578125e-05), p_wire_radius)), singles_add(singles_mul(_s38, singles_max(_s19, KS(0.0))), _s20));
+    const S _s40 = singles_add(singles_add(singles_mul(KS(0.0001220703125), p_ball_radius), singles_mul(KS(0.0001220703125), p_wire_radius)), singles_add(singles_mul(_s38, singles_max(_s19, KS(0.0))), _s20));
     const S _s41 = singles_mul(_s30, singles_min(_s39, _s40));
     const S _s42 = singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s38);
     const S _s43 = singles_sub(singles_sub(singles_add(singles_mul(_s38, singles_min(KS(0.0), _s17)), _s8), singles_mul(KS(0.0001220703125), _s42)), singles_mul(KS(9.5367431640625e-07), singles_add(p_ring_radius, _s39)));
@@ -3214,26 +3216,27 @@ LANES(court_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx
     const S _s49 = singles_abs(steady);
     const S _s50 = singles_sub(singles_add(singles_add(_s41, _s48), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s48, _s49), singles_abs(_s41)))), steady);
     const S _s51 = singles_neg(_s19);
-    const S _s52 = singles_add(singles_add(singles_mul(_s30, singles_mul(singles_add(singles_mul(p_gravity, _s38), singles_max(_s51, KS(0.0))), _s38)), singles_mul(singles_mul(KS(3.0), singles_mul(_s32, _s16)), _s42)), singles_mul(KS(0.000244140625), singles_add(singles_add(_s49, singles_abs(_s31)), _s32)));
-    const S _s53 = singles_sub(singles_sub(singles_add(steady, _s52), _s31), _s32);
-    const S _s54 = singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s28, singles_mul(_s23, _s38)), singles_max(_s50, _s53), ceiling)), _s28));
-    const Q _s55 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s23), _s54, _s23));
-    const S _s56 = singles_add(singles_mul(singles_mul(KS(2.0), _s50), _s27), singles_mul(_s29, _s29));
-    const S _s57 = singles_sqrt(_s56);
-    const S _s58 = singles_select(singles_at_most(KS(0.0), _s56), singles_div(singles_select(_s34, _s35, singles_add(_s57, _s29)), singles_select(_s34, singles_sub(_s57, _s29), singles_max(KS(0.0), _s50))), KS(INFINITY));
-    const S _s59 = singles_min(_s58, _s38);
-    const S _s60 = singles_add(t, _s59);
-    const Q _s61 = singles_both(singles_not(_s55), singles_either(singles_both(singles_less(_s21, KS(0.0)), singles_at_most(_s26, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s60)))));
-    const Q _s62 = singles_not(singles_either(_s55, _s61));
-    const Q _s63 = singles_both(_s62, singles_at_most(_s37, _s59));
-    const S _s64 = singles_max(end, low1);
-    const Q _s65 = singles_less(_s64, high1);
-    const S _s66 = singles_max(end, low2);
-    const Q _s67 = singles_less(_s66, high2);
-    return (LANES(court_ring_leap_out)){ singles_select(_s63, singles_select(_s65, _s64, singles_select(_s67, _s66, KS(INFINITY))), singles_select(_s61, t, _s60)), singles_select(_s63, singles_select(_s65, high1, singles_select(_s67, high2, end)), end), singles_truth(_s55), singles_truth(singles_both(_s62, singles_either(singles_not(_s63), singles_either(singles_either(singles_nowhere(), _s67), _s65)))) };
+    const S _s52 = singles_add(singles_mul(_s30, singles_add(singles_add(singles_mul(KS(0.000244140625), p_ball_radius), singles_mul(KS(0.000244140625), p_wire_radius)), singles_mul(singles_add(singles_mul(p_gravity, _s38), singles_max(_s51, KS(0.0))), _s38))), singles_mul(singles_mul(KS(3.0), singles_mul(_s32, _s16)), _s42));
+    const S _s53 = singles_add(steady, singles_add(_s52, singles_mul(KS(0.000244140625), singles_add(singles_add(_s49, singles_abs(_s31)), _s32))));
+    const S _s54 = singles_sub(singles_sub(_s53, _s31), _s32);
+    const S _s55 = singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s28, singles_mul(_s23, _s38)), singles_max(_s50, _s54), ceiling)), _s28));
+    const Q _s56 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s23), _s55, _s23));
+    const S _s57 = singles_add(singles_mul(singles_mul(KS(2.0), _s50), _s27), singles_mul(_s29, _s29));
+    const S _s58 = singles_sqrt(_s57);
+    const S _s59 = singles_select(singles_at_most(KS(0.0), _s57), singles_div(singles_select(_s34, _s35, singles_add(_s58, _s29)), singles_select(_s34, singles_sub(_s58, _s29), singles_max(KS(0.0), _s50))), KS(INFINITY));
+    const S _s60 = singles_min(_s59, _s38);
+    const S _s61 = singles_add(t, _s60);
+    const Q _s62 = singles_both(singles_not(_s56), singles_either(singles_both(singles_less(_s21, KS(0.0)), singles_at_most(_s26, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s61)))));
+    const Q _s63 = singles_not(singles_either(_s56, _s62));
+    const Q _s64 = singles_both(_s63, singles_at_most(_s37, _s60));
+    const S _s65 = singles_max(end, low1);
+    const Q _s66 = singles_less(_s65, high1);
+    const S _s67 = singles_max(end, low2);
+    const Q _s68 = singles_less(_s67, high2);
+    return (LANES(court_ring_leap_out)){ singles_select(_s64, singles_select(_s66, _s65, singles_select(_s68, _s67, KS(INFINITY))), singles_select(_s62, t, _s61)), singles_select(_s64, singles_select(_s66, high1, singles_select(_s68, high2, end)), end), singles_truth(_s56), singles_truth(singles_both(_s63, singles_either(singles_not(_s64), singles_either(singles_either(singles_nowhere(), _s68), _s66)))) };
 }
 
-/* Distance from the axis, rate of the gap and of that distance, at the start of the flight.
+/* Distance from the axis, its rate and that of the gap, at the start of a flight.
    Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root. */
 typedef struct {
     V rho_start;

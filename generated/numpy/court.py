@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 9b3a9e5b6a4b0e31,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 4ca1b003af022174,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -1355,11 +1355,11 @@ def opened(horizon: Any, time: Any) -> tuple[Any, ...]:
 def coarse(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
     """Whether a search begins in single precision, and what it is known by.
 
-    Table 1. 4 operations: 2 conjunctions, 1 disjunction, 1 complement.
+    Table 1. 6 operations: 3 conjunctions, 1 disjunction, 1 complement, 1 selection.
     Returns leaping, searching, served, ceiling, flat, tilt, allowing.
     """
     _s0 = _logical_and(_logical_and(searching, sound), fits)
-    return _s0, _logical_or(searching, _logical_not(sound)), _s0, ceiling, flat, rate_margin, share
+    return _s0, _logical_or(searching, _logical_not(sound)), _s0, ceiling, flat, rate_margin, _where(_logical_and(sound, fits), share, 2.9802322387695312e-08)
 
 
 def leapt(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
@@ -3284,7 +3284,7 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """What a search in single precision is given, from where it begins.
 
-    running error analysis. 107 operations: 21 additions, 8 subtractions, 54 multiplications, 4 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections.
+    running error analysis. 109 operations: 21 additions, 8 subtractions, 55 multiplications, 5 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections.
     Returns share, t, end, x, y, z, vx, vy, vz, steady, swing, rho_start, ceiling, flat, tilt, jerk, grit, parting, drift, rate_margin, low1, high1, low2, high2, fits.
     """
     t = _single(t)
@@ -3309,7 +3309,7 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_ring_radius = _single(p_ring_radius)
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _halves(_room[:12])
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
     _s0 = 0.0 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
@@ -3322,25 +3322,27 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
     _s11 = _multiply(5.0, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(0.00390625, _select(parting < 0.0, 0.0, parting, _r3), _r3), _s11, _r3)
-    _s13 = _result(_s0, _select(_s12 < 2.9802322387695312e-08, _s12, 2.9802322387695312e-08, _r5), 2.9802322387695312e-08, _r0)
-    _s14 = _add(_multiply(2.0, _multiply(vz, vz, _r6), _r6), _multiply(4.0 * p_gravity, z, _r7), _r7) + _multiply(2.0, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r8), _r8), _r8)
-    _s15 = _subtract(_multiply(vy, x, _r8), _multiply(vx, y, _r7), _r7)
-    _s16 = (2.0 * p_ring_radius) * _multiply(_s15, _s15, _r7)
-    _s17 = 1.0 / _s6
-    _s18 = _s17 * (_s17 * _s17)
-    _s19 = _add(_add((6.0003662109375 * p_gravity) * _s2, _multiply(_s16, _s18, _r7), _r7), _absolute(_s14, _r8), _r8)
-    _s20 = _subtract(horizon, t, _r7)
-    _s21 = _multiply(p_gravity, _multiply(_s20, _s20, _r6), _r6)
-    _s22 = _add(_multiply(_s10, _s13, _r2), _multiply(9.5367431640625e-07, _add(_s21, p_ring_radius + _s3, _r9), _r9), _r9)
-    _s23 = _divide(_multiply(0.5, _multiply(_multiply(_s16, _add(_absolute(vx, _r2), _absolute(vy, _r10), _r10), _r10), _s18, _r10), _r10), _s6, _r10)
-    return _s13, 0.0, end - t, x, y, z, vx, vy, vz, _s14, _s16, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r11), _r11)), 1.0009765625 * _s19, (5.0048828125 * _s2) * _s22, _result(_s0, _multiply(1.0009765625, _add(_multiply(4.76837158203125e-07, _absolute(parting, _r11), _r11), _multiply(_add(5.684341886080802e-14, _s13, _r2), _s11, _r2), _r2), _r2), _inf, _r0), 1.0009765625 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s20, _r7), _absolute(vz, _r2), _r2), _r2), _s23, _r10), 1.9073486328125e-06 * _multiply(_s19, _s8, _r8), parting, drift, 5.0 * _add(_multiply(_multiply(1.0009765625, _s9, _r1), _s22, _r1), _multiply(_multiply(_add(2.384185791015625e-07, _s13, _r5), _s2, _r5), _s1, _r5), _r5), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s21 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r6) <= 0.0))
+    _s12 = _divide(_multiply(0.00390625, parting, _r3), _s11, _r3)
+    _s13 = _select(_s12 < 2.9802322387695312e-08, _s12, 2.9802322387695312e-08, _r5)
+    _s14 = _result(_s0, _select(2.842170943040401e-14 < _s13, _s13, 2.842170943040401e-14, _r6), 2.9802322387695312e-08, _r0)
+    _s15 = _add(_multiply(2.0, _multiply(vz, vz, _r7), _r7), _multiply(4.0 * p_gravity, z, _r8), _r8) + _multiply(2.0, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s16 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
+    _s17 = (2.0 * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = 1.0 / _s6
+    _s19 = _s18 * (_s18 * _s18)
+    _s20 = _add(_add((6.0003662109375 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s21 = _subtract(horizon, t, _r8)
+    _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
+    _s23 = p_ring_radius + _s3
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(9.5367431640625e-07, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(0.5, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, 0.0, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), 1.0009765625 * _s20, (5.0048828125 * _s2) * _s24, _result(_s0, _multiply(1.0009765625, _add(_multiply(4.76837158203125e-07, _absolute(parting, _r12), _r12), _multiply(_add(5.684341886080802e-14, _s14, _r2), _s11, _r2), _r2), _r2), _inf, _r0), 1.0009765625 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (7.62939453125e-06 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, 5.0 * _add(_multiply(_multiply(1.0009765625, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(2.384185791015625e-07, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r7) <= 0.0))
 
 
 def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
 
-    Newton from the left under a curvature bound. 233 operations: 40 additions, 20 subtractions, 80 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections.
+    Newton from the left under a curvature bound. 237 operations: 42 additions, 20 subtractions, 82 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections.
     Returns t, end, certain, leaping.
     """
     t = _single(t)
@@ -3411,7 +3413,7 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
     _s39 = 1.00006103515625 * _s25
-    _s40 = _add((3.0517578125e-05 * p_ball_radius) + (3.0517578125e-05 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < 0.0, 0.0, _s19, _r23), _r23), _s20, _r23), _r23)
+    _s40 = _add((0.0001220703125 * p_ball_radius) + (0.0001220703125 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < 0.0, 0.0, _s19, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
     _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(0.0 < _s17, 0.0, _s17, _r23), _r23), _s8, _r23), _multiply(0.0001220703125, _s42, _r7), _r7), 9.5367431640625e-07 * (p_ring_radius + _s39), _r7)
@@ -3423,27 +3425,28 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s49 = _absolute(steady, _r23)
     _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(3.814697265625e-06, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
     _s51 = _negative(_s19, _r6)
-    _s52 = _add(_add(_multiply(_s30, _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < 0.0, 0.0, _s51, _r7), _r7), _s38, _r7), _r7), _multiply(_multiply(3.0, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8), _multiply(0.000244140625, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7)
-    _s53 = _subtract(_subtract(_add(steady, _s52, _r7), _s31, _r7), _s32, _r7)
-    _s54 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(8.0, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s53, _s53, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
-    _s55 = 0.0 < _select(0.0 < _s23, _s54, _s23, _r16)
-    _s56 = _add(_multiply(_multiply(2.0, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
-    _s57 = _sqrt(_s56, _r16)
-    _s58 = _select(0.0 <= _s56, _divide(_select(_s34, _s35, _add(_s57, _s29, _r15), _r8), _select(_s34, _subtract(_s57, _s29, _r16), _select(0.0 < _s50, _s50, 0.0, _r2), _r4), _r8), _inf, _r15)
-    _s59 = _select(_s58 < _s38, _s58, _s38, _r4)
-    _s60 = _add(t, _s59, _r2)
-    _s61 = _logical_and(_logical_not(_s55), _logical_or(_logical_and((_s21 < 0.0), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s60)))))
-    _s62 = _logical_not(_logical_or(_s55, _s61))
-    _s63 = _logical_and(_s62, (_s37 <= _s59))
-    _s64 = _select(end < low1, low1, end, _r4)
-    _s65 = _s64 < high1
-    _s66 = _select(end < low2, low2, end, _r15)
-    _s67 = _s66 < high2
-    return _result(_s63, _select(_s65, _s64, _select(_s67, _s66, _inf, _r8), _r24), _select(_s61, t, _s60, _r19), _r0), _result(_s63, _select(_s65, high1, _select(_s67, high2, end, _r19), _r24), end, _r0), _s55, _logical_and(_s62, _logical_or(_logical_not(_s63), _logical_or(_logical_or(False, _s67), _s65)))
+    _s52 = _add(_multiply(_s30, _add((0.000244140625 * p_ball_radius) + (0.000244140625 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < 0.0, 0.0, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(3.0, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(steady, _add(_s52, _multiply(0.000244140625, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
+    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(8.0, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
+    _s56 = 0.0 < _select(0.0 < _s23, _s55, _s23, _r16)
+    _s57 = _add(_multiply(_multiply(2.0, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s58 = _sqrt(_s57, _r16)
+    _s59 = _select(0.0 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(0.0 < _s50, _s50, 0.0, _r2), _r4), _r8), _inf, _r15)
+    _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
+    _s61 = _add(t, _s60, _r2)
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < 0.0), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s63 = _logical_not(_logical_or(_s56, _s62))
+    _s64 = _logical_and(_s63, (_s37 <= _s60))
+    _s65 = _select(end < low1, low1, end, _r4)
+    _s66 = _s65 < high1
+    _s67 = _select(end < low2, low2, end, _r15)
+    _s68 = _s67 < high2
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _inf, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Distance from the axis, rate of the gap and of that distance, at the start of the flight.
+    """Distance from the axis, its rate and that of the gap, at the start of a flight.
 
     Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root.
     Returns rho_start, parting, drift.
