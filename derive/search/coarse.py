@@ -18,10 +18,10 @@ Where the ball has just left the ring, F and F' are less than that. There
     F = t (F'_0 + t H),    F' = 2 F/t - F'_0,
 
 with F'_0 from double precision and H, half of F'' at first, known to 69 v max(1, R/I) A/I of C,
-which bounds |F''|: each of H's terms is at most C, or C max(1, R/I), and rho known to 6 v A. F' is off by
-K t²/6 at the most where no third derivative exceeds K, whose weights in both differ by s (t - s)/t.
-Errors of the state that a search allows for are a share of it, and a short hop bears a small share
-alone: how much follows from F'_0.
+which bounds |F''|: each of H's terms is at most C, or C max(1, R/I), and rho known to 6 v A. F' is
+off by K t²/6 at the most where no third derivative exceeds K, whose weights in both differ by
+s (t - s)/t. Errors of the state that a search allows for are a share of it, and a short hop bears
+a small share alone: how much follows from F'_0.
 
 Of the bound on F'' the roundings stay below `blur` and `ease`: rho is off by 6 v A, and rho' by
 v V (15 A/I + 8), less than 2^-13 V where A <= 2^5 I; z and its tangent by 1424 v R, less than
