@@ -26,14 +26,16 @@ _KERNEL = re.compile(
     re.DOTALL,
 )
 _COUNT = re.compile(r"(\d+) ([a-z ]+?)s?[,.]")
-_TURN = "M searching = active;"
-"""Where a turn of the search begins, in the event loop."""
+_TURNS = ("M leaping = active;", "M searching = active;")
+"""Where a turn of the search begins, in the event loop: in single precision, and in double."""
+_EVALUATIONS = ("hoop_ring_leap", "hoop_ring_advance")
+"""The kernels that evaluate the gap and its bound, in single precision and in double."""
 
 
 @dataclass(frozen=True)
 class Counts:
-    """By shot: all arithmetic, divisions and roots alone, and evaluations of the search; and the
-    share of the search's lanes that are busy at the widest."""
+    """By shot: all arithmetic, divisions and roots alone, and evaluations of the search, in either
+    precision; and the share of the lanes that are busy in its turns at the widest."""
 
     operations: float
     divisions: float
@@ -56,7 +58,7 @@ def _with_counter(kernel: re.Match[str]) -> str:
     counts = {what: int(count) for count, what in _COUNT.findall(kernel["comment"])}
     lines = [f"hoop_count[0] += {sum(counts.get(what, 0) for what in ARITHMETIC)};"]
     lines += [f"hoop_count[{k}] += {counts.get(w, 0)};" for k, w in enumerate(DIVIDER, start=1)]
-    if kernel["name"] == "hoop_ring_advance":
+    if kernel["name"] in _EVALUATIONS:
         lines.append("hoop_count[3]++;")
     return kernel[0] + "".join(f"    {line}\n" for line in lines)
 
@@ -68,10 +70,12 @@ def _in_kernels(name: str, text: str) -> str:
 def _in_search(name: str, text: str) -> str:
     if name != "hoop_engine.h":
         return text
-    if _TURN not in text:
-        raise ValueError(f"{name} has no line {_TURN!r}")
     counters = "hoop_count[4] += (double)busy; hoop_count[5] += LANES_WIDTH;"
-    return text.replace(_TURN, f"{_TURN} {counters}")
+    for turn in _TURNS:
+        if turn not in text:
+            raise ValueError(f"{name} has no line {turn!r}")
+        text = text.replace(turn, f"{turn} {counters}")
+    return text
 
 
 def _counted(states: States, width: int, change: Callable[[str, str], str]) -> list[float]:
