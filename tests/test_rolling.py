@@ -244,7 +244,7 @@ def test_settled_shots_roll_as_a_second_formulation_says() -> None:
         most = found.shots + 10
         rolling.compare(states, rolling.elastic(restitution), 4.0, most, found)
     assert found.shots == 20
-    assert found.flagged < 20
+    assert found.lodged + found.bouncing + found.rolling <= found.flagged < 20
     assert found.ends.keys() >= {"leaves", "end plane"}
     assert found.wrong == []
     assert found.leaving < 1e-9
