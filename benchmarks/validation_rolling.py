@@ -163,9 +163,9 @@ def _again(found: Found) -> list[str]:
         f"{found.ratios.max():.0e} of what is claimed, and {found.leaving:.0e} s in when contact "
         f"ends. Of the flagged {found.flagged_wrong} differ. The bounces before were computed "
         "again, too, with 400 bits: at the last of them half of the positions are off by less than "
-        f"{off:.0e} m, half by less than {share:.1%} of what is claimed, and nothing by more than "
-        f"{most:.0%} of it. What the engine's series leave out in a roll is estimated from their "
-        "last terms, not bounded: this comparison stands for it.",
+        f"{off:.0e} m, half by less than {percent(share)} of what is claimed, and nothing by more "
+        f"than {percent(most, 0)} of it. What the engine's series leave out in a roll is estimated "
+        "from their last terms, not bounded: this comparison stands for it.",
         "",
     ]
 
