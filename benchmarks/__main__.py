@@ -51,7 +51,7 @@ def main() -> None:
         results = run(QUICK if arguments.quick else Settings())
         write(arguments.out / "benchmarks.json", as_json(results))
         write(arguments.out / "benchmarks.md", as_markdown(results))
-        save(draw(results), arguments.out / "benchmarks.svg")
+        save(draw(results.rates), arguments.out / "benchmarks.svg")
         print(as_markdown(results))
     if arguments.only != GRAZES:
         found = bodies.costs(*((10_000, 3) if arguments.quick else (100_000, 9)))

@@ -1,6 +1,7 @@
 """The results as Markdown and as JSON."""
 
 import json
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 
@@ -11,6 +12,8 @@ from benchmarks.run import Results
 from benchmarks.timing import Spread
 from benchmarks.workloads import WORKLOADS
 from hoopgen.phrases import percent
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 ARTICLE = {"event-driven": (0.0001, 0.0027), "time stepping": (0.0109, 0.0285)}
 """The article's Table 4, swish and bouncing (s)."""
@@ -48,6 +51,11 @@ def short(rate: float) -> str:
     """Three digits and k or M."""
     unit, name = _unit(rate)
     return number(rate / unit) + name
+
+
+def power(value: float) -> str:
+    """Say a power of ten; the house's pictures have no other formulas."""
+    return f"10{f'{round(math.log10(value))}'.translate(_RAISED)}"
 
 
 def _rate(spread: Spread) -> str:

@@ -35,7 +35,9 @@ def elastic(restitution: float) -> Mapping[str, float]:
 class Found:
     """What the comparison of shots has found.
 
-    `lodged` are those that end between two bodies, or at rest, which are always flagged. `before`
+    `lodged` are those that end between two bodies, or at rest, which are always flagged. Of the
+    other flagged ones `bouncing` are flagged before they begin to roll, and `rolling` from then on
+    until their first contact has ended. `before`
     has what shots were off by at the last bounce, and what they claimed there: of position,
     velocity, spin and time. `ends` counts how contacts end; `errors` are the largest differences of
     time, position, velocity and spin (s, m, m/s, rad/s) where a shot is not flagged, and `ratios`
@@ -47,6 +49,8 @@ class Found:
     flagged: int = 0
     flagged_wrong: int = 0
     lodged: int = 0
+    bouncing: int = 0
+    rolling: int = 0
     before: list[tuple[Floats, Floats]] = field(default_factory=list)
     ends: dict[str, int] = field(default_factory=dict)
     errors: Floats = field(default_factory=lambda: np.zeros(4))
@@ -90,8 +94,12 @@ def compare(
         what, errors, claimed, late = _again(shots, shot, rest, states[shot], scene, time_limit)
         flagged = bool(shots.uncertain[shot])
         found.flagged += flagged
-        found.lodged += shots.outcome[shot] == COURT.outcomes["LODGED"]
-        off, known = _bounced(states[shot], log[first:row], scene)
+        lodged = shots.outcome[shot] == COURT.outcomes["LODGED"]
+        found.lodged += lodged
+        off, known, early = _bounced(states[shot], log[first:row], scene)
+        found.bouncing += early and not lodged
+        if flagged and not early and not lodged:
+            found.rolling += _flagged_by(float(rest[1]["time"]), states[shot], scene, time_limit)
         found.before.append((off, known))
         bad = [what] if what else []
         if np.any(off > known):
@@ -110,10 +118,21 @@ def compare(
         found.ends[name] = found.ends.get(name, 0) + 1
 
 
-def _bounced(release: Floats, impacts: Any, scene: Mapping[str, float]) -> tuple[Floats, Floats]:
+def _flagged_by(
+    over: float, release: Floats, scene: Mapping[str, float], time_limit: float
+) -> bool:
+    """Return whether a shot is flagged by the time its contact has ended."""
+    limit = min(over + 1e-6, time_limit)
+    shots = hoopgen.simulate(release, scene, scene=COURT, time_limit=limit, fields=("uncertain",))
+    return bool(shots.uncertain[0])
+
+
+def _bounced(
+    release: Floats, impacts: Any, scene: Mapping[str, float]
+) -> tuple[Floats, Floats, bool]:
     """Return what the engine is off by after the last bounce, and what it claims there.
 
-    Of position, velocity, spin and time.
+    Of position, velocity, spin and time; and whether it is flagged by then.
     """
     off, late = bounced(release, impacts, scene, scene["ring_restitution"])
     there = hoopgen.simulate(
@@ -122,9 +141,10 @@ def _bounced(release: Floats, impacts: Any, scene: Mapping[str, float]) -> tuple
         scene=COURT,
         time_limit=60.0,
         max_contacts=len(impacts),
-        fields=("time_error", "state_error"),
+        fields=("time_error", "state_error", "uncertain"),
     )
-    return np.array([*off, late]), np.array([*there.state_error[0], there.time_error[0]])
+    known = np.array([*there.state_error[0], there.time_error[0]])
+    return np.array([*off, late]), known, bool(there.uncertain[0])
 
 
 def _ended(rest: NDArray[Any], outcome: int) -> int:

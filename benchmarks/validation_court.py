@@ -28,6 +28,7 @@ REASONS = {
     "rose": "goes the same way, and had come up through the ring",
     "starts": "starts in a body that the hoop does not have",
     "rolls": "rolls, where the hoop's ball bounces on",
+    "ends": "ends, where the hoop gives it up",
     "doubt": "is uncertain in one of the scenes",
 }
 """Why a shot changes: the first of these that happens to it."""
@@ -73,9 +74,7 @@ class Changes:
 def changes(states: States) -> Changes:
     """Fly shots in both scenes and look where they differ in the bodies touched or in the end."""
     hoop = hoopgen.simulate(states, PAPER, record=True)
-    court = hoopgen.simulate(
-        states, PAPER_COURT, scene=COURT, max_contacts=HOOP.max_contacts, record=True
-    )
+    court = hoopgen.simulate(states, PAPER_COURT, scene=COURT, record=True)
     differs = (hoop.outcome != court.outcome) | ~_same_bodies(hoop, court)
     found = _first_reasons(hoop, court)
     reasons = {
@@ -101,6 +100,8 @@ def _first_reasons(hoop: hoopgen.Shots, court: hoopgen.Shots) -> NDArray[np.int6
     reason = np.full(len(hoop), len(REASONS))
     # The last reasons first: others take their place.
     reason[hoop.uncertain | court.uncertain] = places["doubt"]
+    given_up = (hoop.outcome == Outcome.CAPPED) & (court.outcome != Outcome.CAPPED)
+    reason[given_up] = places["ends"]
     invalid = (court.outcome == Outcome.INVALID) & (hoop.outcome != Outcome.INVALID)
     reason[invalid] = places["starts"]
     reason[(hoop.outcome == Outcome.MADE) & (court.outcome == Outcome.MISSED)] = places["rose"]
@@ -162,9 +163,11 @@ def section(shots: int = SHOTS) -> list[str]:
         "`COURT` has what the article leaves out: the board's edges, top, sides and back, the "
         "bridge's sides and underside, and a ball that comes up through the ring, which is not "
         "made whatever it does then. With the preset `PAPER_COURT` its contacts are the "
-        f"article's. Of {shots:,} shots of a kind so many touch other bodies, or end otherwise, "
-        "and the reason is the first thing that happens to them and not in `HOOP`. The last two "
-        "kinds are no player's: balls tipped from beside the ring, and thrown up from below it.",
+        f"article's. Both scenes have their default `max_contacts`, {HOOP.max_contacts} and "
+        f"{COURT.max_contacts:,}. Of {shots:,} shots of a kind so many touch other bodies, or end "
+        "otherwise, and the reason is the first thing that happens to them and not in `HOOP`. The "
+        "last two kinds are no player's: balls tipped from beside the ring, and thrown up from "
+        "below it.",
         "",
         *table(["", *found], rows),
     ]

@@ -1,6 +1,5 @@
 """Bounces that accumulate, rolling, and what becomes of shots that the hoop gives up."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -10,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
 
 import hoopgen
-from benchmarks.report import table
+from benchmarks.report import power, table
 from benchmarks.rolling import NAMES, NBA, Bounce, Found, bounces, settled
 from benchmarks.workloads import FOOT, SEED, States, free_throw
 from hoopgen import COURT, HOOP, Outcome
@@ -21,7 +20,6 @@ THROWS = {0.3: 1 << 10, 0.5: 1 << 11, 0.7: 1 << 13}
 """Free throws whose bounces are looked at, by restitution."""
 SPEEDS = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1)
 """Between which bounces are taken together, m/s."""
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 DRAWN = 100
 """Bounces of a restitution in the picture, at most."""
 SHOTS = 200_000
@@ -110,11 +108,6 @@ def _accumulating(found: dict[float, list[Bounce]]) -> list[str]:
     ]
 
 
-def _power(value: float) -> str:
-    """Say a power of ten; the house's pictures have no other formulas."""
-    return f"10{f'{round(math.log10(value))}'.translate(_RAISED)}"
-
-
 def picture(found: dict[float, list[Bounce]]) -> Figure:
     """Draw how far a ball that rolls from a bounce is from where the bounces end, against V."""
     with style():
@@ -132,7 +125,7 @@ def picture(found: dict[float, list[Bounce]]) -> Figure:
             axes.loglog(ends, law * ends**2, color=COLOURS["ring"], linewidth=0.8)
             axes.set_title(f"e = {restitution:g}")
             for axis in (axes.xaxis, axes.yaxis):
-                axis.set_major_formatter(lambda value, _: _power(value))
+                axis.set_major_formatter(lambda value, _: power(value))
                 axis.set_minor_locator(NullLocator())
             axes.set_xlabel("V (m/s)")
             axes.grid(color="#DDDDDD", linewidth=0.5)
@@ -155,20 +148,24 @@ def _again(found: Found) -> list[str]:
         for value, unit in zip(found.errors, ("s", "m", "m/s", "rad/s"), strict=True)
     )
     off, share, most = found.bounced()
+    later = found.flagged - found.lodged - found.bouncing - found.rolling
     return [
         f"Of {found.shots:,} free throws that settled on the ring (e = 0.7, 0.5, 0.3), rolling was "
         "computed a second time, in the ring's own coordinates, with series of order 24 and 110 "
         f"bits (`python -m benchmarks.rolling`). Their contact ends by: {ends}. Flagged are "
-        f"{found.flagged:,} of them, {found.lodged:,} of which end LODGED, which always is: where "
-        "two bodies hold a ball that grips, the forces are not determined. Of the others "
-        f"{len(found.wrong)} end otherwise or are further off than they claim. "
+        f"{found.flagged:,} of them. {found.lodged:,} end LODGED, which always is: where two "
+        "bodies hold a ball that grips, the forces are not determined. Of the rest "
+        f"{found.bouncing} are flagged while they still bounce, with errors grown so large that a "
+        f"later bounce is in doubt; {found.rolling} in contact, where what ends it is; {later} "
+        f"after that. Of those not flagged {len(found.wrong)} end otherwise or are further off "
+        "than they claim. "
         f"The largest differences are {errors}, at most "
         f"{found.ratios.max():.0e} of what is claimed, and {found.leaving:.0e} s in when contact "
         f"ends. Of the flagged {found.flagged_wrong} differ. The bounces before were computed "
         "again, too, with 400 bits: at the last of them half of the positions are off by less than "
-        f"{off:.0e} m, half by less than {share:.1%} of what is claimed, and nothing by more than "
-        f"{most:.0%} of it. What the engine's series leave out in a roll is estimated from their "
-        "last terms, not bounded: this comparison stands for it.",
+        f"{off:.0e} m, half by less than {percent(share)} of what is claimed, and nothing by more "
+        f"than {percent(most, 0)} of it. What the engine's series leave out in a roll is estimated "
+        "from their last terms, not bounded: this comparison stands for it.",
         "",
     ]
 

@@ -1,7 +1,9 @@
 """The peers of the benchmarks fly the article's model and agree with the judge."""
 
+import re
 import shutil
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +13,12 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))  # benchmarks/ is not installed
 
 pytest.importorskip("scipy")
+pytest.importorskip("matplotlib")
+
+from matplotlib.text import Text  # noqa: E402
 
 import hoopgen  # noqa: E402
-from benchmarks import peers, workloads  # noqa: E402
+from benchmarks import peers, picture, workloads  # noqa: E402
 from benchmarks.contenders import contenders  # noqa: E402
 from benchmarks.errors import judge  # noqa: E402
 from benchmarks.operations import operations  # noqa: E402
@@ -172,3 +177,17 @@ def test_operations_grow_with_the_contacts() -> None:
     assert swish.evaluations == 0  # no shot comes near the ring
     assert 20 < swirl.evaluations < swirl.operations / 50
     assert 0.2 < swirl.busy <= 1
+
+
+def test_the_picture_says_powers_and_names_in_plain_letters_apart() -> None:
+    figure = picture.draw(picture.read((ROOT / "docs" / "benchmarks.json").read_text("utf-8")))
+    figure.canvas.draw()
+    for axes in figure.axes:
+        ticks = [tick for tick in axes.get_xticklabels() if tick.get_text()]
+        assert {"10²", "10⁶"} <= {tick.get_text() for tick in ticks}
+        ends = [(box.x0, box.x1) for box in (tick.get_window_extent() for tick in ticks)]
+        assert all(stop < start for (_, stop), (start, _) in pairwise(sorted(ends)))
+    svg = (ROOT / "docs" / "benchmarks.svg").read_text("utf-8")
+    said = {text.get_text() for text in figure.findobj(Text)}
+    for text in (*said, *re.findall(r"<!-- (.*?) -->", svg)):
+        assert not {"$", "`", "\\"} & {*text}

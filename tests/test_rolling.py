@@ -244,7 +244,7 @@ def test_settled_shots_roll_as_a_second_formulation_says() -> None:
         most = found.shots + 10
         rolling.compare(states, rolling.elastic(restitution), 4.0, most, found)
     assert found.shots == 20
-    assert found.flagged < 20
+    assert found.lodged + found.bouncing + found.rolling <= found.flagged < 20
     assert found.ends.keys() >= {"leaves", "end plane"}
     assert found.wrong == []
     assert found.leaving < 1e-9
@@ -332,7 +332,7 @@ def test_no_free_throw_with_grip_is_capped(restitution: float, count: int) -> No
 
 
 # Free throws that come to swirl inside the ring: their numbers.
-FOR_EVER = (12, 6933, 43962)
+FOR_EVER = (8045, 43962, 57130)
 
 
 @needs_library

@@ -78,6 +78,12 @@ def test_every_shot_that_changes_on_the_whole_hoop_has_a_reason(kind: str) -> No
     assert 0 < found.changed == sum(found.reasons.values()) < found.shots
 
 
+def test_shots_that_the_hoop_gives_up_are_followed_to_their_end_on_the_whole_hoop() -> None:
+    states = validation_court.KINDS["swirls"](4000)
+    given_up = hoopgen.simulate(states, hoopgen.PAPER).outcome == hoopgen.Outcome.CAPPED
+    assert 0 < np.count_nonzero(given_up) <= validation_court.changes(states).changed
+
+
 def test_the_whole_hoops_table_on_file_is_of_these_sources() -> None:
     text = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
     assert "\n".join(validation_court.section()) in text
