@@ -65,10 +65,10 @@ class Exactly:
     """A value, and how far any evaluation in doubles, or in singles, can be from it.
 
     The bound is the running error: each operation adds one relative rounding of at most u = 2^-53,
-    of singles 2^-24, to what its operands carry, and a sum of n terms, in any order, at most (1 + u)^(n-1) - 1 of the
-    sum of the terms' sizes. It holds for every program that computes the expression as written,
-    without underflow; a choice that the errors of its sides could turn is bounded by both its
-    branches. Infinite: nothing is known.
+    of singles 2^-24, to what its operands carry, and a sum of n terms, in any order, at most
+    (1 + u)^(n-1) - 1 of the sum of the terms' sizes. It holds for every program that computes the
+    expression as written, without underflow; a choice that the errors of its sides could turn is
+    bounded by both its branches. Infinite: nothing is known.
 
     `source` is the number of the expression that was computed, where a choice passed it on: equal
     expressions have equal values, whatever their errors.
