@@ -15,7 +15,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 from hoopgen.derive.ground.choice import Truth
-from hoopgen.derive.ground.kernel import Kernel
+from hoopgen.derive.ground.kernel import Kernel, Kind
 from numpy.typing import NDArray
 
 from hoopgen.engine.sources import FLAGS
@@ -78,8 +78,15 @@ void run_{name}(size_t rows, const double *const *in, double *const *out)
 }}
 """
 
-
-_TRUTH = "lanes_not(lanes_equal(lanes_load(in[{}] + row), K(0.0)))"
+_LOAD = "lanes_load(in[{}] + row)"
+_NARROW = f"lanes_narrow({_LOAD})"
+_TRUTH = f"lanes_not(lanes_equal({_LOAD}, K(0.0)))"
+_AS_DOUBLES: dict[Kind, str] = {
+    "double": "o.{}",
+    "single": "lanes_wide(o.{})",
+    "truth": "lanes_select(o.{}, K(1.0), K(0.0))",
+}
+"""How an output of each kind is stored."""
 
 
 def compiles(*arguments: str | Path) -> None:
@@ -148,13 +155,14 @@ class CKernels:
     @staticmethod
     def _function(kernel: Kernel, scene: str) -> str:
         # A truth comes and goes as a number that is not zero where it holds.
+        given = _NARROW if kernel.single else _LOAD
         arguments = (
-            _TRUTH.format(i) if isinstance(a, Truth) else f"lanes_load(in[{i}] + row)"
+            (_TRUTH if isinstance(a, Truth) else given).format(i)
             for i, a in enumerate(kernel.arguments)
         )
         values = (
-            f"lanes_select(o.{name}, K(1.0), K(0.0))" if truth else f"o.{name}"
-            for name, truth in zip(kernel.output_names, kernel.truths, strict=True)
+            _AS_DOUBLES[kind].format(name)
+            for name, kind in zip(kernel.output_names, kernel.kinds, strict=True)
         )
         stores = (
             f"        lanes_store(out[{i}] + row, {value});" for i, value in enumerate(values)

@@ -25,6 +25,7 @@ from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.search import decisions as searching
 from hoopgen.derive.search import events, gate, plane, ring
+from hoopgen.derive.search.coarse import TURNS, CoarseRing
 from hoopgen.derive.search.ring import RingApproach
 from hoopgen.derive.surfaces import Ring
 from hoopgen.generated.numpy import hoop
@@ -42,6 +43,7 @@ from mutants import (
     with_limits,
 )
 from numpy.typing import NDArray
+from past_ring import complaints
 from test_diabolical import CASES, proof, spelled
 
 from benchmarks.families import FAMILIES
@@ -342,6 +344,71 @@ FAULTS = (
             "verdict = IfLess(0, 1, 1, 0)",
         ),
     ),
+    # The ring's search in single precision.
+    Fault(
+        "the margin of the rate from F/t is left out",
+        in_text(CoarseRing, "rate_allowed", "hold(2 * _TILTED + _JERKED)", "sp.Integer(0)"),
+    ),
+    Fault(
+        "F' has no margin in single precision",
+        in_text(CoarseRing, "grain", '"rate_margin": slope', '"rate_margin": sp.Integer(0)'),
+    ),
+    Fault(
+        "F has a margin of a 64th",
+        in_text(CoarseRing, "grain", "5 * reach * place", "5 * reach * place / 64"),
+    ),
+    Fault(
+        "F/t has no margin",
+        in_text(CoarseRing, "grain", "SAFETY * hold(tilting)", "sp.Integer(0)"),
+    ),
+    Fault(
+        "F/t serves where the ball did not leave",
+        in_text(CoarseRing, "grain", "hold(tilting), sp.oo", "hold(tilting), 0"),
+    ),
+    Fault(
+        "what the deflated gap is bent by has no error",
+        in_text(CoarseRing, "grain", "sp.Rational(1, 2**19) * hold(stretch * bend)", "0 * bend"),
+    ),
+    Fault(
+        "F' is as straight as F/t has it",
+        in_text(CoarseRing, "grain", '"jerk": SAFETY *', '"jerk": 0 *'),
+    ),
+    Fault(
+        "the mean of the outward speed is forgotten",
+        in_text(CoarseRing, "_mean_rate", "speed_squared - drift * mean", "speed_squared"),
+    ),
+    Fault(
+        "in single precision no errors are allowed for",
+        in_text(CoarseRing, "grain", "smallest(SHARES[0],", "smallest(0,"),
+    ),
+    Fault(
+        "a free flight in single precision allows for no errors",
+        in_text(CoarseRing, "grain", "finer, SHARES[0])", "finer, 0)"),
+    ),
+    Fault(
+        "later windows are forgotten in single precision",
+        in_text(CoarseRing, "leap", "enter(self._later(), end", "enter([], end"),
+    ),
+    Fault(
+        "later windows are not drawn from where the first one opens",
+        in_text(CoarseRing, "grain", "edge - t for window", "edge for window"),
+    ),
+    Fault(
+        "the window ends as late as if it opened at the start",
+        in_text(CoarseRing, "grain", '"end": end - t', '"end": end'),
+    ),
+    Fault(
+        "the last window ends too early in single precision",
+        in_text(CoarseRing, "opened", "1 + sp.Rational(1, 2**22)", "1 - sp.Rational(1, 2**10)"),
+    ),
+    Fault(
+        "Newton's method has hardly any headroom",
+        in_text(CoarseRing, "headroom", "2 * hold(low_gap + 2 * self.allowed)", "low_gap / 8"),
+    ),
+    Fault(
+        "F'' is not bounded from above where Newton's method goes",
+        in_text(CoarseRing, "steepest", "largest(curvature, upper)", "curvature"),
+    ),
     # Contacts.
     Fault(
         "Eq. 7 takes the largest component",
@@ -410,6 +477,8 @@ def trip_numpy(files: dict[str, str], folder: Path) -> None:
     kernels = numpy_module(files, folder)
     trip(numpy_engine(kernels))
     frames(kernels)
+    for said in complaints(kernels, TURNS):
+        demand(False, f"flight {said}")
     demand(share_of_allowance(kernels) <= 1.0, "errors are beyond what is allowed for")
 
 
