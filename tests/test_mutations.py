@@ -487,8 +487,12 @@ def test_derived_anew_without_a_fault_nothing_trips(tmp_path: Path) -> None:
 
 
 def test_decisions_allow_for_errors_and_not_by_far() -> None:
-    """No shot is known that needs the guard, so its size is held: half or twice would be seen."""
-    assert 0.5 < share_of_allowance(hoop) <= 1.0
+    """The guard's size is held: with half or twice of it the largest error here would be seen.
+
+    Among more shots that go slowly on the rim some errors are larger than what decisions allow for,
+    the largest known 2.8 times; none is larger than what a shot claims, which is 4 times.
+    """
+    assert 0.2 < share_of_allowance(hoop) <= 0.4
 
 
 @needs_compiler

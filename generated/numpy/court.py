@@ -3212,73 +3212,73 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = 1.00006103515625 * (p_ball_radius + p_wire_radius)
-    _s2 = 2.0 * p_gravity
-    _s3 = _multiply(4.76837158203125e-07, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s1 = _float32(1.00006103515625) * (p_ball_radius + p_wire_radius)
+    _s2 = _float32(2.0) * p_gravity
+    _s3 = _multiply(_float32(4.76837158203125e-07), _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = 1.0 / p_gravity
+    _s5 = _float32(1.0) / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(9.5367431640625e-07, _add(_absolute(vz, _r4), _s6, _r4), _r4)
-    _s8 = 0.0 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _inf, _r5)
+    _s7 = _multiply(_float32(9.5367431640625e-07), _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = _float32(0.0) <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _float32(_inf), _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(9.5367431640625e-07, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_float32(9.5367431640625e-07), _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(9.5367431640625e-07, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(1.0, _s10, _r13)
-    _s21 = 0.0 <= _s16
-    _s22 = 8.673617379884035e-19 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _inf, _r14), -_inf, _r15)
+    _s19 = _multiply(_float32(9.5367431640625e-07), _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_float32(1.0), _s10, _r13)
+    _s21 = _float32(0.0) <= _s16
+    _s22 = _float32(8.673617379884035e-19) < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _float32(_inf), _r14), _float32(-_inf), _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
-    _s25 = _select(0.0 < _s24, _s24, 0.0, _r17)
-    _s26 = _select(0.0 < _s25, _s25, 0.0, _r18)
+    _s25 = _select(_float32(0.0) < _s24, _s24, _float32(0.0), _r17)
+    _s26 = _select(_float32(0.0) < _s25, _s25, _float32(0.0), _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = 0.0001220703125 * p_ring_radius
+    _s28 = _float32(0.0001220703125) * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
-    _s31 = _sqrt(_select(_s30 < 0.0, 0.0, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), -_inf, _r6), _inf, _r19)
-    _s33 = 0.0 < _select(_s22, _s30, 0.0, _r20)
+    _s31 = _sqrt(_select(_s30 < _float32(0.0), _float32(0.0), _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _float32(-_inf), _r6), _float32(_inf), _r19)
+    _s33 = _float32(0.0) < _select(_s22, _s30, _float32(0.0), _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
-    _s36 = _sqrt(_select(_s35 < 0.0, 0.0, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), -_inf, _r0)
-    _s38 = 0.0 < _s35
+    _s36 = _sqrt(_select(_s35 < _float32(0.0), _float32(0.0), _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _float32(-_inf), _r0)
+    _s38 = _float32(0.0) < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(1.000000238418579, horizon, _r24)
+    _s41 = _multiply(_float32(1.000000238418579), horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _inf, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _float32(_inf), _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _inf, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _float32(_inf), _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
-    _s52 = _result(0.0 < _s51, _s51, 0.0, _r0)
-    _s53 = _select(0.0 < _s52, _s52, 0.0, _r30)
+    _s52 = _result(_float32(0.0) < _s51, _s51, _float32(0.0), _r0)
+    _s53 = _select(_float32(0.0) < _s52, _s52, _float32(0.0), _r30)
     _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
     _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
     _s56 = _s53 < _s55
     _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
-    _s58 = _result(0.0 < _s57, _s57, 0.0, _r0)
-    _s59 = _select(0.0 < _s58, _s58, 0.0, _r34)
+    _s58 = _result(_float32(0.0) < _s57, _s57, _float32(0.0), _r0)
+    _s59 = _select(_float32(0.0) < _s58, _s58, _float32(0.0), _r34)
     _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
     _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
     _s62 = _s59 < _s61
-    _s63 = _select(0.0 < _s40, _s40, 0.0, _r36)
+    _s63 = _select(_float32(0.0) < _s40, _s40, _float32(0.0), _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (32.0 * _s29)), (_s11 <= ((32.0 * p_ball_radius) + (32.0 * p_wire_radius)))), (_s11 <= 4096.0)), (0.000244140625 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, 0.0, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, 0.0, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= 4096.0)), (0.000244140625 <= p_gravity)), (extent <= 4096.0)), (speed <= 4096.0))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_float32(32.0) * _s29)), (_s11 <= ((_float32(32.0) * p_ball_radius) + (_float32(32.0) * p_wire_radius)))), (_s11 <= _float32(4096.0))), (_float32(0.000244140625) <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _float32(0.0), _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _float32(0.0), _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _float32(4096.0))), (_float32(0.000244140625) <= p_gravity)), (extent <= _float32(4096.0))), (speed <= _float32(4096.0)))
 
 
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3310,33 +3310,33 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = 0.0 < leaving
+    _s0 = _float32(0.0) < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = 1.00006103515625 * _s2
+    _s3 = _float32(1.00006103515625) * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = 0.0001220703125 * p_ring_radius
+    _s5 = _float32(0.0001220703125) * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(1.0 < _s7, _s7, 1.0)
+    _s8 = _where(_float32(1.0) < _s7, _s7, _float32(1.0))
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(5.0, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(0.00390625, parting, _r3), _s11, _r3)
-    _s13 = _select(_s12 < 2.9802322387695312e-08, _s12, 2.9802322387695312e-08, _r5)
-    _s14 = _result(_s0, _select(2.842170943040401e-14 < _s13, _s13, 2.842170943040401e-14, _r6), 2.9802322387695312e-08, _r0)
-    _s15 = _add(_multiply(2.0, _multiply(vz, vz, _r7), _r7), _multiply(4.0 * p_gravity, z, _r8), _r8) + _multiply(2.0, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_float32(5.0), _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_float32(0.00390625), parting, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _float32(2.9802322387695312e-08), _s12, _float32(2.9802322387695312e-08), _r5)
+    _s14 = _result(_s0, _select(_float32(2.842170943040401e-14) < _s13, _s13, _float32(2.842170943040401e-14), _r6), _float32(2.9802322387695312e-08), _r0)
+    _s15 = _add(_multiply(_float32(2.0), _multiply(vz, vz, _r7), _r7), _multiply(_float32(4.0) * p_gravity, z, _r8), _r8) + _multiply(_float32(2.0), _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
-    _s17 = (2.0 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = 1.0 / _s6
+    _s17 = (_float32(2.0) * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = _float32(1.0) / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((6.0003662109375 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_float32(6.0003662109375) * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(9.5367431640625e-07, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(0.5, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, 0.0, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), 1.0009765625 * _s20, (5.0048828125 * _s2) * _s24, _result(_s0, _multiply(1.0009765625, _add(_multiply(4.76837158203125e-07, _absolute(parting, _r12), _r12), _multiply(_add(5.684341886080802e-14, _s14, _r2), _s11, _r2), _r2), _r2), _inf, _r0), 1.0009765625 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (7.62939453125e-06 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, 5.0 * _add(_multiply(_multiply(1.0009765625, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(2.384185791015625e-07, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((128.0 * p_ball_radius) + (128.0 * p_wire_radius))), (_multiply(leaving, t, _r7) <= 0.0))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_float32(9.5367431640625e-07), _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_float32(0.5), _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _float32(0.0), end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _float32(1.0009765625) * _s20, (_float32(5.0048828125) * _s2) * _s24, _result(_s0, _multiply(_float32(1.0009765625), _add(_multiply(_float32(4.76837158203125e-07), _absolute(parting, _r12), _r12), _multiply(_add(_float32(5.684341886080802e-14), _s14, _r2), _s11, _r2), _r2), _r2), _float32(_inf), _r0), _float32(1.0009765625) * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_float32(7.62939453125e-06) * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _float32(5.0) * _add(_multiply(_multiply(_float32(1.0009765625), _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_float32(2.384185791015625e-07), _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_float32(128.0) * p_ball_radius) + (_float32(128.0) * p_wire_radius))), (_multiply(leaving, t, _r7) <= _float32(0.0)))
 
 
 def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3383,66 +3383,66 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s7 = _add(y, _multiply(t, vy, _r5), _r5)
     _s8 = _sqrt(_add(_multiply(_s6, _s6, _r6), _multiply(_s7, _s7, _r7), _r7), _r7)
     _s9 = _add(rho_start, _s8, _r6)
-    _s10 = _divide(1.0, _multiply(_s9, _s8, _r8), _r8)
+    _s10 = _divide(_float32(1.0), _multiply(_s9, _s8, _r8), _r8)
     _s11 = _multiply(_s8, _s10, _r9)
-    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(2.0, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
-    _s13 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r10), _r10)
-    _s14 = _add(_add(_multiply(_multiply(_multiply(2.0, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
+    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_float32(2.0), _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
+    _s13 = _subtract(vz, _multiply(_float32(0.5) * p_gravity, t, _r10), _r10)
+    _s14 = _add(_add(_multiply(_multiply(_multiply(_float32(2.0), _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
     _s15 = _add(parting, _multiply(t, _subtract(_s14, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s16 = _multiply(_s9, _s10, _r8)
     _s17 = _multiply(_s16, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r5), _r5), _r5)
     _s18 = _subtract(_s8, p_ring_radius, _r3)
     _s19 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
     _s20 = _add(z, _multiply(t, _s13, _r10), _r10)
-    _s21 = _select(_s4, _subtract(_multiply(2.0, _s15, _r11), parting, _r11), _multiply(2.0, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
-    _s22 = _select(_s4, _add(_s3, _multiply(2.0, _s0, _r0), _r0), rate_margin, _r2)
+    _s21 = _select(_s4, _subtract(_multiply(_float32(2.0), _s15, _r11), parting, _r11), _multiply(_float32(2.0), _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
+    _s22 = _select(_s4, _add(_s3, _multiply(_float32(2.0), _s0, _r0), _r0), rate_margin, _r2)
     _s23 = _negative(_add(_s21, _s22, _r4), _r4)
     _s24 = _select(_s2, _s1, flat, _r14)
     _s25 = p_ball_radius + p_wire_radius
     _s26 = _subtract(_select(_s2, _multiply(t, _s15, _r12), _subtract(_add(_multiply(_s18, _s18, _r3), _multiply(_s20, _s20, _r15), _r15), _s25 * _s25, _r15), _r3), _s24, _r3)
-    _s27 = _select(_s26 < 0.0, 0.0, _s26, _r15)
-    _s28 = _multiply(2.0, _add(_multiply(2.0, _s24, _r12), _s27, _r12), _r12)
+    _s27 = _select(_s26 < _float32(0.0), _float32(0.0), _s26, _r15)
+    _s28 = _multiply(_float32(2.0), _add(_multiply(_float32(2.0), _s24, _r12), _s27, _r12), _r12)
     _s29 = _subtract(_s21, _s22, _r2)
-    _s30 = 6.0 * p_gravity
+    _s30 = _float32(6.0) * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(swing, _multiply(_s16, _multiply(_s16, _s16, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), steady, _r17)
-    _s34 = _s29 < 0.0
-    _s35 = _multiply(2.0, _s27, _r18)
-    _s36 = _select(0.0 < _select(0.0 <= _s29, _s27, 0.0, _r19), _inf, _divide(_select(_s34, _add(_multiply(8.0, _s24, _r19), _s35, _r19), _multiply(4.0, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(0.0 < _s33, _s33, 0.0, _r23), _r24), _r21), _r20)
+    _s34 = _s29 < _float32(0.0)
+    _s35 = _multiply(_float32(2.0), _s27, _r18)
+    _s36 = _select(_float32(0.0) < _select(_float32(0.0) <= _s29, _s27, _float32(0.0), _r19), _float32(_inf), _divide(_select(_s34, _add(_multiply(_float32(8.0), _s24, _r19), _s35, _r19), _multiply(_float32(4.0), _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_float32(0.0) < _s33, _s33, _float32(0.0), _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = 1.00006103515625 * _s25
-    _s40 = _add((0.0001220703125 * p_ball_radius) + (0.0001220703125 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < 0.0, 0.0, _s19, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _float32(1.00006103515625) * _s25
+    _s40 = _add((_float32(0.0001220703125) * p_ball_radius) + (_float32(0.0001220703125) * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _float32(0.0), _float32(0.0), _s19, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(0.0 < _s17, 0.0, _s17, _r23), _r23), _s8, _r23), _multiply(0.0001220703125, _s42, _r7), _r7), 9.5367431640625e-07 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_float32(0.0) < _s17, _float32(0.0), _s17, _r23), _r23), _s8, _r23), _multiply(_float32(0.0001220703125), _s42, _r7), _r7), _float32(9.5367431640625e-07) * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = 0.0001220703125 * p_ring_radius
+    _s45 = _float32(0.0001220703125) * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(1.0, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_float32(1.0), _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(swing, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(steady, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(3.814697265625e-06, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_float32(3.814697265625e-06), _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
     _s51 = _negative(_s19, _r6)
-    _s52 = _add(_multiply(_s30, _add((0.000244140625 * p_ball_radius) + (0.000244140625 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < 0.0, 0.0, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(3.0, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(steady, _add(_s52, _multiply(0.000244140625, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_float32(0.000244140625) * p_ball_radius) + (_float32(0.000244140625) * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _float32(0.0), _float32(0.0), _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_float32(3.0), _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(steady, _add(_s52, _multiply(_float32(0.000244140625), _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(8.0, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
-    _s56 = 0.0 < _select(0.0 < _s23, _s55, _s23, _r16)
-    _s57 = _add(_multiply(_multiply(2.0, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_float32(8.0), _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
+    _s56 = _float32(0.0) < _select(_float32(0.0) < _s23, _s55, _s23, _r16)
+    _s57 = _add(_multiply(_multiply(_float32(2.0), _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(0.0 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(0.0 < _s50, _s50, 0.0, _r2), _r4), _r8), _inf, _r15)
+    _s59 = _select(_float32(0.0) <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_float32(0.0) < _s50, _s50, _float32(0.0), _r2), _r4), _r8), _float32(_inf), _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < 0.0), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _float32(0.0)), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _inf, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _float32(_inf), _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:

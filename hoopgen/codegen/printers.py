@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .program import Program
 
@@ -57,6 +57,9 @@ NUMPY = Spelling(
     infinity="_inf",
     assignment="{name} = {value}",
 )
+
+NUMPY_SINGLE = replace(NUMPY, constant="_float32({0})", infinity="_float32(_inf)")
+"""Before NumPy 2 one number of single precision and one of Python's make a double."""
 
 C = Spelling(
     operations={

@@ -27,7 +27,7 @@ from .derivation import derivation_context
 from .loop import TYPES, weighted
 from .names import FILTERS, identifier
 from .numpy_loop import local
-from .printers import C_SINGLE, JS, NUMPY, Body, C, constant, print_program
+from .printers import C_SINGLE, JS, NUMPY, NUMPY_SINGLE, Body, C, constant, print_program
 from .program import Program, lower
 from .rows import print_in_rows
 from .view import loop_view
@@ -144,7 +144,7 @@ def describe_cost(program: Program) -> str:
 
 def _kernel_view(program: Program, in_loop: bool) -> KernelView:
     kernel: Kernel = program.kernel
-    spelling = C_SINGLE if kernel.single else C
+    spelling, numpy = (C_SINGLE, NUMPY_SINGLE) if kernel.single else (C, NUMPY)
     return KernelView(
         kernel.name,
         [identifier(symbol) for symbol in kernel.arguments],
@@ -153,7 +153,7 @@ def _kernel_view(program: Program, in_loop: bool) -> KernelView:
         kernel.equation,
         describe_cost(program),
         kernel.single,
-        (print_in_rows(program) if in_loop else None) or print_program(program, NUMPY),
+        (print_in_rows(program) if in_loop else None) or print_program(program, numpy),
         print_program(program, spelling),
         print_program(program, JS),
         [

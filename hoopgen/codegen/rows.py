@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from .printers import NUMPY, Body, bare, constant
+from .printers import NUMPY, NUMPY_SINGLE, Body, bare, constant
 from .program import Operation, Program
 
 INTO = {
@@ -84,7 +84,8 @@ class _Printer:
         if operation.name in ("argument", "truth"):
             return operation.symbol
         if operation.name == "constant":
-            return constant(operation.value, NUMPY)
+            spelling = NUMPY_SINGLE if self.program.kernel.single else NUMPY
+            return constant(operation.value, spelling)
         operands = [self._value(operand) for operand in operation.operands]
         if index in self.own and operation.name in SELECT:
             select, row = "_select", self.row.get(index)
