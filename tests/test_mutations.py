@@ -252,6 +252,8 @@ def no_guard(truth: str) -> Any:
     return in_tree(lambda node: () if isinstance(node, Guard) and node.truth == truth else (node,))
 
 
+_GRIT = "sp.Rational(1, 2**17) * hold(stretch * hold(outermost / innermost)) * bend"
+
 FAULTS = (
     # The search and the loop: decisions, and the tree itself.
     Fault(
@@ -261,7 +263,7 @@ FAULTS = (
     ),
     Fault(
         "the ring's exits count as arrivals",
-        in_search("_falling = some(Less(rate, 0)", "_falling = some(Not(Equal(rate, 0))"),
+        in_text(CoarseRing, "leap", 'sure = Less(0, said["clearance"])', "sure = Less(0, rate**2)"),
     ),
     Fault("roots are not refined", in_search("Choose(certain, refined, arrival)", "arrival")),
     Fault(
@@ -367,7 +369,7 @@ FAULTS = (
     ),
     Fault(
         "what the deflated gap is bent by has no error",
-        in_text(CoarseRing, "grain", "sp.Rational(1, 2**19) * hold(stretch * bend)", "0 * bend"),
+        in_text(CoarseRing, "grain", _GRIT, "0 * bend"),
     ),
     Fault(
         "F' is as straight as F/t has it",

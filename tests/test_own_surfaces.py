@@ -336,7 +336,8 @@ def test_the_first_touch_of_a_box_is_continuous_from_part_to_part(crates: Path) 
     out = flown(CASES["crate"], crates, on_seams)
     assert not out.arrays["uncertain"][out.arrays["outcome"] != Outcome.CAPPED].any()
     log = out.arrays["events"][:, 0]
-    assert (log["before"][:, 2] == log["before"][0, 2]).all()
+    heights = log["before"][:, 2]
+    assert np.ptp(heights) <= 2 * np.spacing(heights[0])
     proofs = proved(CASES["crate"], on_seams)
     assert [proof.surfaces[0] for proof in proofs.proofs] == [0, 0, 0, 0]
 

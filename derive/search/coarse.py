@@ -77,7 +77,7 @@ _LONGEST, _SHORTEST = sp.Integer(2) ** 12, sp.Rational(1, 2**12)
 """Between these lengths, speeds and accelerations, in SI units, nothing over- or underflows."""
 
 _TILTED = hold(tilt + grit * t)
-_NEAR = Less(hold(t * _TILTED, r"m_\ell"), flat)
+_NEAR = Less(hold(t * _TILTED), flat)
 """Near the surface that the ball left, where F/t is known better than F; without one `tilt` is
 infinite."""
 
@@ -146,7 +146,7 @@ class CoarseRing(RingApproach):
     @property
     def allowed(self) -> sp.Expr:
         """The margin of the form that F is known better in."""
-        return hold(Choose(_NEAR, hold(t * _TILTED, r"m_\ell"), flat), "m")
+        return hold(Choose(_NEAR, hold(t * _TILTED), flat))
 
     def _searched(self) -> sp.Expr:
         return Choose(_NEAR, hold(self.leaving_gap, r"F_\ell"), hold(self.gap, "F"))
@@ -194,7 +194,7 @@ class CoarseRing(RingApproach):
     @property
     def rate_allowed(self) -> sp.Expr:
         """The margin of that."""
-        return hold(Choose(_QUICK, hold(2 * _TILTED + _JERKED), rate_margin), "m'")
+        return hold(Choose(_QUICK, hold(2 * _TILTED + _JERKED), rate_margin))
 
     @property
     def leaving_gap(self) -> sp.Expr:

@@ -165,12 +165,12 @@ def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     opened = given(own["opened"], horizon="until")
     windows = ("end", "low1", "high1", "low2", "high2")
     wide = {name: f"wide_{name}" for name in windows if name in opened.kernel.output_names}
-    yield Do(opened.kernel, opened.inputs, {**wide, "t": "onset", "latest": "ended"})
-    yield Do(KERNELS["opened"], {"time": "onset", "horizon": "ended"}, {"time": "since"})
+    yield Do(opened.kernel, opened.inputs, {**wide, "t": "onset", "latest": "lapsed"})
+    yield Do(KERNELS["opened"], {"time": "onset", "horizon": "lapsed"}, {"time": "since"})
     yield Do(own["started"])
     there = {name: f"near_{name}" for name in ("x", "y", "z", "vz")}
     yield Do(common["flight"], {"t": "since"}, there, frozenset(there))
-    grain = given(own["grain"], t="onset", horizon="ended", **wide, **there)
+    grain = given(own["grain"], t="onset", horizon="lapsed", **wide, **there)
     given_away = ("ceiling", "flat", "rate_margin", "share")
     short = {name: f"short_{name}" for name in grain.kernel.output_names if name != "fits"}
     yield Do(grain.kernel, grain.inputs, short)

@@ -2520,10 +2520,10 @@ static void LANES(court_plain)(const court_job *job)
             S wide_high1 = _o21.high1;
             S wide_low2 = _o21.low2;
             S wide_high2 = _o21.high2;
-            S ended = _o21.latest;
+            S lapsed = _o21.latest;
             M sound = _o21.sound;
             const LANES(court_opened_out) _o22 =
-                LANES(court_opened)(lanes_wide(ended), lanes_wide(onset));
+                LANES(court_opened)(lanes_wide(lapsed), lanes_wide(onset));
             V since = _o22.time;
             const LANES(court_ring_started_out) _o23 =
                 LANES(court_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
@@ -2537,7 +2537,7 @@ static void LANES(court_plain)(const court_job *job)
             V near_z = _o24.z;
             V near_vz = _o24.vz;
             const LANES(court_ring_grain_out) _o25 =
-                LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
             S short_share = _o25.share;
             S short_t = _o25.t;
             S short_end = _o25.end;
@@ -8419,10 +8419,10 @@ static void LANES(court_bounded)(const court_job *job)
             S wide_high1 = _o27.high1;
             S wide_low2 = _o27.low2;
             S wide_high2 = _o27.high2;
-            S ended = _o27.latest;
+            S lapsed = _o27.latest;
             M sound = _o27.sound;
             const LANES(court_opened_out) _o28 =
-                LANES(court_opened)(lanes_wide(ended), lanes_wide(onset));
+                LANES(court_opened)(lanes_wide(lapsed), lanes_wide(onset));
             V since = _o28.time;
             V latest = _o28.latest;
             const LANES(court_ring_started_out) _o29 =
@@ -8437,7 +8437,7 @@ static void LANES(court_bounded)(const court_job *job)
             V near_z = _o30.z;
             V near_vz = _o30.vz;
             const LANES(court_ring_grain_out) _o31 =
-                LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
             S short_share = _o31.share;
             S short_t = _o31.t;
             S short_end = _o31.end;

@@ -704,10 +704,10 @@ static void LANES(hoop_plain)(const hoop_job *job)
             S wide_high1 = _o37.high1;
             S wide_low2 = _o37.low2;
             S wide_high2 = _o37.high2;
-            S ended = _o37.latest;
+            S lapsed = _o37.latest;
             M sound = _o37.sound;
             const LANES(hoop_opened_out) _o38 =
-                LANES(hoop_opened)(lanes_wide(ended), lanes_wide(onset));
+                LANES(hoop_opened)(lanes_wide(lapsed), lanes_wide(onset));
             V since = _o38.time;
             const LANES(hoop_ring_started_out) _o39 =
                 LANES(hoop_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
@@ -721,7 +721,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V near_z = _o40.z;
             V near_vz = _o40.vz;
             const LANES(hoop_ring_grain_out) _o41 =
-                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
             S short_share = _o41.share;
             S short_t = _o41.t;
             S short_end = _o41.end;
@@ -2510,10 +2510,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             S wide_high1 = _o59.high1;
             S wide_low2 = _o59.low2;
             S wide_high2 = _o59.high2;
-            S ended = _o59.latest;
+            S lapsed = _o59.latest;
             M sound = _o59.sound;
             const LANES(hoop_opened_out) _o60 =
-                LANES(hoop_opened)(lanes_wide(ended), lanes_wide(onset));
+                LANES(hoop_opened)(lanes_wide(lapsed), lanes_wide(onset));
             V since = _o60.time;
             V latest = _o60.latest;
             const LANES(hoop_ring_started_out) _o61 =
@@ -2528,7 +2528,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V near_z = _o62.z;
             V near_vz = _o62.vz;
             const LANES(hoop_ring_grain_out) _o63 =
-                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), ended, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
+                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
             S short_share = _o63.share;
             S short_t = _o63.t;
             S short_end = _o63.end;
