@@ -261,11 +261,11 @@ def _limits(results: Results) -> list[str]:
         "results written. Operations: + - * / and square roots of the kernels, each as one, for a",
         "shot by itself; what the lanes of a vector do for each other's sake is not counted. The",
         "peak is that of multiplications and additions apart. Of the divider: what part of the",
-        "time the divisions and roots among them would take alone.",
+        "time the divisions and roots among them would take alone, were all in double precision.",
         "",
         *table(head, rows),
         "The search for the ring: how often its condition is evaluated, and how many of the widest",
-        "vector's lanes are busy with it.",
+        "vector's lanes are busy with it after the first time, which all have together.",
         "",
         *table(["", "evaluations a shot", "a contact", "lanes busy"], _searches(results)),
     ]

@@ -15,8 +15,8 @@ reaches it: F > 2 m means h < 2^-3, which each step squares and halves. The step
 most 2^-49 is the last; F <= 2 m means that any is within the root's own error. Where a root may be
 out of bounds, which is asked after three steps, it is 2^5 in the place of 2.
 
-Where an approach says what single precision makes of its flights (`Coarse`), the search goes as far
-as it gets in single precision first, with margins that hold for that (`coarse.py`).
+That of the ring goes as far as it gets in single precision first, with margins that hold for that
+(`coarse.py`).
 """
 
 from __future__ import annotations

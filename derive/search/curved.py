@@ -176,7 +176,7 @@ def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     yield Do(grain.kernel, grain.inputs, short)
     yield Do(KERNELS["coarse"], {name: short[name] for name in given_away})
     allowance = Do(common["allowance"], {"horizon": "latest", "share": "allowing"})
-    yield from (allowance, given(own["lost"], horizon="latest"), Do(KERNELS["beyond"]))
+    yield from (allowance, given(own["lost"], horizon="until"), Do(KERNELS["beyond"]))
     leap = own["leap"]
     kept = {name: short[name] for name in map(variable, leap.arguments) if name in short}
     step = Do(leap, kept, {"t": "short_t", "end": "short_end"})

@@ -163,10 +163,9 @@ KERNELS = {
         decision(
             "leapt",
             {
-                "arrival": Choose(every(certain, served), since + lasting, arrival),
-                "certain": every(certain, served),
+                "arrival": Choose(certain, since + lasting, arrival),
                 "t": Choose(served, since + lasting, 0),
-                "searching": every(searching, Not(every(certain, served)), Less(lasting, sp.oo)),
+                "searching": every(searching, Not(certain), Less(lasting, sp.oo)),
             },
             "What a search in single precision found, and whether it goes on, and from when.",
         ),

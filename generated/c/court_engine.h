@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 4ca1b003af022174,
+   Generated from templates/c/engine.h.j2, scene court, derivation cdcc360d52f646f3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -2756,11 +2756,9 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_leapt_out) _o30 =
                 LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
             arrival = _o30.arrival;
-            certain = _o30.certain;
             V t = _o30.t;
             searching = _o30.searching;
             lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -8476,7 +8474,7 @@ static void LANES(court_bounded)(const court_job *job)
                 LANES(court_allowance)(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
             V excess = _o33.excess;
             const LANES(court_ring_lost_out) _o34 =
-                LANES(court_ring_lost)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                LANES(court_ring_lost)(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V lost = _o34.lost;
             const LANES(court_beyond_out) _o35 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
@@ -8671,11 +8669,9 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_leapt_out) _o39 =
                 LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
             arrival = _o39.arrival;
-            certain = _o39.certain;
             V t = _o39.t;
             searching = _o39.searching;
             lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));

@@ -1,11 +1,12 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 4ca1b003af022174,
+   Generated from templates/c/kernels.h.j2, scene court, derivation cdcc360d52f646f3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
      V, M          a vector of doubles and its comparison result (or double and int)
      K(c)          the constant c in every lane
+     S, Q, KS(c)   the same in single precision
      LANES(name)   the name of a function for this width
      lanes_sqrt, lanes_abs, lanes_select */
 
@@ -667,10 +668,9 @@ LANES(court_coarse)(V ceiling, M fits, V flat, V rate_margin, M searching, V sha
 }
 
 /* What a search in single precision found, and whether it goes on, and from when.
-   Table 1. 8 operations: 1 addition, 1 comparison, 3 conjunctions, 1 complement, 2 selections. */
+   Table 1. 7 operations: 1 addition, 1 comparison, 2 conjunctions, 1 complement, 2 selections. */
 typedef struct {
     V arrival;
-    M certain;
     V t;
     M searching;
 } LANES(court_leapt_out);
@@ -678,9 +678,8 @@ typedef struct {
 LANES_INLINE LANES(court_leapt_out)
 LANES(court_leapt)(V arrival, M certain, V lasting, M searching, M served, V since)
 {
-    const M _s0 = lanes_both(certain, served);
-    const V _s1 = lanes_add(lasting, since);
-    return (LANES(court_leapt_out)){ lanes_select(_s0, _s1, arrival), _s0, lanes_select(served, _s1, K(0.0)), lanes_both(lanes_both(searching, lanes_not(_s0)), lanes_less(lasting, K(INFINITY))) };
+    const V _s0 = lanes_add(lasting, since);
+    return (LANES(court_leapt_out)){ lanes_select(certain, _s0, arrival), lanes_select(served, _s0, K(0.0)), lanes_both(lanes_both(searching, lanes_not(certain)), lanes_less(lasting, K(INFINITY))) };
 }
 
 /* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 710c32316fb5e8d9,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 3a5448bb90ea1cc6,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -940,11 +940,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_leapt_out) _o46 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
             arrival = _o46.arrival;
-            certain = _o46.certain;
             V t = _o46.t;
             searching = _o46.searching;
             lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -2567,7 +2565,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 LANES(hoop_allowance)(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
             V excess = _o65.excess;
             const LANES(hoop_ring_lost_out) _o66 =
-                LANES(hoop_ring_lost)(latest, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius);
+                LANES(hoop_ring_lost)(until, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius);
             V lost = _o66.lost;
             const LANES(hoop_beyond_out) _o67 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
@@ -2762,11 +2760,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_leapt_out) _o71 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
             arrival = _o71.arrival;
-            certain = _o71.certain;
             V t = _o71.t;
             searching = _o71.searching;
             lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 4ca1b003af022174,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation cdcc360d52f646f3,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -508,7 +508,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "nearby": ("leaving", "margin",),
     "opened": ("time", "latest",),
     "coarse": ("leaping", "searching", "served", "ceiling", "flat", "tilt", "allowing",),
-    "leapt": ("arrival", "certain", "t", "searching",),
+    "leapt": ("arrival", "t", "searching",),
     "struck": ("hit", "sure", "vague",),
     "finer": ("share",),
     "exceeded": ("doubt",),
@@ -1365,12 +1365,11 @@ def coarse(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any,
 def leapt(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
     """What a search in single precision found, and whether it goes on, and from when.
 
-    Table 1. 8 operations: 1 addition, 1 comparison, 3 conjunctions, 1 complement, 2 selections.
-    Returns arrival, certain, t, searching.
+    Table 1. 7 operations: 1 addition, 1 comparison, 2 conjunctions, 1 complement, 2 selections.
+    Returns arrival, t, searching.
     """
-    _s0 = _logical_and(certain, served)
-    _s1 = lasting + since
-    return _where(_s0, _s1, arrival), _s0, _where(served, _s1, 0.0), _logical_and(_logical_and(searching, _logical_not(_s0)), (lasting < _inf))
+    _s0 = lasting + since
+    return _where(certain, _s0, arrival), _where(served, _s0, 0.0), _logical_and(_logical_and(searching, _logical_not(certain)), (lasting < _inf))
 
 
 def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
@@ -5818,7 +5817,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_certain_1, _rows5, _certain_2, None)
                 _store(_short_t_1, _rows5, _short_t_2, None)
-        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
+        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
         _rows8, _count9 = _rows(_searching_1, _count2)
         if _count9:
             _arrival_2 = _take(_arrival_1, _rows8)
@@ -8133,7 +8132,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _lapsed_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _double(_short_share_1), _sound_1)
         _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
-        _lost_1, = ring_lost(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _lost_1, = ring_lost(_until_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
         _rows3, _count4 = _rows(_leaping_1, _count2)
         if _count4:
@@ -8246,7 +8245,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_certain_1, _rows5, _certain_2, None)
                 _store(_short_t_1, _rows5, _short_t_2, None)
-        _arrival_1, _certain_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
+        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
         _rows8, _count9 = _rows(_searching_1, _count2)
         if _count9:
             _arrival_2 = _take(_arrival_1, _rows8)
