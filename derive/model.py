@@ -40,6 +40,7 @@ from .scenes.passage import passage_kernels
 from .scenes.scene import Scene
 from .search import events, far, groups, search
 from .search.decisions import pad
+from .search.plate import reachable
 from .search.search import Formula, Search
 from .studies import ARGUMENTS, study_kernels
 from .surfaces import Surface
@@ -478,6 +479,11 @@ def build(scene: Scene) -> Model:
         | of_kinds.KERNELS
         | decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
     )
+    tests = [
+        search(face, scene.flight).apart for k, face in enumerate(scene.surfaces) if k not in tabled
+    ]
+    if any(tests):
+        choices["reachable"] = reachable([test for test in tests if test])
     laws: dict[Law, dict[str, Kernel]] = {}
     of_laws = kinds(scene.laws, _shared(scene))
     for law, like in zip(scene.laws, of_laws, strict=True):

@@ -92,7 +92,7 @@ _AS_DOUBLES: dict[Kind, str] = {
 def compiles(*arguments: str | Path) -> None:
     """Run the compiler; fail with what it says."""
     result = subprocess.run(
-        [*COMPILER, *arguments], capture_output=True, text=True, check=False, timeout=300
+        [*COMPILER, *arguments], capture_output=True, text=True, check=False, timeout=900
     )
     assert result.returncode == 0, result.stderr
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
+from itertools import groupby
 
 from ..ground.tree import (
     Do,
@@ -24,7 +25,7 @@ from ..ground.tree import (
     walk,
     without,
 )
-from ..search.search import Parts, proposed
+from ..search.search import Parts, given, proposed
 from . import staying
 from .fields import CLAIMS, Field
 from .kinds import Contact, Kind, each, of_laws, of_one_kind, on, take, taken_as
@@ -156,11 +157,17 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
     if not gates:
         yield expiry
     # End planes first: what certainly comes after them needs no further look.
-    for kind in of_one_kind(sorted((*gates, *contacts), key=lambda s: not s.search.closed)):
-        if "near" in kind.first.parts:
-            yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
-            yield Do(common["swept"], {"horizon": "until"})
-        yield from each(kind.contacts, lambda s, index: _arriving(common, s, index), {})
+    kinds = of_one_kind(sorted((*gates, *contacts), key=lambda s: not s.search.closed))
+    for plates, alike in groupby(kinds, lambda kind: _plate(common, kind)):
+        nodes = [node for kind in alike for node in _on_any(common, kind)]
+        if plates:
+            horizon = Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
+            asked = (horizon, given(common["reachable"], horizon="until"))
+            yield Do(common["released"])
+            yield Guard("released", asked, rare=True)
+            yield Guard("reachable", tuple(nodes))
+        else:
+            yield from nodes
     if gates:
         yield expiry
     if "kept" in common:
@@ -179,6 +186,19 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
         yield from on(common, gate.index, *(Do(kernel) for kernel in kernels if kernel is not None))
     yield Do(common["doubted_in_contact" if "kept" in common else "doubted"])
     yield Do(common["accounted"])
+
+
+def _plate(common: Parts, kind: Kind) -> bool:
+    """Whether the flight's ends say if a surface is not reached; it is one of its kind."""
+    return "reachable" in common and bool(kind.first.search.apart) and not kind.several
+
+
+def _on_any(common: Parts, kind: Kind) -> Iterator[Node]:
+    """Propose the first arrival on any surface of a kind."""
+    if "near" in kind.first.parts:
+        yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
+        yield Do(common["swept"], {"horizon": "until"})
+    yield from each(kind.contacts, lambda s, index: _arriving(common, s, index), {})
 
 
 def _passing(common: Parts) -> Iterator[Node]:

@@ -79,6 +79,11 @@ KERNELS = {
             "1 where the ball leaves a surface.",
         ),
         decision(
+            "released",
+            {"released": Less(last, 0), "reachable": Not(Nowhere())},
+            "Where a ball has touched nothing yet: only then is asked what it may come to.",
+        ),
+        decision(
             "meeting_plane",
             {
                 "arrives": every(_meets, AtMost(0, time), Less(time, sp.oo)),

@@ -16,6 +16,7 @@ from ..ground.tree import Do, Guard, Node, Value
 from ..surfaces import Plane
 from .decisions import KERNELS
 from .events import event_coefficients, horizon, leaving
+from .plate import apart
 from .search import Formula, Parts, Search, bounded, edges, proposed
 
 
@@ -97,6 +98,11 @@ class PlaneSearch(Search):
     def decisions(self) -> dict[str, Kernel]:
         """Whether a contact lies within the bounds, and whether that is in doubt."""
         return edges(self.surface)
+
+    @property
+    def apart(self) -> tuple[sp.Basic, ...]:
+        """A plate is not reached where the flight's ends say so."""
+        return apart(self.surface, self.flight) if self.surface.bounds else ()
 
     def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Propose the only arrival, if it is one and within the bounds."""

@@ -57,6 +57,11 @@ class Search(ABC):
         """True if its only arrival is a closed form: such surfaces are looked at first."""
         return False
 
+    @property
+    def apart(self) -> tuple[sp.Basic, ...]:
+        """Conditions, each of which means that a flight does not come to it until the horizon."""
+        return ()
+
     @abstractmethod
     def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Propose the first arrival on the surface of that index."""

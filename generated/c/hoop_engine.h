@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 3a5448bb90ea1cc6,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 2266eed07619ed3a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -561,84 +561,100 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 when = lanes_select(_m12, _o13.when, when);
                 which = lanes_select(_m12, _o13.which, which);
             }
-            const LANES(hoop_left_out) _o14 =
-                LANES(hoop_left)(K(1.0), last);
-            leaving = _o14.leaving;
-            const LANES(hoop_backboard_arrival_out) _o15 =
-                LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-            time = _o15.time;
-            rate = _o15.rate;
-            bend = _o15.bend;
-            const LANES(hoop_meeting_plane_out) _o16 =
-                LANES(hoop_meeting_plane)(bend, rate, time);
-            arrives = _o16.arrives;
-            const LANES(hoop_timely_out) _o17 =
-                LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-            possible = _o17.possible;
-            const M _m18 = lanes_both(rows, possible);
-            {
-                const LANES(hoop_flight_out) _o19 =
-                    LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                V there_y = _o19.y;
-                V there_z = _o19.z;
-                const LANES(hoop_backboard_bounds_out) _o20 =
-                    LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-                V g0 = _o20.g0;
-                V g1 = _o20.g1;
-                V g2 = _o20.g2;
-                V g3 = _o20.g3;
-                const LANES(hoop_backboard_within_out) _o21 =
-                    LANES(hoop_backboard_within)(g0, g1, g2, g3);
+            const LANES(hoop_released_out) _o14 =
+                LANES(hoop_released)(last);
+            M released = _o14.released;
+            M reachable = _o14.reachable;
+            const M _m15 = lanes_both(rows, released);
+            if (lanes_any(_m15)) {
+                const LANES(hoop_horizon_out) _o16 =
+                    LANES(hoop_horizon)(when, speed, p_gravity);
+                V until = _o16.horizon;
+                const LANES(hoop_reachable_out) _o17 =
+                    LANES(hoop_reachable)(p_ball_radius, p_board_distance, p_bridge_half_width, extent, p_gravity, until, K(0.0), p_ring_radius, speed, K(0.0), vx, x);
+                reachable = lanes_choose(_m15, _o17.reachable, reachable);
+            }
+            const M _m18 = lanes_both(rows, reachable);
+            if (lanes_any(_m18)) {
+                const LANES(hoop_left_out) _o19 =
+                    LANES(hoop_left)(K(1.0), last);
+                V leaving = _o19.leaving;
+                const LANES(hoop_backboard_arrival_out) _o20 =
+                    LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
+                V time = _o20.time;
+                V rate = _o20.rate;
+                V bend = _o20.bend;
+                const LANES(hoop_meeting_plane_out) _o21 =
+                    LANES(hoop_meeting_plane)(bend, rate, time);
                 M arrives = _o21.arrives;
-                const LANES(hoop_sooner_out) _o22 =
-                    LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-                when = lanes_select(_m18, _o22.when, when);
-                which = lanes_select(_m18, _o22.which, which);
+                const LANES(hoop_timely_out) _o22 =
+                    LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
+                M possible = _o22.possible;
+                const M _m23 = lanes_both(_m18, possible);
+                {
+                    const LANES(hoop_flight_out) _o24 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+                    V there_y = _o24.y;
+                    V there_z = _o24.z;
+                    const LANES(hoop_backboard_bounds_out) _o25 =
+                        LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
+                    V g0 = _o25.g0;
+                    V g1 = _o25.g1;
+                    V g2 = _o25.g2;
+                    V g3 = _o25.g3;
+                    const LANES(hoop_backboard_within_out) _o26 =
+                        LANES(hoop_backboard_within)(g0, g1, g2, g3);
+                    M arrives = _o26.arrives;
+                    const LANES(hoop_sooner_out) _o27 =
+                        LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
+                    when = lanes_select(_m23, _o27.when, when);
+                    which = lanes_select(_m23, _o27.which, which);
+                }
+                const LANES(hoop_left_out) _o28 =
+                    LANES(hoop_left)(K(2.0), last);
+                leaving = _o28.leaving;
+                const LANES(hoop_bridge_arrival_out) _o29 =
+                    LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
+                time = _o29.time;
+                rate = _o29.rate;
+                bend = _o29.bend;
+                const LANES(hoop_meeting_plane_out) _o30 =
+                    LANES(hoop_meeting_plane)(bend, rate, time);
+                arrives = _o30.arrives;
+                const LANES(hoop_timely_out) _o31 =
+                    LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
+                possible = _o31.possible;
+                const M _m32 = lanes_both(_m18, possible);
+                if (lanes_any(_m32)) {
+                    const LANES(hoop_flight_out) _o33 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+                    V there_x = _o33.x;
+                    V there_y = _o33.y;
+                    const LANES(hoop_bridge_bounds_out) _o34 =
+                        LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
+                    V g0 = _o34.g0;
+                    V g1 = _o34.g1;
+                    V g2 = _o34.g2;
+                    V g3 = _o34.g3;
+                    V g4 = _o34.g4;
+                    const LANES(hoop_bridge_within_out) _o35 =
+                        LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
+                    M arrives = _o35.arrives;
+                    const LANES(hoop_sooner_out) _o36 =
+                        LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
+                    when = lanes_select(_m32, _o36.when, when);
+                    which = lanes_select(_m32, _o36.which, which);
+                }
             }
-            const LANES(hoop_left_out) _o23 =
-                LANES(hoop_left)(K(2.0), last);
-            leaving = _o23.leaving;
-            const LANES(hoop_bridge_arrival_out) _o24 =
-                LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-            time = _o24.time;
-            rate = _o24.rate;
-            bend = _o24.bend;
-            const LANES(hoop_meeting_plane_out) _o25 =
-                LANES(hoop_meeting_plane)(bend, rate, time);
-            arrives = _o25.arrives;
-            const LANES(hoop_timely_out) _o26 =
-                LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-            possible = _o26.possible;
-            const M _m27 = lanes_both(rows, possible);
-            if (lanes_any(_m27)) {
-                const LANES(hoop_flight_out) _o28 =
-                    LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                V there_x = _o28.x;
-                V there_y = _o28.y;
-                const LANES(hoop_bridge_bounds_out) _o29 =
-                    LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-                V g0 = _o29.g0;
-                V g1 = _o29.g1;
-                V g2 = _o29.g2;
-                V g3 = _o29.g3;
-                V g4 = _o29.g4;
-                const LANES(hoop_bridge_within_out) _o30 =
-                    LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-                M arrives = _o30.arrives;
-                const LANES(hoop_sooner_out) _o31 =
-                    LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-                when = lanes_select(_m27, _o31.when, when);
-                which = lanes_select(_m27, _o31.which, which);
-            }
-            const LANES(hoop_horizon_out) _o32 =
+            const LANES(hoop_horizon_out) _o37 =
                 LANES(hoop_horizon)(when, speed, p_gravity);
-            V until = _o32.horizon;
-            const LANES(hoop_ring_clear_out) _o33 =
+            V until = _o37.horizon;
+            const LANES(hoop_ring_clear_out) _o38 =
                 LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V clear = _o33.clear;
-            const LANES(hoop_opens_out) _o34 =
+            V clear = _o38.clear;
+            const LANES(hoop_opens_out) _o39 =
                 LANES(hoop_opens)(clear);
-            M open = _o34.open;
+            M open = _o39.open;
             lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
             lanes_store(lists->time_error + i, time_error);
             lanes_store(lists->when + i, when);
@@ -687,82 +703,82 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_beginning_out) _o35 =
+            const LANES(hoop_beginning_out) _o40 =
                 LANES(hoop_beginning)();
-            V share = _o35.share;
-            V arrival = _o35.arrival;
-            M certain = _o35.certain;
-            const LANES(hoop_left_out) _o36 =
+            V share = _o40.share;
+            V arrival = _o40.arrival;
+            M certain = _o40.certain;
+            const LANES(hoop_left_out) _o41 =
                 LANES(hoop_left)(K(0.0), last);
-            V leaving = _o36.leaving;
-            const LANES(hoop_ring_opened_out) _o37 =
+            V leaving = _o41.leaving;
+            const LANES(hoop_ring_opened_out) _o42 =
                 LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S onset = _o37.t;
-            S wide_end = _o37.end;
-            M searching = _o37.searching;
-            S wide_low1 = _o37.low1;
-            S wide_high1 = _o37.high1;
-            S wide_low2 = _o37.low2;
-            S wide_high2 = _o37.high2;
-            S lapsed = _o37.latest;
-            M sound = _o37.sound;
-            const LANES(hoop_opened_out) _o38 =
+            S onset = _o42.t;
+            S wide_end = _o42.end;
+            M searching = _o42.searching;
+            S wide_low1 = _o42.low1;
+            S wide_high1 = _o42.high1;
+            S wide_low2 = _o42.low2;
+            S wide_high2 = _o42.high2;
+            S lapsed = _o42.latest;
+            M sound = _o42.sound;
+            const LANES(hoop_opened_out) _o43 =
                 LANES(hoop_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o38.time;
-            const LANES(hoop_ring_started_out) _o39 =
+            V since = _o43.time;
+            const LANES(hoop_ring_started_out) _o44 =
                 LANES(hoop_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
-            V rho_start = _o39.rho_start;
-            V parting = _o39.parting;
-            V drift = _o39.drift;
-            const LANES(hoop_flight_out) _o40 =
+            V rho_start = _o44.rho_start;
+            V parting = _o44.parting;
+            V drift = _o44.drift;
+            const LANES(hoop_flight_out) _o45 =
                 LANES(hoop_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o40.x;
-            V near_y = _o40.y;
-            V near_z = _o40.z;
-            V near_vz = _o40.vz;
-            const LANES(hoop_ring_grain_out) _o41 =
+            V near_x = _o45.x;
+            V near_y = _o45.y;
+            V near_z = _o45.z;
+            V near_vz = _o45.vz;
+            const LANES(hoop_ring_grain_out) _o46 =
                 LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_share = _o41.share;
-            S short_t = _o41.t;
-            S short_end = _o41.end;
-            S short_x = _o41.x;
-            S short_y = _o41.y;
-            S short_z = _o41.z;
-            S short_vx = _o41.vx;
-            S short_vy = _o41.vy;
-            S short_vz = _o41.vz;
-            S short_steady = _o41.steady;
-            S short_swing = _o41.swing;
-            S short_rho_start = _o41.rho_start;
-            S short_ceiling = _o41.ceiling;
-            S short_flat = _o41.flat;
-            S short_tilt = _o41.tilt;
-            S short_jerk = _o41.jerk;
-            S short_grit = _o41.grit;
-            S short_parting = _o41.parting;
-            S short_drift = _o41.drift;
-            S short_rate_margin = _o41.rate_margin;
-            S short_low1 = _o41.low1;
-            S short_high1 = _o41.high1;
-            S short_low2 = _o41.low2;
-            S short_high2 = _o41.high2;
-            M fits = _o41.fits;
-            const LANES(hoop_coarse_out) _o42 =
+            S short_share = _o46.share;
+            S short_t = _o46.t;
+            S short_end = _o46.end;
+            S short_x = _o46.x;
+            S short_y = _o46.y;
+            S short_z = _o46.z;
+            S short_vx = _o46.vx;
+            S short_vy = _o46.vy;
+            S short_vz = _o46.vz;
+            S short_steady = _o46.steady;
+            S short_swing = _o46.swing;
+            S short_rho_start = _o46.rho_start;
+            S short_ceiling = _o46.ceiling;
+            S short_flat = _o46.flat;
+            S short_tilt = _o46.tilt;
+            S short_jerk = _o46.jerk;
+            S short_grit = _o46.grit;
+            S short_parting = _o46.parting;
+            S short_drift = _o46.drift;
+            S short_rate_margin = _o46.rate_margin;
+            S short_low1 = _o46.low1;
+            S short_high1 = _o46.high1;
+            S short_low2 = _o46.low2;
+            S short_high2 = _o46.high2;
+            M fits = _o46.fits;
+            const LANES(hoop_coarse_out) _o47 =
                 LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o42.leaping;
-            searching = _o42.searching;
-            M served = _o42.served;
-            V ceiling = _o42.ceiling;
-            V flat = _o42.flat;
-            V tilt = _o42.tilt;
-            const M _m43 = lanes_both(rows, leaping);
-            if (lanes_any(_m43)) {
-                const LANES(hoop_ring_leap_out) _o44 =
+            M leaping = _o47.leaping;
+            searching = _o47.searching;
+            M served = _o47.served;
+            V ceiling = _o47.ceiling;
+            V flat = _o47.flat;
+            V tilt = _o47.tilt;
+            const M _m48 = lanes_both(rows, leaping);
+            if (lanes_any(_m48)) {
+                const LANES(hoop_ring_leap_out) _o49 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = singles_select(singles_of(_m43), _o44.t, short_t);
-                short_end = singles_select(singles_of(_m43), _o44.end, short_end);
-                certain = lanes_choose(_m43, _o44.certain, certain);
-                leaping = lanes_choose(_m43, _o44.leaping, leaping);
+                short_t = singles_select(singles_of(_m48), _o49.t, short_t);
+                short_end = singles_select(singles_of(_m48), _o49.end, short_end);
+                certain = lanes_choose(_m48, _o49.certain, certain);
+                leaping = lanes_choose(_m48, _o49.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -885,12 +901,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o45 =
+                const LANES(hoop_ring_leap_out) _o50 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o45.t;
-                short_end = _o45.end;
-                M certain = _o45.certain;
-                leaping = _o45.leaping;
+                short_t = _o50.t;
+                short_end = _o50.end;
+                M certain = _o50.certain;
+                leaping = _o50.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -937,11 +953,11 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o46 =
+            const LANES(hoop_leapt_out) _o51 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o46.arrival;
-            V t = _o46.t;
-            searching = _o46.searching;
+            arrival = _o51.arrival;
+            V t = _o51.t;
+            searching = _o51.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -993,33 +1009,33 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o47 =
+            const LANES(hoop_ring_prepare_out) _o52 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o47.steady;
-            V swing = _o47.swing;
-            V rho_start = _o47.rho_start;
-            V low0 = _o47.low0;
-            V high0 = _o47.high0;
-            V low1 = _o47.low1;
-            V high1 = _o47.high1;
-            V low2 = _o47.low2;
-            V high2 = _o47.high2;
-            V ceiling = _o47.ceiling;
-            V latest = _o47.latest;
-            const LANES(hoop_allowance_out) _o48 =
+            V steady = _o52.steady;
+            V swing = _o52.swing;
+            V rho_start = _o52.rho_start;
+            V low0 = _o52.low0;
+            V high0 = _o52.high0;
+            V low1 = _o52.low1;
+            V high1 = _o52.high1;
+            V low2 = _o52.low2;
+            V high2 = _o52.high2;
+            V ceiling = _o52.ceiling;
+            V latest = _o52.latest;
+            const LANES(hoop_allowance_out) _o53 =
                 LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o48.position_level;
-            V velocity_level = _o48.velocity_level;
-            const LANES(hoop_ring_margins_out) _o49 =
+            V position_level = _o53.position_level;
+            V velocity_level = _o53.velocity_level;
+            const LANES(hoop_ring_margins_out) _o54 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o49.margin;
-            V tilt = _o49.leaving_margin;
-            V rate_slack = _o49.rate_margin;
-            const LANES(hoop_ring_enter_out) _o50 =
+            V flat = _o54.margin;
+            V tilt = _o54.leaving_margin;
+            V rate_slack = _o54.rate_margin;
+            const LANES(hoop_ring_enter_out) _o55 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o50.t;
-            V end = _o50.end;
-            M searching = _o50.searching;
+            t = _o55.t;
+            V end = _o55.end;
+            M searching = _o55.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_rho_start + i, rho_start);
@@ -1149,52 +1165,52 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o51 =
+                const LANES(hoop_nearby_out) _o56 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o51.leaving;
-                V margin = _o51.margin;
-                const LANES(hoop_ring_advance_out) _o52 =
+                V leaving = _o56.leaving;
+                V margin = _o56.margin;
+                const LANES(hoop_ring_advance_out) _o57 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o52.gap;
-                V rate = _o52.rate;
-                V bend = _o52.bend;
-                V step = _o52.step;
-                V next = _o52.next;
-                V clearance = _o52.clearance;
-                const LANES(hoop_struck_out) _o53 =
+                V gap = _o57.gap;
+                V rate = _o57.rate;
+                V bend = _o57.bend;
+                V step = _o57.step;
+                V next = _o57.next;
+                V clearance = _o57.clearance;
+                const LANES(hoop_struck_out) _o58 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o53.hit;
-                M sure = _o53.sure;
-                M vague = _o53.vague;
-                const M _m54 = lanes_both(active, vague);
-                if (lanes_any(_m54)) {
-                    const LANES(hoop_finer_out) _o55 =
+                M hit = _o58.hit;
+                M sure = _o58.sure;
+                M vague = _o58.vague;
+                const M _m59 = lanes_both(active, vague);
+                if (lanes_any(_m59)) {
+                    const LANES(hoop_finer_out) _o60 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m54, _o55.share, share);
-                    const LANES(hoop_allowance_out) _o56 =
+                    share = lanes_select(_m59, _o60.share, share);
+                    const LANES(hoop_allowance_out) _o61 =
                         LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o56.position_level;
-                    V velocity_level = _o56.velocity_level;
-                    const LANES(hoop_ring_margins_out) _o57 =
+                    V position_level = _o61.position_level;
+                    V velocity_level = _o61.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o62 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m54, _o57.margin, flat);
-                    tilt = lanes_select(_m54, _o57.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m54, _o57.rate_margin, rate_slack);
+                    flat = lanes_select(_m59, _o62.margin, flat);
+                    tilt = lanes_select(_m59, _o62.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m59, _o62.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) _o58 =
+                const LANES(hoop_advanced_out) _o63 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o58.arrival;
-                certain = _o58.certain;
-                M exhausted = _o58.exhausted;
-                searching = _o58.searching;
-                t = _o58.t;
-                const M _m59 = lanes_both(active, exhausted);
+                arrival = _o63.arrival;
+                certain = _o63.certain;
+                M exhausted = _o63.exhausted;
+                searching = _o63.searching;
+                t = _o63.t;
+                const M _m64 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o60 =
+                    const LANES(hoop_ring_enter_out) _o65 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m59, _o60.t, t);
-                    end = lanes_select(_m59, _o60.end, end);
-                    searching = lanes_choose(_m59, _o60.searching, searching);
+                    t = lanes_select(_m64, _o65.t, t);
+                    end = lanes_select(_m64, _o65.end, end);
+                    searching = lanes_choose(_m64, _o65.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -1254,36 +1270,36 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o61 =
+            const LANES(hoop_found_out) _o66 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o61.arrives;
-            M refining = _o61.refining;
-            const LANES(hoop_nearby_out) _o62 =
+            M arrives = _o66.arrives;
+            M refining = _o66.refining;
+            const LANES(hoop_nearby_out) _o67 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o62.leaving;
-            const M _m63 = lanes_both(rows, refining);
-            if (lanes_any(_m63)) {
-                const LANES(hoop_ring_refine_out) _o64 =
+            V leaving = _o67.leaving;
+            const M _m68 = lanes_both(rows, refining);
+            if (lanes_any(_m68)) {
+                const LANES(hoop_ring_refine_out) _o69 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o64.time;
-                V gap = _o64.gap;
-                V rate = _o64.rate;
-                const LANES(hoop_polished_out) _o65 =
+                V refined = _o69.time;
+                V gap = _o69.gap;
+                V rate = _o69.rate;
+                const LANES(hoop_polished_out) _o70 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m63, _o65.arrival, arrival);
-                refining = lanes_choose(_m63, _o65.refining, refining);
+                arrival = lanes_select(_m68, _o70.arrival, arrival);
+                refining = lanes_choose(_m68, _o70.refining, refining);
             }
-            const M _m66 = lanes_both(rows, refining);
-            if (lanes_any(_m66)) {
-                const LANES(hoop_ring_refine_out) _o67 =
+            const M _m71 = lanes_both(rows, refining);
+            if (lanes_any(_m71)) {
+                const LANES(hoop_ring_refine_out) _o72 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o67.time;
-                V gap = _o67.gap;
-                V rate = _o67.rate;
-                const LANES(hoop_polished_out) _o68 =
+                V refined = _o72.time;
+                V gap = _o72.gap;
+                V rate = _o72.rate;
+                const LANES(hoop_polished_out) _o73 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m66, _o68.arrival, arrival);
-                refining = lanes_choose(_m66, _o68.refining, refining);
+                arrival = lanes_select(_m71, _o73.arrival, arrival);
+                refining = lanes_choose(_m71, _o73.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -1361,15 +1377,15 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o69 =
+                const LANES(hoop_ring_refine_out) _o74 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o69.time;
-                V gap = _o69.gap;
-                V rate = _o69.rate;
-                const LANES(hoop_polished_out) _o70 =
+                V refined = _o74.time;
+                V gap = _o74.gap;
+                V rate = _o74.rate;
+                const LANES(hoop_polished_out) _o75 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o70.arrival;
-                refining = _o70.refining;
+                arrival = _o75.arrival;
+                refining = _o75.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -1393,13 +1409,13 @@ static void LANES(hoop_plain)(const hoop_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_landed_out) _o71 =
+            const LANES(hoop_landed_out) _o76 =
                 LANES(hoop_landed)(arrival);
-            V time = _o71.time;
-            const LANES(hoop_sooner_out) _o72 =
+            V time = _o76.time;
+            const LANES(hoop_sooner_out) _o77 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o72.when;
-            which = _o72.which;
+            when = _o77.when;
+            which = _o77.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -1437,65 +1453,65 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m73 = lanes_both(rows, limited);
-            if (lanes_any(_m73)) {
-                const LANES(hoop_expiry_out) _o74 =
+            const M _m78 = lanes_both(rows, limited);
+            if (lanes_any(_m78)) {
+                const LANES(hoop_expiry_out) _o79 =
                     LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o74.time;
-                M arrives = _o74.arrives;
-                const LANES(hoop_sooner_out) _o75 =
+                V time = _o79.time;
+                M arrives = _o79.arrives;
+                const LANES(hoop_sooner_out) _o80 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m73, _o75.when, when);
-                which = lanes_select(_m73, _o75.which, which);
+                when = lanes_select(_m78, _o80.when, when);
+                which = lanes_select(_m78, _o80.which, which);
             }
-            const LANES(hoop_departed_out) _o76 =
+            const LANES(hoop_departed_out) _o81 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o76.moves;
-            M ends = _o76.ends;
-            M touches = _o76.touches;
-            V reached = _o76.reached;
-            const LANES(hoop_body_of_out) _o77 =
+            M moves = _o81.moves;
+            M ends = _o81.ends;
+            M touches = _o81.touches;
+            V reached = _o81.reached;
+            const LANES(hoop_body_of_out) _o82 =
                 LANES(hoop_body_of)(which);
-            V body = _o77.body;
-            const M _m78 = lanes_both(rows, moves);
+            V body = _o82.body;
+            const M _m83 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o79 =
+                const LANES(hoop_flight_out) _o84 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m78, _o79.x, x);
-                y = lanes_select(_m78, _o79.y, y);
-                z = lanes_select(_m78, _o79.z, z);
-                vx = lanes_select(_m78, _o79.vx, vx);
-                vy = lanes_select(_m78, _o79.vy, vy);
-                vz = lanes_select(_m78, _o79.vz, vz);
-                const LANES(hoop_ticked_out) _o80 =
+                x = lanes_select(_m83, _o84.x, x);
+                y = lanes_select(_m83, _o84.y, y);
+                z = lanes_select(_m83, _o84.z, z);
+                vx = lanes_select(_m83, _o84.vx, vx);
+                vy = lanes_select(_m83, _o84.vy, vy);
+                vz = lanes_select(_m83, _o84.vz, vz);
+                const LANES(hoop_ticked_out) _o85 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m78, _o80.clock, clock);
+                clock = lanes_select(_m83, _o85.clock, clock);
             }
-            const M _m81 = lanes_both(rows, limited);
-            if (lanes_any(_m81)) {
-                const LANES(hoop_expired_out) _o82 =
+            const M _m86 = lanes_both(rows, limited);
+            if (lanes_any(_m86)) {
+                const LANES(hoop_expired_out) _o87 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m81, _o82.clock, clock);
-                body = lanes_select(_m81, _o82.body, body);
-                reached = lanes_select(_m81, _o82.reached, reached);
-                ends = lanes_choose(_m81, _o82.ends, ends);
+                clock = lanes_select(_m86, _o87.clock, clock);
+                body = lanes_select(_m86, _o87.body, body);
+                reached = lanes_select(_m86, _o87.reached, reached);
+                ends = lanes_choose(_m86, _o87.ends, ends);
             }
-            const LANES(hoop_here_out) _o83 =
+            const LANES(hoop_here_out) _o88 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o83.here;
-            const M _m84 = lanes_both(rows, here);
+            M here = _o88.here;
+            const M _m89 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o85 =
+                const LANES(hoop_end_bounds_out) _o90 =
                     LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o85.g0;
-                const LANES(hoop_end_reached_out) _o86 =
+                V g0 = _o90.g0;
+                const LANES(hoop_end_reached_out) _o91 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m84, _o86.reached, reached);
+                reached = lanes_select(_m89, _o91.reached, reached);
             }
-            const LANES(hoop_accounted_out) _o87 =
+            const LANES(hoop_accounted_out) _o92 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o87.contacts;
-            V outcome = _o87.outcome;
+            contacts = _o92.contacts;
+            V outcome = _o92.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -1508,97 +1524,97 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o88 =
+            const LANES(hoop_meeting_out) _o93 =
                 LANES(hoop_meeting)(K(0.0), ends, touches);
-            M meeting = _o88.meeting;
-            const M _m89 = lanes_both(rows, meeting);
-            if (lanes_any(_m89)) {
-                const LANES(hoop_end_normal_out) _o90 =
+            M meeting = _o93.meeting;
+            const M _m94 = lanes_both(rows, meeting);
+            if (lanes_any(_m94)) {
+                const LANES(hoop_end_normal_out) _o95 =
                     LANES(hoop_end_normal)();
-                V nx = _o90.nx;
-                V ny = _o90.ny;
-                V nz = _o90.nz;
-                const LANES(hoop_here_out) _o91 =
+                V nx = _o95.nx;
+                V ny = _o95.ny;
+                V nz = _o95.nz;
+                const LANES(hoop_here_out) _o96 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o91.here;
-                const M _m92 = lanes_both(_m89, here);
+                M here = _o96.here;
+                const M _m97 = lanes_both(_m94, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o93 =
+                    const LANES(hoop_ring_normal_out) _o98 =
                         LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m92, _o93.nx, nx);
-                    ny = lanes_select(_m92, _o93.ny, ny);
-                    nz = lanes_select(_m92, _o93.nz, nz);
-                    const LANES(hoop_counted_out) _o94 =
+                    nx = lanes_select(_m97, _o98.nx, nx);
+                    ny = lanes_select(_m97, _o98.ny, ny);
+                    nz = lanes_select(_m97, _o98.nz, nz);
+                    const LANES(hoop_counted_out) _o99 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m92, _o94.count, count_0);
+                    count_0 = lanes_select(_m97, _o99.count, count_0);
                 }
-                const LANES(hoop_here_out) _o95 =
+                const LANES(hoop_here_out) _o100 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o95.here;
-                const M _m96 = lanes_both(_m89, here);
+                here = _o100.here;
+                const M _m101 = lanes_both(_m94, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o97 =
+                    const LANES(hoop_backboard_normal_out) _o102 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m96, _o97.nx, nx);
-                    ny = lanes_select(_m96, _o97.ny, ny);
-                    nz = lanes_select(_m96, _o97.nz, nz);
-                    const LANES(hoop_counted_out) _o98 =
+                    nx = lanes_select(_m101, _o102.nx, nx);
+                    ny = lanes_select(_m101, _o102.ny, ny);
+                    nz = lanes_select(_m101, _o102.nz, nz);
+                    const LANES(hoop_counted_out) _o103 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m96, _o98.count, count_1);
+                    count_1 = lanes_select(_m101, _o103.count, count_1);
                 }
-                const LANES(hoop_here_out) _o99 =
+                const LANES(hoop_here_out) _o104 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o99.here;
-                const M _m100 = lanes_both(_m89, here);
+                here = _o104.here;
+                const M _m105 = lanes_both(_m94, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o101 =
+                    const LANES(hoop_bridge_normal_out) _o106 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m100, _o101.nx, nx);
-                    ny = lanes_select(_m100, _o101.ny, ny);
-                    nz = lanes_select(_m100, _o101.nz, nz);
-                    const LANES(hoop_counted_out) _o102 =
+                    nx = lanes_select(_m105, _o106.nx, nx);
+                    ny = lanes_select(_m105, _o106.ny, ny);
+                    nz = lanes_select(_m105, _o106.nz, nz);
+                    const LANES(hoop_counted_out) _o107 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m100, _o102.count, count_2);
+                    count_2 = lanes_select(_m105, _o107.count, count_2);
                 }
-                const M _m103 = lanes_both(_m89, touches);
-                if (lanes_any(_m103)) {
-                    const LANES(hoop_impact_out) _o104 =
+                const M _m108 = lanes_both(_m94, touches);
+                if (lanes_any(_m108)) {
+                    const LANES(hoop_impact_out) _o109 =
                         LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m103, _o104.vx, vx);
-                    vy = lanes_select(_m103, _o104.vy, vy);
-                    vz = lanes_select(_m103, _o104.vz, vz);
-                    wx = lanes_select(_m103, _o104.wx, wx);
-                    wy = lanes_select(_m103, _o104.wy, wy);
-                    wz = lanes_select(_m103, _o104.wz, wz);
+                    vx = lanes_select(_m108, _o109.vx, vx);
+                    vy = lanes_select(_m108, _o109.vy, vy);
+                    vz = lanes_select(_m108, _o109.vz, vz);
+                    wx = lanes_select(_m108, _o109.wx, wx);
+                    wy = lanes_select(_m108, _o109.wy, wy);
+                    wz = lanes_select(_m108, _o109.wz, wz);
                 }
-                const LANES(hoop_here_out) _o105 =
+                const LANES(hoop_here_out) _o110 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o105.here;
-                const M _m106 = lanes_both(_m89, here);
+                here = _o110.here;
+                const M _m111 = lanes_both(_m94, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o107 =
+                    const LANES(hoop_backboard_place_out) _o112 =
                         LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m106, _o107.x, x);
-                    y = lanes_select(_m106, _o107.y, y);
-                    z = lanes_select(_m106, _o107.z, z);
+                    x = lanes_select(_m111, _o112.x, x);
+                    y = lanes_select(_m111, _o112.y, y);
+                    z = lanes_select(_m111, _o112.z, z);
                 }
-                const LANES(hoop_here_out) _o108 =
+                const LANES(hoop_here_out) _o113 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o108.here;
-                const M _m109 = lanes_both(_m89, here);
+                here = _o113.here;
+                const M _m114 = lanes_both(_m94, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o110 =
+                    const LANES(hoop_bridge_place_out) _o115 =
                         LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m109, _o110.x, x);
-                    y = lanes_select(_m109, _o110.y, y);
-                    z = lanes_select(_m109, _o110.z, z);
+                    x = lanes_select(_m114, _o115.x, x);
+                    y = lanes_select(_m114, _o115.y, y);
+                    z = lanes_select(_m114, _o115.z, z);
                 }
-                const M _m111 = lanes_both(_m89, touches);
+                const M _m116 = lanes_both(_m94, touches);
                 {
-                    const LANES(hoop_touched_out) _o112 =
+                    const LANES(hoop_touched_out) _o117 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m111, _o112.first, first);
-                    last = lanes_select(_m111, _o112.last, last);
+                    first = lanes_select(_m116, _o117.first, first);
+                    last = lanes_select(_m116, _o117.last, last);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -2290,143 +2306,159 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 when = lanes_select(_m16, _o19.when, when);
                 which = lanes_select(_m16, _o19.which, which);
             }
-            const LANES(hoop_left_out) _o20 =
-                LANES(hoop_left)(K(1.0), last);
-            leaving = _o20.leaving;
-            const LANES(hoop_backboard_arrival_out) _o21 =
-                LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-            time = _o21.time;
-            rate = _o21.rate;
-            bend = _o21.bend;
-            apex = _o21.apex;
-            height = _o21.height;
-            const LANES(hoop_meeting_plane_out) _o22 =
-                LANES(hoop_meeting_plane)(bend, rate, time);
-            arrives = _o22.arrives;
-            ceiling = _o22.ceiling;
-            const LANES(hoop_backboard_margin_out) _o23 =
-                LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-            margin = _o23.margin;
-            const LANES(hoop_crossing_out) _o24 =
-                LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-            clearance = _o24.clearance;
-            delay = _o24.delay;
-            const LANES(hoop_timely_out) _o25 =
-                LANES(hoop_timely)(arrives, delay, late, time, when);
-            possible = _o25.possible;
-            const LANES(hoop_backboard_margin_out) _o26 =
-                LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-            margin = _o26.margin;
-            const LANES(hoop_grazed_out) _o27 =
-                LANES(hoop_grazed)(apex, doubt, height, margin);
-            doubt = _o27.doubt;
-            const M _m28 = lanes_both(rows, possible);
-            if (lanes_any(_m28)) {
-                const LANES(hoop_flight_out) _o29 =
-                    LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                V there_y = _o29.y;
-                V there_z = _o29.z;
-                const LANES(hoop_backboard_bounds_out) _o30 =
-                    LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-                V g0 = _o30.g0;
-                V g1 = _o30.g1;
-                V g2 = _o30.g2;
-                V g3 = _o30.g3;
-                const LANES(hoop_displacement_out) _o31 =
-                    LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-                V slack = _o31.margin;
-                const LANES(hoop_backboard_edges_out) _o32 =
-                    LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
-                M unsure = _o32.unsure;
-                const LANES(hoop_questioned_out) _o33 =
-                    LANES(hoop_questioned)(doubt, time, unsure);
-                doubt = lanes_select(_m28, _o33.doubt, doubt);
-                const LANES(hoop_backboard_within_out) _o34 =
-                    LANES(hoop_backboard_within)(g0, g1, g2, g3);
-                M arrives = _o34.arrives;
-                const LANES(hoop_tied_out) _o35 =
-                    LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m28, _o35.doubt, doubt);
-                late = lanes_select(_m28, _o35.late, late);
-                const LANES(hoop_sooner_out) _o36 =
-                    LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-                when = lanes_select(_m28, _o36.when, when);
-                which = lanes_select(_m28, _o36.which, which);
+            const LANES(hoop_released_out) _o20 =
+                LANES(hoop_released)(last);
+            M released = _o20.released;
+            M reachable = _o20.reachable;
+            const M _m21 = lanes_both(rows, released);
+            if (lanes_any(_m21)) {
+                const LANES(hoop_horizon_out) _o22 =
+                    LANES(hoop_horizon)(when, speed, p_gravity);
+                V until = _o22.horizon;
+                const LANES(hoop_reachable_out) _o23 =
+                    LANES(hoop_reachable)(p_ball_radius, p_board_distance, p_bridge_half_width, extent, p_gravity, until, position_error, p_ring_radius, speed, velocity_error, vx, x);
+                reachable = lanes_choose(_m21, _o23.reachable, reachable);
             }
-            const LANES(hoop_left_out) _o37 =
-                LANES(hoop_left)(K(2.0), last);
-            leaving = _o37.leaving;
-            const LANES(hoop_bridge_arrival_out) _o38 =
-                LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-            time = _o38.time;
-            rate = _o38.rate;
-            bend = _o38.bend;
-            apex = _o38.apex;
-            height = _o38.height;
-            const LANES(hoop_meeting_plane_out) _o39 =
-                LANES(hoop_meeting_plane)(bend, rate, time);
-            arrives = _o39.arrives;
-            ceiling = _o39.ceiling;
-            const LANES(hoop_bridge_margin_out) _o40 =
-                LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-            margin = _o40.margin;
-            const LANES(hoop_crossing_out) _o41 =
-                LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-            clearance = _o41.clearance;
-            delay = _o41.delay;
-            const LANES(hoop_timely_out) _o42 =
-                LANES(hoop_timely)(arrives, delay, late, time, when);
-            possible = _o42.possible;
-            const LANES(hoop_bridge_margin_out) _o43 =
-                LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-            margin = _o43.margin;
-            const LANES(hoop_grazed_out) _o44 =
-                LANES(hoop_grazed)(apex, doubt, height, margin);
-            doubt = _o44.doubt;
-            const M _m45 = lanes_both(rows, possible);
-            if (lanes_any(_m45)) {
-                const LANES(hoop_flight_out) _o46 =
-                    LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                V there_x = _o46.x;
-                V there_y = _o46.y;
-                const LANES(hoop_bridge_bounds_out) _o47 =
-                    LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-                V g0 = _o47.g0;
-                V g1 = _o47.g1;
-                V g2 = _o47.g2;
-                V g3 = _o47.g3;
-                V g4 = _o47.g4;
-                const LANES(hoop_displacement_out) _o48 =
-                    LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-                V slack = _o48.margin;
-                const LANES(hoop_bridge_edges_out) _o49 =
-                    LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
-                M unsure = _o49.unsure;
-                const LANES(hoop_questioned_out) _o50 =
-                    LANES(hoop_questioned)(doubt, time, unsure);
-                doubt = lanes_select(_m45, _o50.doubt, doubt);
-                const LANES(hoop_bridge_within_out) _o51 =
-                    LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-                M arrives = _o51.arrives;
-                const LANES(hoop_tied_out) _o52 =
-                    LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m45, _o52.doubt, doubt);
-                late = lanes_select(_m45, _o52.late, late);
-                const LANES(hoop_sooner_out) _o53 =
-                    LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-                when = lanes_select(_m45, _o53.when, when);
-                which = lanes_select(_m45, _o53.which, which);
+            const M _m24 = lanes_both(rows, reachable);
+            if (lanes_any(_m24)) {
+                const LANES(hoop_left_out) _o25 =
+                    LANES(hoop_left)(K(1.0), last);
+                V leaving = _o25.leaving;
+                const LANES(hoop_backboard_arrival_out) _o26 =
+                    LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
+                V time = _o26.time;
+                V rate = _o26.rate;
+                V bend = _o26.bend;
+                V apex = _o26.apex;
+                V height = _o26.height;
+                const LANES(hoop_meeting_plane_out) _o27 =
+                    LANES(hoop_meeting_plane)(bend, rate, time);
+                M arrives = _o27.arrives;
+                V ceiling = _o27.ceiling;
+                const LANES(hoop_backboard_margin_out) _o28 =
+                    LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
+                V margin = _o28.margin;
+                const LANES(hoop_crossing_out) _o29 =
+                    LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
+                V clearance = _o29.clearance;
+                V delay = _o29.delay;
+                const LANES(hoop_timely_out) _o30 =
+                    LANES(hoop_timely)(arrives, delay, late, time, when);
+                M possible = _o30.possible;
+                const LANES(hoop_backboard_margin_out) _o31 =
+                    LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
+                margin = _o31.margin;
+                const LANES(hoop_grazed_out) _o32 =
+                    LANES(hoop_grazed)(apex, doubt, height, margin);
+                doubt = lanes_select(_m24, _o32.doubt, doubt);
+                const M _m33 = lanes_both(_m24, possible);
+                if (lanes_any(_m33)) {
+                    const LANES(hoop_flight_out) _o34 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+                    V there_y = _o34.y;
+                    V there_z = _o34.z;
+                    const LANES(hoop_backboard_bounds_out) _o35 =
+                        LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
+                    V g0 = _o35.g0;
+                    V g1 = _o35.g1;
+                    V g2 = _o35.g2;
+                    V g3 = _o35.g3;
+                    const LANES(hoop_displacement_out) _o36 =
+                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+                    V slack = _o36.margin;
+                    const LANES(hoop_backboard_edges_out) _o37 =
+                        LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
+                    M unsure = _o37.unsure;
+                    const LANES(hoop_questioned_out) _o38 =
+                        LANES(hoop_questioned)(doubt, time, unsure);
+                    doubt = lanes_select(_m33, _o38.doubt, doubt);
+                    const LANES(hoop_backboard_within_out) _o39 =
+                        LANES(hoop_backboard_within)(g0, g1, g2, g3);
+                    M arrives = _o39.arrives;
+                    const LANES(hoop_tied_out) _o40 =
+                        LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+                    doubt = lanes_select(_m33, _o40.doubt, doubt);
+                    late = lanes_select(_m33, _o40.late, late);
+                    const LANES(hoop_sooner_out) _o41 =
+                        LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
+                    when = lanes_select(_m33, _o41.when, when);
+                    which = lanes_select(_m33, _o41.which, which);
+                }
+                const LANES(hoop_left_out) _o42 =
+                    LANES(hoop_left)(K(2.0), last);
+                leaving = _o42.leaving;
+                const LANES(hoop_bridge_arrival_out) _o43 =
+                    LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
+                time = _o43.time;
+                rate = _o43.rate;
+                bend = _o43.bend;
+                apex = _o43.apex;
+                height = _o43.height;
+                const LANES(hoop_meeting_plane_out) _o44 =
+                    LANES(hoop_meeting_plane)(bend, rate, time);
+                arrives = _o44.arrives;
+                ceiling = _o44.ceiling;
+                const LANES(hoop_bridge_margin_out) _o45 =
+                    LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
+                margin = _o45.margin;
+                const LANES(hoop_crossing_out) _o46 =
+                    LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
+                clearance = _o46.clearance;
+                delay = _o46.delay;
+                const LANES(hoop_timely_out) _o47 =
+                    LANES(hoop_timely)(arrives, delay, late, time, when);
+                possible = _o47.possible;
+                const LANES(hoop_bridge_margin_out) _o48 =
+                    LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
+                margin = _o48.margin;
+                const LANES(hoop_grazed_out) _o49 =
+                    LANES(hoop_grazed)(apex, doubt, height, margin);
+                doubt = lanes_select(_m24, _o49.doubt, doubt);
+                const M _m50 = lanes_both(_m24, possible);
+                if (lanes_any(_m50)) {
+                    const LANES(hoop_flight_out) _o51 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+                    V there_x = _o51.x;
+                    V there_y = _o51.y;
+                    const LANES(hoop_bridge_bounds_out) _o52 =
+                        LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
+                    V g0 = _o52.g0;
+                    V g1 = _o52.g1;
+                    V g2 = _o52.g2;
+                    V g3 = _o52.g3;
+                    V g4 = _o52.g4;
+                    const LANES(hoop_displacement_out) _o53 =
+                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+                    V slack = _o53.margin;
+                    const LANES(hoop_bridge_edges_out) _o54 =
+                        LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
+                    M unsure = _o54.unsure;
+                    const LANES(hoop_questioned_out) _o55 =
+                        LANES(hoop_questioned)(doubt, time, unsure);
+                    doubt = lanes_select(_m50, _o55.doubt, doubt);
+                    const LANES(hoop_bridge_within_out) _o56 =
+                        LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
+                    M arrives = _o56.arrives;
+                    const LANES(hoop_tied_out) _o57 =
+                        LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+                    doubt = lanes_select(_m50, _o57.doubt, doubt);
+                    late = lanes_select(_m50, _o57.late, late);
+                    const LANES(hoop_sooner_out) _o58 =
+                        LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
+                    when = lanes_select(_m50, _o58.when, when);
+                    which = lanes_select(_m50, _o58.which, which);
+                }
             }
-            const LANES(hoop_horizon_out) _o54 =
+            const LANES(hoop_horizon_out) _o59 =
                 LANES(hoop_horizon)(when, speed, p_gravity);
-            V until = _o54.horizon;
-            V pad = _o54.pad;
-            const LANES(hoop_ring_clear_out) _o55 =
+            V until = _o59.horizon;
+            V pad = _o59.pad;
+            const LANES(hoop_ring_clear_out) _o60 =
                 LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V clear = _o55.clear;
-            const LANES(hoop_opens_out) _o56 =
+            V clear = _o60.clear;
+            const LANES(hoop_opens_out) _o61 =
                 LANES(hoop_opens)(clear);
-            M open = _o56.open;
+            M open = _o61.open;
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->extent + i, extent);
             lanes_store(lists->late + i, late);
@@ -2491,93 +2523,93 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_beginning_out) _o57 =
+            const LANES(hoop_beginning_out) _o62 =
                 LANES(hoop_beginning)();
-            V share = _o57.share;
-            V arrival = _o57.arrival;
-            M certain = _o57.certain;
-            const LANES(hoop_left_out) _o58 =
+            V share = _o62.share;
+            V arrival = _o62.arrival;
+            M certain = _o62.certain;
+            const LANES(hoop_left_out) _o63 =
                 LANES(hoop_left)(K(0.0), last);
-            V leaving = _o58.leaving;
-            const LANES(hoop_ring_opened_out) _o59 =
+            V leaving = _o63.leaving;
+            const LANES(hoop_ring_opened_out) _o64 =
                 LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S onset = _o59.t;
-            S wide_end = _o59.end;
-            M searching = _o59.searching;
-            S wide_low1 = _o59.low1;
-            S wide_high1 = _o59.high1;
-            S wide_low2 = _o59.low2;
-            S wide_high2 = _o59.high2;
-            S lapsed = _o59.latest;
-            M sound = _o59.sound;
-            const LANES(hoop_opened_out) _o60 =
+            S onset = _o64.t;
+            S wide_end = _o64.end;
+            M searching = _o64.searching;
+            S wide_low1 = _o64.low1;
+            S wide_high1 = _o64.high1;
+            S wide_low2 = _o64.low2;
+            S wide_high2 = _o64.high2;
+            S lapsed = _o64.latest;
+            M sound = _o64.sound;
+            const LANES(hoop_opened_out) _o65 =
                 LANES(hoop_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o60.time;
-            V latest = _o60.latest;
-            const LANES(hoop_ring_started_out) _o61 =
+            V since = _o65.time;
+            V latest = _o65.latest;
+            const LANES(hoop_ring_started_out) _o66 =
                 LANES(hoop_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
-            V rho_start = _o61.rho_start;
-            V parting = _o61.parting;
-            V drift = _o61.drift;
-            const LANES(hoop_flight_out) _o62 =
+            V rho_start = _o66.rho_start;
+            V parting = _o66.parting;
+            V drift = _o66.drift;
+            const LANES(hoop_flight_out) _o67 =
                 LANES(hoop_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o62.x;
-            V near_y = _o62.y;
-            V near_z = _o62.z;
-            V near_vz = _o62.vz;
-            const LANES(hoop_ring_grain_out) _o63 =
+            V near_x = _o67.x;
+            V near_y = _o67.y;
+            V near_z = _o67.z;
+            V near_vz = _o67.vz;
+            const LANES(hoop_ring_grain_out) _o68 =
                 LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_share = _o63.share;
-            S short_t = _o63.t;
-            S short_end = _o63.end;
-            S short_x = _o63.x;
-            S short_y = _o63.y;
-            S short_z = _o63.z;
-            S short_vx = _o63.vx;
-            S short_vy = _o63.vy;
-            S short_vz = _o63.vz;
-            S short_steady = _o63.steady;
-            S short_swing = _o63.swing;
-            S short_rho_start = _o63.rho_start;
-            S short_ceiling = _o63.ceiling;
-            S short_flat = _o63.flat;
-            S short_tilt = _o63.tilt;
-            S short_jerk = _o63.jerk;
-            S short_grit = _o63.grit;
-            S short_parting = _o63.parting;
-            S short_drift = _o63.drift;
-            S short_rate_margin = _o63.rate_margin;
-            S short_low1 = _o63.low1;
-            S short_high1 = _o63.high1;
-            S short_low2 = _o63.low2;
-            S short_high2 = _o63.high2;
-            M fits = _o63.fits;
-            const LANES(hoop_coarse_out) _o64 =
+            S short_share = _o68.share;
+            S short_t = _o68.t;
+            S short_end = _o68.end;
+            S short_x = _o68.x;
+            S short_y = _o68.y;
+            S short_z = _o68.z;
+            S short_vx = _o68.vx;
+            S short_vy = _o68.vy;
+            S short_vz = _o68.vz;
+            S short_steady = _o68.steady;
+            S short_swing = _o68.swing;
+            S short_rho_start = _o68.rho_start;
+            S short_ceiling = _o68.ceiling;
+            S short_flat = _o68.flat;
+            S short_tilt = _o68.tilt;
+            S short_jerk = _o68.jerk;
+            S short_grit = _o68.grit;
+            S short_parting = _o68.parting;
+            S short_drift = _o68.drift;
+            S short_rate_margin = _o68.rate_margin;
+            S short_low1 = _o68.low1;
+            S short_high1 = _o68.high1;
+            S short_low2 = _o68.low2;
+            S short_high2 = _o68.high2;
+            M fits = _o68.fits;
+            const LANES(hoop_coarse_out) _o69 =
                 LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o64.leaping;
-            searching = _o64.searching;
-            M served = _o64.served;
-            V ceiling = _o64.ceiling;
-            V flat = _o64.flat;
-            V tilt = _o64.tilt;
-            V allowing = _o64.allowing;
-            const LANES(hoop_allowance_out) _o65 =
+            M leaping = _o69.leaping;
+            searching = _o69.searching;
+            M served = _o69.served;
+            V ceiling = _o69.ceiling;
+            V flat = _o69.flat;
+            V tilt = _o69.tilt;
+            V allowing = _o69.allowing;
+            const LANES(hoop_allowance_out) _o70 =
                 LANES(hoop_allowance)(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V excess = _o65.excess;
-            const LANES(hoop_ring_lost_out) _o66 =
+            V excess = _o70.excess;
+            const LANES(hoop_ring_lost_out) _o71 =
                 LANES(hoop_ring_lost)(until, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius);
-            V lost = _o66.lost;
-            const LANES(hoop_beyond_out) _o67 =
+            V lost = _o71.lost;
+            const LANES(hoop_beyond_out) _o72 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o67.doubt;
-            const M _m68 = lanes_both(rows, leaping);
-            if (lanes_any(_m68)) {
-                const LANES(hoop_ring_leap_out) _o69 =
+            doubt = _o72.doubt;
+            const M _m73 = lanes_both(rows, leaping);
+            if (lanes_any(_m73)) {
+                const LANES(hoop_ring_leap_out) _o74 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = singles_select(singles_of(_m68), _o69.t, short_t);
-                short_end = singles_select(singles_of(_m68), _o69.end, short_end);
-                certain = lanes_choose(_m68, _o69.certain, certain);
-                leaping = lanes_choose(_m68, _o69.leaping, leaping);
+                short_t = singles_select(singles_of(_m73), _o74.t, short_t);
+                short_end = singles_select(singles_of(_m73), _o74.end, short_end);
+                certain = lanes_choose(_m73, _o74.certain, certain);
+                leaping = lanes_choose(_m73, _o74.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -2702,12 +2734,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o70 =
+                const LANES(hoop_ring_leap_out) _o75 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o70.t;
-                short_end = _o70.end;
-                M certain = _o70.certain;
-                leaping = _o70.leaping;
+                short_t = _o75.t;
+                short_end = _o75.end;
+                M certain = _o75.certain;
+                leaping = _o75.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -2757,11 +2789,11 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o71 =
+            const LANES(hoop_leapt_out) _o76 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o71.arrival;
-            V t = _o71.t;
-            searching = _o71.searching;
+            arrival = _o76.arrival;
+            V t = _o76.t;
+            searching = _o76.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -2819,33 +2851,33 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o72 =
+            const LANES(hoop_ring_prepare_out) _o77 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o72.steady;
-            V swing = _o72.swing;
-            V rho_start = _o72.rho_start;
-            V low0 = _o72.low0;
-            V high0 = _o72.high0;
-            V low1 = _o72.low1;
-            V high1 = _o72.high1;
-            V low2 = _o72.low2;
-            V high2 = _o72.high2;
-            V ceiling = _o72.ceiling;
-            V latest = _o72.latest;
-            const LANES(hoop_allowance_out) _o73 =
+            V steady = _o77.steady;
+            V swing = _o77.swing;
+            V rho_start = _o77.rho_start;
+            V low0 = _o77.low0;
+            V high0 = _o77.high0;
+            V low1 = _o77.low1;
+            V high1 = _o77.high1;
+            V low2 = _o77.low2;
+            V high2 = _o77.high2;
+            V ceiling = _o77.ceiling;
+            V latest = _o77.latest;
+            const LANES(hoop_allowance_out) _o78 =
                 LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o73.position_level;
-            V velocity_level = _o73.velocity_level;
-            const LANES(hoop_ring_margins_out) _o74 =
+            V position_level = _o78.position_level;
+            V velocity_level = _o78.velocity_level;
+            const LANES(hoop_ring_margins_out) _o79 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o74.margin;
-            V tilt = _o74.leaving_margin;
-            V rate_slack = _o74.rate_margin;
-            const LANES(hoop_ring_enter_out) _o75 =
+            V flat = _o79.margin;
+            V tilt = _o79.leaving_margin;
+            V rate_slack = _o79.rate_margin;
+            const LANES(hoop_ring_enter_out) _o80 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o75.t;
-            V end = _o75.end;
-            M searching = _o75.searching;
+            t = _o80.t;
+            V end = _o80.end;
+            M searching = _o80.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
@@ -2987,56 +3019,56 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o76 =
+                const LANES(hoop_nearby_out) _o81 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o76.leaving;
-                V margin = _o76.margin;
-                const LANES(hoop_ring_advance_out) _o77 =
+                V leaving = _o81.leaving;
+                V margin = _o81.margin;
+                const LANES(hoop_ring_advance_out) _o82 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o77.gap;
-                V rate = _o77.rate;
-                V bend = _o77.bend;
-                V step = _o77.step;
-                V next = _o77.next;
-                V clearance = _o77.clearance;
-                const LANES(hoop_struck_out) _o78 =
+                V gap = _o82.gap;
+                V rate = _o82.rate;
+                V bend = _o82.bend;
+                V step = _o82.step;
+                V next = _o82.next;
+                V clearance = _o82.clearance;
+                const LANES(hoop_struck_out) _o83 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o78.hit;
-                M sure = _o78.sure;
-                M vague = _o78.vague;
-                const M _m79 = lanes_both(active, vague);
-                if (lanes_any(_m79)) {
-                    const LANES(hoop_finer_out) _o80 =
+                M hit = _o83.hit;
+                M sure = _o83.sure;
+                M vague = _o83.vague;
+                const M _m84 = lanes_both(active, vague);
+                if (lanes_any(_m84)) {
+                    const LANES(hoop_finer_out) _o85 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m79, _o80.share, share);
-                    const LANES(hoop_allowance_out) _o81 =
+                    share = lanes_select(_m84, _o85.share, share);
+                    const LANES(hoop_allowance_out) _o86 =
                         LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o81.position_level;
-                    V velocity_level = _o81.velocity_level;
-                    V excess = _o81.excess;
-                    const LANES(hoop_ring_margins_out) _o82 =
+                    V position_level = _o86.position_level;
+                    V velocity_level = _o86.velocity_level;
+                    V excess = _o86.excess;
+                    const LANES(hoop_ring_margins_out) _o87 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m79, _o82.margin, flat);
-                    tilt = lanes_select(_m79, _o82.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m79, _o82.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o83 =
+                    flat = lanes_select(_m84, _o87.margin, flat);
+                    tilt = lanes_select(_m84, _o87.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m84, _o87.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o88 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m79, _o83.doubt, doubt);
+                    doubt = lanes_select(_m84, _o88.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) _o84 =
+                const LANES(hoop_advanced_out) _o89 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o84.arrival;
-                certain = _o84.certain;
-                M exhausted = _o84.exhausted;
-                searching = _o84.searching;
-                t = _o84.t;
-                const M _m85 = lanes_both(active, exhausted);
+                arrival = _o89.arrival;
+                certain = _o89.certain;
+                M exhausted = _o89.exhausted;
+                searching = _o89.searching;
+                t = _o89.t;
+                const M _m90 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o86 =
+                    const LANES(hoop_ring_enter_out) _o91 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m85, _o86.t, t);
-                    end = lanes_select(_m85, _o86.end, end);
-                    searching = lanes_choose(_m85, _o86.searching, searching);
+                    t = lanes_select(_m90, _o91.t, t);
+                    end = lanes_select(_m90, _o91.end, end);
+                    searching = lanes_choose(_m90, _o91.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3078,9 +3110,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(hoop_questioned_out) _o87 =
+            const LANES(hoop_questioned_out) _o92 =
                 LANES(hoop_questioned)(doubt, t, searching);
-            doubt = _o87.doubt;
+            doubt = _o92.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -3116,37 +3148,37 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o88 =
+            const LANES(hoop_found_out) _o93 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o88.arrives;
-            M refining = _o88.refining;
-            V rate = _o88.rate;
-            const LANES(hoop_nearby_out) _o89 =
+            M arrives = _o93.arrives;
+            M refining = _o93.refining;
+            V rate = _o93.rate;
+            const LANES(hoop_nearby_out) _o94 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o89.leaving;
-            const M _m90 = lanes_both(rows, refining);
-            if (lanes_any(_m90)) {
-                const LANES(hoop_ring_refine_out) _o91 =
+            V leaving = _o94.leaving;
+            const M _m95 = lanes_both(rows, refining);
+            if (lanes_any(_m95)) {
+                const LANES(hoop_ring_refine_out) _o96 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o91.time;
-                V gap = _o91.gap;
-                rate = lanes_select(_m90, _o91.rate, rate);
-                const LANES(hoop_polished_out) _o92 =
+                V refined = _o96.time;
+                V gap = _o96.gap;
+                rate = lanes_select(_m95, _o96.rate, rate);
+                const LANES(hoop_polished_out) _o97 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m90, _o92.arrival, arrival);
-                refining = lanes_choose(_m90, _o92.refining, refining);
+                arrival = lanes_select(_m95, _o97.arrival, arrival);
+                refining = lanes_choose(_m95, _o97.refining, refining);
             }
-            const M _m93 = lanes_both(rows, refining);
-            if (lanes_any(_m93)) {
-                const LANES(hoop_ring_refine_out) _o94 =
+            const M _m98 = lanes_both(rows, refining);
+            if (lanes_any(_m98)) {
+                const LANES(hoop_ring_refine_out) _o99 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o94.time;
-                V gap = _o94.gap;
-                rate = lanes_select(_m93, _o94.rate, rate);
-                const LANES(hoop_polished_out) _o95 =
+                V refined = _o99.time;
+                V gap = _o99.gap;
+                rate = lanes_select(_m98, _o99.rate, rate);
+                const LANES(hoop_polished_out) _o100 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m93, _o95.arrival, arrival);
-                refining = lanes_choose(_m93, _o95.refining, refining);
+                arrival = lanes_select(_m98, _o100.arrival, arrival);
+                refining = lanes_choose(_m98, _o100.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -3226,15 +3258,15 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o96 =
+                const LANES(hoop_ring_refine_out) _o101 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o96.time;
-                V gap = _o96.gap;
-                V rate = _o96.rate;
-                const LANES(hoop_polished_out) _o97 =
+                V refined = _o101.time;
+                V gap = _o101.gap;
+                V rate = _o101.rate;
+                const LANES(hoop_polished_out) _o102 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o97.arrival;
-                refining = _o97.refining;
+                arrival = _o102.arrival;
+                refining = _o102.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -3276,33 +3308,33 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_ring_margins_out) _o98 =
+            const LANES(hoop_ring_margins_out) _o103 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o98.margin;
-            V tilt = _o98.leaving_margin;
-            V rate_margin = _o98.rate_margin;
-            const LANES(hoop_own_margin_out) _o99 =
+            V flat = _o103.margin;
+            V tilt = _o103.leaving_margin;
+            V rate_margin = _o103.rate_margin;
+            const LANES(hoop_own_margin_out) _o104 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o99.margin;
-            const LANES(hoop_crossing_out) _o100 =
+            V margin = _o104.margin;
+            const LANES(hoop_crossing_out) _o105 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o100.clearance;
-            V delay = _o100.delay;
-            const LANES(hoop_landed_out) _o101 =
+            V clearance = _o105.clearance;
+            V delay = _o105.delay;
+            const LANES(hoop_landed_out) _o106 =
                 LANES(hoop_landed)(arrival);
-            V time = _o101.time;
-            const LANES(hoop_landed_surely_out) _o102 =
+            V time = _o106.time;
+            const LANES(hoop_landed_surely_out) _o107 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o102.delay;
-            doubt = _o102.doubt;
-            const LANES(hoop_tied_out) _o103 =
+            delay = _o107.delay;
+            doubt = _o107.doubt;
+            const LANES(hoop_tied_out) _o108 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o103.doubt;
-            late = _o103.late;
-            const LANES(hoop_sooner_out) _o104 =
+            doubt = _o108.doubt;
+            late = _o108.late;
+            const LANES(hoop_sooner_out) _o109 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o104.when;
-            which = _o104.which;
+            when = _o109.when;
+            which = _o109.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -3370,81 +3402,81 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m105 = lanes_both(rows, limited);
-            if (lanes_any(_m105)) {
-                const LANES(hoop_expiry_out) _o106 =
+            const M _m110 = lanes_both(rows, limited);
+            if (lanes_any(_m110)) {
+                const LANES(hoop_expiry_out) _o111 =
                     LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o106.time;
-                V delay = _o106.delay;
-                M arrives = _o106.arrives;
-                doubt = lanes_select(_m105, _o106.doubt, doubt);
-                const LANES(hoop_tied_out) _o107 =
+                V time = _o111.time;
+                V delay = _o111.delay;
+                M arrives = _o111.arrives;
+                doubt = lanes_select(_m110, _o111.doubt, doubt);
+                const LANES(hoop_tied_out) _o112 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m105, _o107.doubt, doubt);
-                late = lanes_select(_m105, _o107.late, late);
-                const LANES(hoop_sooner_out) _o108 =
+                doubt = lanes_select(_m110, _o112.doubt, doubt);
+                late = lanes_select(_m110, _o112.late, late);
+                const LANES(hoop_sooner_out) _o113 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m105, _o108.when, when);
-                which = lanes_select(_m105, _o108.which, which);
+                when = lanes_select(_m110, _o113.when, when);
+                which = lanes_select(_m110, _o113.which, which);
             }
-            const LANES(hoop_departed_out) _o109 =
+            const LANES(hoop_departed_out) _o114 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o109.moves;
-            M ends = _o109.ends;
-            M touches = _o109.touches;
-            V reached = _o109.reached;
-            M edge = _o109.edge;
-            const LANES(hoop_body_of_out) _o110 =
+            M moves = _o114.moves;
+            M ends = _o114.ends;
+            M touches = _o114.touches;
+            V reached = _o114.reached;
+            M edge = _o114.edge;
+            const LANES(hoop_body_of_out) _o115 =
                 LANES(hoop_body_of)(which);
-            V body = _o110.body;
-            const M _m111 = lanes_both(rows, moves);
+            V body = _o115.body;
+            const M _m116 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o112 =
+                const LANES(hoop_flight_out) _o117 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m111, _o112.x, x);
-                y = lanes_select(_m111, _o112.y, y);
-                z = lanes_select(_m111, _o112.z, z);
-                vx = lanes_select(_m111, _o112.vx, vx);
-                vy = lanes_select(_m111, _o112.vy, vy);
-                vz = lanes_select(_m111, _o112.vz, vz);
-                const LANES(hoop_ticked_out) _o113 =
+                x = lanes_select(_m116, _o117.x, x);
+                y = lanes_select(_m116, _o117.y, y);
+                z = lanes_select(_m116, _o117.z, z);
+                vx = lanes_select(_m116, _o117.vx, vx);
+                vy = lanes_select(_m116, _o117.vy, vy);
+                vz = lanes_select(_m116, _o117.vz, vz);
+                const LANES(hoop_ticked_out) _o118 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m111, _o113.clock, clock);
+                clock = lanes_select(_m116, _o118.clock, clock);
             }
-            const M _m114 = lanes_both(rows, limited);
-            if (lanes_any(_m114)) {
-                const LANES(hoop_expired_out) _o115 =
+            const M _m119 = lanes_both(rows, limited);
+            if (lanes_any(_m119)) {
+                const LANES(hoop_expired_out) _o120 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m114, _o115.clock, clock);
-                body = lanes_select(_m114, _o115.body, body);
-                reached = lanes_select(_m114, _o115.reached, reached);
-                ends = lanes_choose(_m114, _o115.ends, ends);
+                clock = lanes_select(_m119, _o120.clock, clock);
+                body = lanes_select(_m119, _o120.body, body);
+                reached = lanes_select(_m119, _o120.reached, reached);
+                ends = lanes_choose(_m119, _o120.ends, ends);
             }
-            const LANES(hoop_displacement_out) _o116 =
+            const LANES(hoop_displacement_out) _o121 =
                 LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o116.margin;
-            const LANES(hoop_here_out) _o117 =
+            V slack = _o121.margin;
+            const LANES(hoop_here_out) _o122 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o117.here;
-            const M _m118 = lanes_both(rows, here);
+            M here = _o122.here;
+            const M _m123 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o119 =
+                const LANES(hoop_end_bounds_out) _o124 =
                     LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o119.g0;
-                const LANES(hoop_end_reached_out) _o120 =
+                V g0 = _o124.g0;
+                const LANES(hoop_end_reached_out) _o125 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m118, _o120.reached, reached);
-                const LANES(hoop_end_edge_out) _o121 =
+                reached = lanes_select(_m123, _o125.reached, reached);
+                const LANES(hoop_end_edge_out) _o126 =
                     LANES(hoop_end_edge)(g0, slack);
-                edge = lanes_choose(_m118, _o121.edge, edge);
+                edge = lanes_choose(_m123, _o126.edge, edge);
             }
-            const LANES(hoop_doubted_out) _o122 =
+            const LANES(hoop_doubted_out) _o127 =
                 LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
-            uncertain = _o122.uncertain;
-            const LANES(hoop_accounted_out) _o123 =
+            uncertain = _o127.uncertain;
+            const LANES(hoop_accounted_out) _o128 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o123.contacts;
-            V outcome = _o123.outcome;
+            contacts = _o128.contacts;
+            V outcome = _o128.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -3457,205 +3489,205 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o124 =
+            const LANES(hoop_meeting_out) _o129 =
                 LANES(hoop_meeting)(claims, ends, touches);
-            M meeting = _o124.meeting;
-            const M _m125 = lanes_both(rows, meeting);
-            if (lanes_any(_m125)) {
-                const LANES(hoop_end_normal_out) _o126 =
+            M meeting = _o129.meeting;
+            const M _m130 = lanes_both(rows, meeting);
+            if (lanes_any(_m130)) {
+                const LANES(hoop_end_normal_out) _o131 =
                     LANES(hoop_end_normal)();
-                V nx = _o126.nx;
-                V ny = _o126.ny;
-                V nz = _o126.nz;
-                const LANES(hoop_here_out) _o127 =
+                V nx = _o131.nx;
+                V ny = _o131.ny;
+                V nz = _o131.nz;
+                const LANES(hoop_here_out) _o132 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o127.here;
-                const M _m128 = lanes_both(_m125, here);
+                M here = _o132.here;
+                const M _m133 = lanes_both(_m130, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o129 =
+                    const LANES(hoop_ring_normal_out) _o134 =
                         LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m128, _o129.nx, nx);
-                    ny = lanes_select(_m128, _o129.ny, ny);
-                    nz = lanes_select(_m128, _o129.nz, nz);
-                    const LANES(hoop_counted_out) _o130 =
+                    nx = lanes_select(_m133, _o134.nx, nx);
+                    ny = lanes_select(_m133, _o134.ny, ny);
+                    nz = lanes_select(_m133, _o134.nz, nz);
+                    const LANES(hoop_counted_out) _o135 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m128, _o130.count, count_0);
+                    count_0 = lanes_select(_m133, _o135.count, count_0);
                 }
-                const LANES(hoop_here_out) _o131 =
+                const LANES(hoop_here_out) _o136 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o131.here;
-                const M _m132 = lanes_both(_m125, here);
+                here = _o136.here;
+                const M _m137 = lanes_both(_m130, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o133 =
+                    const LANES(hoop_backboard_normal_out) _o138 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m132, _o133.nx, nx);
-                    ny = lanes_select(_m132, _o133.ny, ny);
-                    nz = lanes_select(_m132, _o133.nz, nz);
-                    const LANES(hoop_counted_out) _o134 =
+                    nx = lanes_select(_m137, _o138.nx, nx);
+                    ny = lanes_select(_m137, _o138.ny, ny);
+                    nz = lanes_select(_m137, _o138.nz, nz);
+                    const LANES(hoop_counted_out) _o139 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m132, _o134.count, count_1);
+                    count_1 = lanes_select(_m137, _o139.count, count_1);
                 }
-                const LANES(hoop_here_out) _o135 =
+                const LANES(hoop_here_out) _o140 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o135.here;
-                const M _m136 = lanes_both(_m125, here);
+                here = _o140.here;
+                const M _m141 = lanes_both(_m130, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o137 =
+                    const LANES(hoop_bridge_normal_out) _o142 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m136, _o137.nx, nx);
-                    ny = lanes_select(_m136, _o137.ny, ny);
-                    nz = lanes_select(_m136, _o137.nz, nz);
-                    const LANES(hoop_counted_out) _o138 =
+                    nx = lanes_select(_m141, _o142.nx, nx);
+                    ny = lanes_select(_m141, _o142.ny, ny);
+                    nz = lanes_select(_m141, _o142.nz, nz);
+                    const LANES(hoop_counted_out) _o143 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m136, _o138.count, count_2);
+                    count_2 = lanes_select(_m141, _o143.count, count_2);
                 }
-                const LANES(hoop_elsewhere_out) _o139 =
+                const LANES(hoop_elsewhere_out) _o144 =
                     LANES(hoop_elsewhere)();
-                V curving = _o139.curving;
-                const LANES(hoop_again_out) _o140 =
+                V curving = _o144.curving;
+                const LANES(hoop_again_out) _o145 =
                     LANES(hoop_again)(K(0.0), last, which);
-                M again = _o140.again;
-                const M _m141 = lanes_both(_m125, again);
+                M again = _o145.again;
+                const M _m146 = lanes_both(_m130, again);
                 {
-                    const LANES(hoop_ring_curvature_out) _o142 =
+                    const LANES(hoop_ring_curvature_out) _o147 =
                         LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m141, _o142.curvature, curving);
+                    curving = lanes_select(_m146, _o147.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o143 =
+                const LANES(hoop_again_out) _o148 =
                     LANES(hoop_again)(K(1.0), last, which);
-                again = _o143.again;
-                const M _m144 = lanes_both(_m125, again);
+                again = _o148.again;
+                const M _m149 = lanes_both(_m130, again);
                 {
-                    const LANES(hoop_backboard_curvature_out) _o145 =
+                    const LANES(hoop_backboard_curvature_out) _o150 =
                         LANES(hoop_backboard_curvature)();
-                    curving = lanes_select(_m144, _o145.curvature, curving);
+                    curving = lanes_select(_m149, _o150.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o146 =
+                const LANES(hoop_again_out) _o151 =
                     LANES(hoop_again)(K(2.0), last, which);
-                again = _o146.again;
-                const M _m147 = lanes_both(_m125, again);
+                again = _o151.again;
+                const M _m152 = lanes_both(_m130, again);
                 {
-                    const LANES(hoop_bridge_curvature_out) _o148 =
+                    const LANES(hoop_bridge_curvature_out) _o153 =
                         LANES(hoop_bridge_curvature)();
-                    curving = lanes_select(_m147, _o148.curvature, curving);
+                    curving = lanes_select(_m152, _o153.curvature, curving);
                 }
-                const LANES(hoop_carry_flight_out) _o149 =
+                const LANES(hoop_carry_flight_out) _o154 =
                     LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m125, _o149.dx, dx);
-                dy = lanes_select(_m125, _o149.dy, dy);
-                dz = lanes_select(_m125, _o149.dz, dz);
-                dvx = lanes_select(_m125, _o149.dvx, dvx);
-                dvy = lanes_select(_m125, _o149.dvy, dvy);
-                dvz = lanes_select(_m125, _o149.dvz, dvz);
-                V delay = _o149.delay;
-                V shift = _o149.shift;
-                const LANES(hoop_delayed_out) _o150 =
+                dx = lanes_select(_m130, _o154.dx, dx);
+                dy = lanes_select(_m130, _o154.dy, dy);
+                dz = lanes_select(_m130, _o154.dz, dz);
+                dvx = lanes_select(_m130, _o154.dvx, dvx);
+                dvy = lanes_select(_m130, _o154.dvy, dvy);
+                dvz = lanes_select(_m130, _o154.dvz, dvz);
+                V delay = _o154.delay;
+                V shift = _o154.shift;
+                const LANES(hoop_delayed_out) _o155 =
                     LANES(hoop_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m125, _o150.clock_error, clock_error);
-                const M _m151 = lanes_both(_m125, ends);
+                clock_error = lanes_select(_m130, _o155.clock_error, clock_error);
+                const M _m156 = lanes_both(_m130, ends);
                 {
-                    const LANES(hoop_floored_out) _o152 =
+                    const LANES(hoop_floored_out) _o157 =
                         LANES(hoop_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m151, _o152.dx, dx);
-                    dy = lanes_select(_m151, _o152.dy, dy);
-                    dz = lanes_select(_m151, _o152.dz, dz);
+                    dx = lanes_select(_m156, _o157.dx, dx);
+                    dy = lanes_select(_m156, _o157.dy, dy);
+                    dz = lanes_select(_m156, _o157.dz, dz);
                 }
-                const LANES(hoop_unturned_out) _o153 =
+                const LANES(hoop_unturned_out) _o158 =
                     LANES(hoop_unturned)();
-                V dnx = _o153.dnx;
-                V dny = _o153.dny;
-                V dnz = _o153.dnz;
-                V turn = _o153.turn;
-                const LANES(hoop_here_out) _o154 =
+                V dnx = _o158.dnx;
+                V dny = _o158.dny;
+                V dnz = _o158.dnz;
+                V turn = _o158.turn;
+                const LANES(hoop_here_out) _o159 =
                     LANES(hoop_here)(K(0.0), which);
-                here = _o154.here;
-                const M _m155 = lanes_both(_m125, here);
-                if (lanes_any(_m155)) {
-                    const LANES(hoop_ring_carry_normal_out) _o156 =
+                here = _o159.here;
+                const M _m160 = lanes_both(_m130, here);
+                if (lanes_any(_m160)) {
+                    const LANES(hoop_ring_carry_normal_out) _o161 =
                         LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m155, _o156.dnx, dnx);
-                    dny = lanes_select(_m155, _o156.dny, dny);
-                    dnz = lanes_select(_m155, _o156.dnz, dnz);
-                    turn = lanes_select(_m155, _o156.turn, turn);
+                    dnx = lanes_select(_m160, _o161.dnx, dnx);
+                    dny = lanes_select(_m160, _o161.dny, dny);
+                    dnz = lanes_select(_m160, _o161.dnz, dnz);
+                    turn = lanes_select(_m160, _o161.turn, turn);
                 }
-                const M _m157 = lanes_both(_m125, touches);
-                if (lanes_any(_m157)) {
-                    const LANES(hoop_carry_impact_out) _o158 =
+                const M _m162 = lanes_both(_m130, touches);
+                if (lanes_any(_m162)) {
+                    const LANES(hoop_carry_impact_out) _o163 =
                         LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                    dvx = lanes_select(_m157, _o158.dvx, dvx);
-                    dvy = lanes_select(_m157, _o158.dvy, dvy);
-                    dvz = lanes_select(_m157, _o158.dvz, dvz);
-                    dwx = lanes_select(_m157, _o158.dwx, dwx);
-                    dwy = lanes_select(_m157, _o158.dwy, dwy);
-                    dwz = lanes_select(_m157, _o158.dwz, dwz);
-                    const LANES(hoop_impact_out) _o159 =
+                    dvx = lanes_select(_m162, _o163.dvx, dvx);
+                    dvy = lanes_select(_m162, _o163.dvy, dvy);
+                    dvz = lanes_select(_m162, _o163.dvz, dvz);
+                    dwx = lanes_select(_m162, _o163.dwx, dwx);
+                    dwy = lanes_select(_m162, _o163.dwy, dwy);
+                    dwz = lanes_select(_m162, _o163.dwz, dwz);
+                    const LANES(hoop_impact_out) _o164 =
                         LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m157, _o159.vx, vx);
-                    vy = lanes_select(_m157, _o159.vy, vy);
-                    vz = lanes_select(_m157, _o159.vz, vz);
-                    wx = lanes_select(_m157, _o159.wx, wx);
-                    wy = lanes_select(_m157, _o159.wy, wy);
-                    wz = lanes_select(_m157, _o159.wz, wz);
+                    vx = lanes_select(_m162, _o164.vx, vx);
+                    vy = lanes_select(_m162, _o164.vy, vy);
+                    vz = lanes_select(_m162, _o164.vz, vz);
+                    wx = lanes_select(_m162, _o164.wx, wx);
+                    wy = lanes_select(_m162, _o164.wy, wy);
+                    wz = lanes_select(_m162, _o164.wz, wz);
                 }
-                const LANES(hoop_here_out) _o160 =
+                const LANES(hoop_here_out) _o165 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o160.here;
-                const M _m161 = lanes_both(_m125, here);
+                here = _o165.here;
+                const M _m166 = lanes_both(_m130, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o162 =
+                    const LANES(hoop_backboard_place_out) _o167 =
                         LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m161, _o162.x, x);
-                    y = lanes_select(_m161, _o162.y, y);
-                    z = lanes_select(_m161, _o162.z, z);
+                    x = lanes_select(_m166, _o167.x, x);
+                    y = lanes_select(_m166, _o167.y, y);
+                    z = lanes_select(_m166, _o167.z, z);
                 }
-                const LANES(hoop_here_out) _o163 =
+                const LANES(hoop_here_out) _o168 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o163.here;
-                const M _m164 = lanes_both(_m125, here);
+                here = _o168.here;
+                const M _m169 = lanes_both(_m130, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o165 =
+                    const LANES(hoop_bridge_place_out) _o170 =
                         LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m164, _o165.x, x);
-                    y = lanes_select(_m164, _o165.y, y);
-                    z = lanes_select(_m164, _o165.z, z);
+                    x = lanes_select(_m169, _o170.x, x);
+                    y = lanes_select(_m169, _o170.y, y);
+                    z = lanes_select(_m169, _o170.z, z);
                 }
-                const M _m166 = lanes_both(_m125, touches);
+                const M _m171 = lanes_both(_m130, touches);
                 {
-                    const LANES(hoop_touched_out) _o167 =
+                    const LANES(hoop_touched_out) _o172 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m166, _o167.first, first);
-                    last = lanes_select(_m166, _o167.last, last);
+                    first = lanes_select(_m171, _o172.first, first);
+                    last = lanes_select(_m171, _o172.last, last);
                 }
             }
-            const M _m168 = lanes_both(rows, limited);
-            if (lanes_any(_m168)) {
-                const LANES(hoop_timed_out) _o169 =
+            const M _m173 = lanes_both(rows, limited);
+            if (lanes_any(_m173)) {
+                const LANES(hoop_timed_out) _o174 =
                     LANES(hoop_timed)(claims, K(4.0), which);
-                M timed = _o169.timed;
-                const M _m170 = lanes_both(_m168, timed);
-                if (lanes_any(_m170)) {
-                    const LANES(hoop_carry_time_out) _o171 =
+                M timed = _o174.timed;
+                const M _m175 = lanes_both(_m173, timed);
+                if (lanes_any(_m175)) {
+                    const LANES(hoop_carry_time_out) _o176 =
                         LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m170, _o171.dx, dx);
-                    dy = lanes_select(_m170, _o171.dy, dy);
-                    dz = lanes_select(_m170, _o171.dz, dz);
-                    dvx = lanes_select(_m170, _o171.dvx, dvx);
-                    dvy = lanes_select(_m170, _o171.dvy, dvy);
-                    dvz = lanes_select(_m170, _o171.dvz, dvz);
-                    clock_error = lanes_select(_m170, _o171.clock_error, clock_error);
+                    dx = lanes_select(_m175, _o176.dx, dx);
+                    dy = lanes_select(_m175, _o176.dy, dy);
+                    dz = lanes_select(_m175, _o176.dz, dz);
+                    dvx = lanes_select(_m175, _o176.dvx, dvx);
+                    dvy = lanes_select(_m175, _o176.dvy, dvy);
+                    dvz = lanes_select(_m175, _o176.dvz, dvz);
+                    clock_error = lanes_select(_m175, _o176.clock_error, clock_error);
                 }
             }
-            const LANES(hoop_closing_out) _o172 =
+            const LANES(hoop_closing_out) _o177 =
                 LANES(hoop_closing)(claims, outcome);
-            M closed = _o172.closed;
-            const M _m173 = lanes_both(rows, closed);
+            M closed = _o177.closed;
+            const M _m178 = lanes_both(rows, closed);
             {
-                const LANES(hoop_claimed_errors_out) _o174 =
+                const LANES(hoop_claimed_errors_out) _o179 =
                     LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m173, _o174.position_error, position_claim);
-                velocity_claim = lanes_select(_m173, _o174.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m173, _o174.spin_error, spin_claim);
-                time_claim = lanes_select(_m173, _o174.time_error, time_claim);
+                position_claim = lanes_select(_m178, _o179.position_error, position_claim);
+                velocity_claim = lanes_select(_m178, _o179.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m178, _o179.spin_error, spin_claim);
+                time_claim = lanes_select(_m178, _o179.time_error, time_claim);
             }
             lanes_store(lists->clock + i, clock);
             lanes_store(lists->clock_error + i, clock_error);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 3a5448bb90ea1cc6,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 2266eed07619ed3a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -354,6 +354,19 @@ LANES_INLINE LANES(hoop_left_out)
 LANES(hoop_left)(V index, V last)
 {
     return (LANES(hoop_left_out)){ lanes_select(lanes_equal(last, index), K(1.0), K(0.0)) };
+}
+
+/* Where a ball has touched nothing yet: only then is asked what it may come to.
+   Table 1. 2 operations: 1 comparison, 1 complement. */
+typedef struct {
+    M released;
+    M reachable;
+} LANES(hoop_released_out);
+
+LANES_INLINE LANES(hoop_released_out)
+LANES(hoop_released)(V last)
+{
+    return (LANES(hoop_released_out)){ lanes_less(last, K(0.0)), lanes_not(lanes_nowhere()) };
 }
 
 /* Whether a plane's only arrival is one, and the size of the bend there.
@@ -968,6 +981,31 @@ LANES(hoop_accounted)(V contacts, V most_contacts, V reached, M touches)
 {
     const V _s0 = lanes_add(K(1.0), contacts);
     return (LANES(hoop_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
+}
+
+/* Where a flight that begins and ends like that may come to a plate.
+   Table 1. 41 operations: 6 additions, 3 subtractions, 11 multiplications, 1 negation, 10 comparisons, 2 conjunctions, 1 complement, 7 selections. */
+typedef struct {
+    M reachable;
+} LANES(hoop_reachable_out);
+
+LANES_INLINE LANES(hoop_reachable_out)
+LANES(hoop_reachable)(V p_ball_radius, V p_board_distance, V p_bridge_half_width, V extent, V p_gravity, V horizon, V position_error, V p_ring_radius, V speed, V velocity_error, V vx, V x)
+{
+    const V _s0 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))))));
+    const V _s1 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s2 = lanes_min(_s1, x);
+    const V _s3 = lanes_sub(p_ring_radius, lanes_mul(K(2.0), _s0));
+    const V _s4 = lanes_neg(p_board_distance);
+    const V _s5 = lanes_max(_s2, _s4);
+    const V _s6 = lanes_min(K(0.0), _s5);
+    const V _s7 = lanes_mul(_s6, _s6);
+    const V _s8 = lanes_max(x, _s1);
+    const V _s9 = lanes_max(_s8, _s4);
+    const V _s10 = lanes_min(K(0.0), _s9);
+    const V _s11 = lanes_mul(_s10, _s10);
+    const M _s12 = lanes_both(lanes_less(_s0, lanes_sub(_s2, lanes_sub(p_ball_radius, p_board_distance))), lanes_both(lanes_less(K(0.0), _s3), lanes_less(lanes_mul(K(1.0000000000009095), lanes_add(lanes_mul(p_bridge_half_width, p_bridge_half_width), lanes_max(_s7, _s11))), lanes_mul(_s3, _s3))));
+    return (LANES(hoop_reachable_out)){ lanes_not(_s12) };
 }
 
 /* Velocity and spin after a contact, frame-free.

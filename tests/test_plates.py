@@ -1,0 +1,99 @@
+"""Flights that are told, by their ends alone, not to come to a plate: none of them does."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy as sp
+from hoopgen.derive.flight.parabola import Parabola
+from hoopgen.derive.scenes.hoop import HOOP
+from hoopgen.derive.search import search
+from hoopgen.derive.search.plate import apart
+from hoopgen.derive.surfaces import Plane
+from numpy.typing import NDArray
+from test_kernels import evaluate_numpy
+
+from benchmarks.workloads import WORKLOADS
+from hoopgen import PAPER
+
+Floats = NDArray[np.float64]
+GRAVITY = PAPER["gravity"]
+REACH = PAPER["ball_radius"] + PAPER["wire_radius"]
+
+
+def told(states: Floats, until: Floats | float, off: float = 0.0) -> NDArray[np.bool_]:
+    """Return where flights from such states may come to board or bridge."""
+    x, y, z, vx, vy, vz = states.T[:6]
+    taken: dict[str, Floats] = {
+        **{name: np.array([value]) for name, value in PAPER.items()},
+        **dict(zip(("x", "y", "z", "vx", "vy", "vz"), states.T, strict=False)),
+        "extent": abs(x) + abs(y) + abs(z),
+        "speed": abs(vx) + abs(vy) + abs(vz),
+        "horizon": np.asarray(until, float),
+        "position_error": np.array([off]),
+        "velocity_error": np.zeros(1),
+    }
+    (found,) = evaluate_numpy("reachable", taken, len(states))
+    return np.asarray(found, bool)
+
+
+def comes(states: Floats, until: float) -> NDArray[np.bool_]:
+    """Return where they do, by going along: on which side of a plate's plane, within its bounds."""
+    x, y, z, vx, vy, vz = states.T[:6]
+    found = np.zeros(len(states), bool)
+    board = PAPER["ball_radius"] - PAPER["board_distance"]
+    for time in np.linspace(0, until, 400):
+        px, py, pz = x + vx * time, y + vy * time, z + (vz - GRAVITY / 2 * time) * time
+        wide, high = abs(py) <= PAPER["board_half_width"], pz <= PAPER["board_top"]
+        found |= (px <= board) & wide & high & (pz >= PAPER["board_bottom"])
+        narrow = (abs(py) <= PAPER["bridge_half_width"]) & (px <= 0)
+        behind = (px >= -PAPER["board_distance"]) & (px**2 + py**2 >= PAPER["ring_radius"] ** 2)
+        found |= narrow & behind & (abs(pz - REACH) < 0.05)
+    return found
+
+
+@pytest.fixture(scope="module")
+def flights() -> Floats:
+    """Flights of half a second from around the hoop, in all directions."""
+    drawn = np.random.default_rng(20_081)
+    places = drawn.uniform((-0.5, -1.2, -0.3), (1.0, 1.2, 1.2), (40_000, 3))
+    return np.hstack([places, drawn.normal(0, 1.5, places.shape), np.zeros(places.shape)])
+
+
+def test_no_flight_that_is_told_to_stay_away_comes_to_a_plate(flights: Floats) -> None:
+    away, there = ~told(flights, 0.5), comes(flights, 0.5)
+    assert not np.any(away & there)
+    assert away.sum() > 3000
+    assert there.sum() > 3000
+
+
+def test_swishes_are_told_to_stay_away() -> None:
+    swishes = WORKLOADS[0].make(1000)
+    vz, fall = swishes[:, 5], swishes[:, 2] + PAPER["end_depth"]
+    until = (vz + np.sqrt(vz**2 + 2 * GRAVITY * fall)) / GRAVITY
+    assert not told(swishes, until).any()
+
+
+@pytest.mark.parametrize("shot", [[0.5, 0, 0.3, -1.0, 0, 0], [0.5, 0.3, 0.3, -1.0, 0, 0]])
+def test_a_flight_may_come_to_a_plate_as_far_as_it_is_known(shot: list[float]) -> None:
+    states = np.array([[*shot, 0, 0, 0]], float)
+    board = PAPER["ball_radius"] - PAPER["board_distance"]
+    circle = np.sqrt(PAPER["ring_radius"] ** 2 - PAPER["bridge_half_width"] ** 2)
+    short = 0.5 + min(circle, -board)
+    assert not told(states, short - 1e-6)
+    assert told(states, short + 1e-6)
+    assert told(states, short - 1e-6, off=1e-5)
+    assert told(states, np.inf)
+    assert told(np.full((1, 9), np.nan), 1.0)
+
+
+def test_only_coordinates_that_nothing_accelerates_tell_anything() -> None:
+    _, board, bridge = HOOP.surfaces
+    assert [len(search(face, HOOP.flight).apart) for face in HOOP.surfaces] == [0, 1, 1]
+    g = HOOP.gravity
+    zero = sp.Integer(0)
+    for plate, told_by in ((board, 0), (bridge, 1)):
+        assert isinstance(plate, Plane)
+        assert len(apart(plate, Parabola((-g, zero, zero)))) == told_by
+    assert isinstance(board, Plane)
+    assert len(apart(board, Parabola((zero, -g, zero)))) == 1
