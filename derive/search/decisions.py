@@ -80,8 +80,8 @@ KERNELS = {
         ),
         decision(
             "released",
-            {"released": Less(last, 0), "reachable": Not(Nowhere())},
-            "Where a ball has touched nothing yet: only then is asked what it may come to.",
+            {"released": Less(last, 0), "reachable": Not(Less(last, 0))},
+            "Where a ball has touched nothing yet: only then is asked whether it comes to a plate.",
         ),
         decision(
             "meeting_plane",

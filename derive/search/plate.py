@@ -77,12 +77,15 @@ def _sides(plane: Plane, place: sp.Symbol) -> tuple[list[sp.Expr], list[sp.Expr]
 def _square(plane: Plane, place: sp.Symbol, span: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
     """Return the largest square of a coordinate on a plate.
 
-    Where the bounds are as far on both sides it is that of the bounds.
+    Where the bounds are as far on both sides it is that of the bounds; on one side of zero alone,
+    that of what is further from it.
     """
     least, most = _sides(plane, place)
     if len(least) == len(most) == 1 and least[0] == -most[0]:
         return hold(most[0] ** 2)
-    ends = (hold(smallest(hold(largest(side, *least)), *most)) for side in span)
+    ends = [hold(smallest(hold(largest(side, *least)), *most)) for side in span]
+    if 0 in (*least, *most):
+        return hold(ends[0 if 0 in most else 1] ** 2)
     return hold(largest(*(hold(end**2) for end in ends)))
 
 

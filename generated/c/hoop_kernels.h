@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 2266eed07619ed3a,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 05f30d4707ed8d67,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -356,7 +356,7 @@ LANES(hoop_left)(V index, V last)
     return (LANES(hoop_left_out)){ lanes_select(lanes_equal(last, index), K(1.0), K(0.0)) };
 }
 
-/* Where a ball has touched nothing yet: only then is asked what it may come to.
+/* Where a ball has touched nothing yet: only then is asked whether it comes to a plate.
    Table 1. 2 operations: 1 comparison, 1 complement. */
 typedef struct {
     M released;
@@ -366,7 +366,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_released_out)
 LANES(hoop_released)(V last)
 {
-    return (LANES(hoop_released_out)){ lanes_less(last, K(0.0)), lanes_not(lanes_nowhere()) };
+    const M _s0 = lanes_less(last, K(0.0));
+    return (LANES(hoop_released_out)){ _s0, lanes_not(_s0) };
 }
 
 /* Whether a plane's only arrival is one, and the size of the bend there.
@@ -984,7 +985,7 @@ LANES(hoop_accounted)(V contacts, V most_contacts, V reached, M touches)
 }
 
 /* Where a flight that begins and ends like that may come to a plate.
-   Table 1. 41 operations: 6 additions, 3 subtractions, 11 multiplications, 1 negation, 10 comparisons, 2 conjunctions, 1 complement, 7 selections. */
+   Table 1. 32 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 6 comparisons, 2 conjunctions, 1 complement, 3 selections. */
 typedef struct {
     M reachable;
 } LANES(hoop_reachable_out);
@@ -999,13 +1000,8 @@ LANES(hoop_reachable)(V p_ball_radius, V p_board_distance, V p_bridge_half_width
     const V _s4 = lanes_neg(p_board_distance);
     const V _s5 = lanes_max(_s2, _s4);
     const V _s6 = lanes_min(K(0.0), _s5);
-    const V _s7 = lanes_mul(_s6, _s6);
-    const V _s8 = lanes_max(x, _s1);
-    const V _s9 = lanes_max(_s8, _s4);
-    const V _s10 = lanes_min(K(0.0), _s9);
-    const V _s11 = lanes_mul(_s10, _s10);
-    const M _s12 = lanes_both(lanes_less(_s0, lanes_sub(_s2, lanes_sub(p_ball_radius, p_board_distance))), lanes_both(lanes_less(K(0.0), _s3), lanes_less(lanes_mul(K(1.0000000000009095), lanes_add(lanes_mul(p_bridge_half_width, p_bridge_half_width), lanes_max(_s7, _s11))), lanes_mul(_s3, _s3))));
-    return (LANES(hoop_reachable_out)){ lanes_not(_s12) };
+    const M _s7 = lanes_both(lanes_less(_s0, lanes_sub(_s2, lanes_sub(p_ball_radius, p_board_distance))), lanes_both(lanes_less(K(0.0), _s3), lanes_less(lanes_mul(K(1.0000000000009095), lanes_add(lanes_mul(p_bridge_half_width, p_bridge_half_width), lanes_mul(_s6, _s6))), lanes_mul(_s3, _s3))));
+    return (LANES(hoop_reachable_out)){ lanes_not(_s7) };
 }
 
 /* Velocity and spin after a contact, frame-free.

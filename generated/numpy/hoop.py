@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 2266eed07619ed3a,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 05f30d4707ed8d67,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -845,12 +845,13 @@ def left(index: Any, last: Any) -> tuple[Any, ...]:
 
 
 def released(last: Any) -> tuple[Any, ...]:
-    """Where a ball has touched nothing yet: only then is asked what it may come to.
+    """Where a ball has touched nothing yet: only then is asked whether it comes to a plate.
 
     Table 1. 2 operations: 1 comparison, 1 complement.
     Returns released, reachable.
     """
-    return last < 0.0, _logical_not(False)
+    _s0 = last < 0.0
+    return _s0, _logical_not(_s0)
 
 
 def meeting_plane(bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
@@ -1289,10 +1290,10 @@ def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> 
 def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, extent: Any, p_gravity: Any, horizon: Any, position_error: Any, p_ring_radius: Any, speed: Any, velocity_error: Any, vx: Any, x: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a flight that begins and ends like that may come to a plate.
 
-    Table 1. 41 operations: 6 additions, 3 subtractions, 11 multiplications, 1 negation, 10 comparisons, 2 conjunctions, 1 complement, 7 selections.
+    Table 1. 32 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 6 comparisons, 2 conjunctions, 1 complement, 3 selections.
     Returns reachable.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(9.313225746154785e-10, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
     _s1 = _add(x, _multiply(horizon, vx, _r0), _r0)
     _s2 = _select(_s1 < x, _s1, x, _r2)
@@ -1300,13 +1301,8 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
     _s4 = -p_board_distance
     _s5 = _select(_s2 < _s4, _s4, _s2, _r4)
     _s6 = _select(0.0 < _s5, 0.0, _s5, _r5)
-    _s7 = _multiply(_s6, _s6, _r5)
-    _s8 = _select(x < _s1, _s1, x, _r4)
-    _s9 = _select(_s8 < _s4, _s4, _s8, _r6)
-    _s10 = _select(0.0 < _s9, 0.0, _s9, _r7)
-    _s11 = _multiply(_s10, _s10, _r7)
-    _s12 = _logical_and((_s0 < _subtract(_s2, p_ball_radius - p_board_distance, _r2)), _logical_and((0.0 < _s3), (_multiply(1.0000000000009095, _add(p_bridge_half_width * p_bridge_half_width, _select(_s7 < _s11, _s11, _s7, _r2), _r2), _r2) < _multiply(_s3, _s3, _r3))))
-    return _logical_not(_s12),
+    _s7 = _logical_and((_s0 < _subtract(_s2, p_ball_radius - p_board_distance, _r6)), _logical_and((0.0 < _s3), (_multiply(1.0000000000009095, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s6, _s6, _r5), _r5), _r5) < _multiply(_s3, _s3, _r3))))
+    return _logical_not(_s7),
 
 
 def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
