@@ -147,8 +147,8 @@ def simulate(
         "auto" is "c" where it was built, else "numpy". The results are the same bits.
     threads
         How many work; None for one on each processor that the process may use. More than four on
-        each are not started, nor with NumPy more than have 4096 shots each: they would be in each
-        other's way.
+        each are not started, nor more than have some thousands of shots each: they would be in
+        each other's way.
     fields
         "all", or the names of the results that are wanted; by name also "time_error" and
         "state_error", the bounds on the errors of time and state, and where a ball may roll
