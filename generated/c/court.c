@@ -119,10 +119,11 @@ static int exchanged(size_t *common, size_t *seen, size_t then)
    fewer, so that there are few seams, where threads write to the same pages, and all end together. */
 static size_t court_take(const court_job *job, size_t *end)
 {
+    const size_t least = LANES_SHOTS / 4;
     size_t start = 0, some;
     do {
-        const size_t left = job->shots - start, rows = left / job->parts / LANES_SHOTS * LANES_SHOTS;
-        some = rows ? rows : left < LANES_SHOTS ? left : LANES_SHOTS;
+        const size_t left = job->shots - start, rows = left / job->parts / least * least;
+        some = rows ? rows : left < least ? left : least;
     } while (!exchanged(job->next, &start, start + some));
     *end = start + some;
     return start;
