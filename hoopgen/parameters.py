@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, KeysView, Mapping, Sequence
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any, Protocol
@@ -94,6 +94,10 @@ class Parameters(Mapping[str, Any]):
     def __iter__(self) -> Iterator[str]:
         return iter(self._values)
 
+    def keys(self) -> KeysView[str]:
+        """Return the names."""
+        return self._values.keys()
+
     def __len__(self) -> int:
         return len(self._values)
 
@@ -124,12 +128,12 @@ def completed(parameters: Mapping[str, Any] | None, table: Table) -> Mapping[str
         raise TypeError(
             f"parameters: expected a mapping of names to values, got {brief(parameters)}"
         )
-    unknown = parameters.keys() - table.defaults.keys()
-    if unknown:
-        named = listed(name for name in parameters if name in unknown)
+    values = {**table.defaults, **parameters}
+    if len(values) > len(table.defaults):
+        named = listed(name for name in values if name not in table.defaults)
         names = ", ".join(table.defaults) or "none"
         raise ValueError(f"parameters: unknown {named}. The names are {names}")
-    return {name: parameters.get(name, usual) for name, usual in table.defaults.items()}
+    return values
 
 
 def resolve(parameters: Mapping[str, Any] | None, shots: int, table: Table) -> list[Value]:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 import sys
 import threading
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 from typing import Any, Literal
 
 import numpy as np
@@ -24,14 +26,9 @@ from .results import Shots
 from .scenes import engine_of
 from .sizes import check_room
 
-CHUNK = 1 << 17
-"""Most shots that a thread takes at a time; each chunk costs a call, and lanes idle at its end."""
-
-SHARE = 8
-"""Chunks for each of several threads in C, so that they end together; fewer of small ones."""
-
-SMALL = 1 << 12
-"""A chunk that is small."""
+PARTS = 4
+"""In C each of several threads takes this part of its share of what is left, again and again: so
+they end together, and lanes idle at the end of each thread's last shots alone."""
 
 ROOM = 1 << 16
 """Rows of the event log that a thread makes room for at a time."""
@@ -46,10 +43,11 @@ LEAST = 1 << 12
 """Fewest shots that a thread takes at a time in NumPy, whose every operation costs a call."""
 
 AT_ONCE = 1 << 17
-"""Contacts that could be, up to which no thread is asked: some hundredths of a second in NumPy."""
+"""Contacts that could be, up to which no thread is asked: some hundredths of a second in NumPy. In
+C so many more ask one more."""
 
 AT_ONCE_IN_C = 1 << 20
-"""The same for one thread in C."""
+"""The same for one thread in C; of several the caller's is one, up to so many."""
 
 
 @dataclass(frozen=True)
@@ -73,11 +71,11 @@ class _Batch:
         leaving = None if self.leaving is None else self.leaving[rows]
         return replace(self, states=self.states[rows], parameters=parameters, leaving=leaving)
 
-    def run(self, out: Raw, most: int) -> None:
-        """Simulate the shots into `out`, with so many contacts at most."""
+    def run(self, out: Raw, most: int, share: native.Share | None = None) -> None:
+        """Simulate the shots into `out`, with so many contacts at most; those of a share in C."""
         given = (self.states, self.parameters, self.leaving, most, out)
         if self.library is not None:
-            self.library.run(*given, self.stop, time_limit=self.time_limit)
+            self.library.run(*given, self.stop, time_limit=self.time_limit, share=share)
         else:
             check_arithmetic()  # the library looks for itself
             kernels, limit = self.scene.kernels, self.time_limit
@@ -149,8 +147,8 @@ def simulate(
         "auto" is "c" where it was built, else "numpy". The results are the same bits.
     threads
         How many work; None for one on each processor that the process may use. More than four on
-        each are not started, nor with NumPy more than have 4096 shots each: they would be in each
-        other's way.
+        each are not started, nor more than have some thousands of shots each: they would be in
+        each other's way.
     fields
         "all", or the names of the results that are wanted; by name also "time_error" and
         "state_error", the bounds on the errors of time and state, and where a ball may roll
@@ -208,8 +206,11 @@ def simulate(
     )
     computed = tuple(dict.fromkeys((*wanted, "uncertain"))) if settle else wanted
     out = engine.layout.allocate(shots, computed)
-    logs = _run(batch, out, workers, record)
     results = dict(out.arrays)
+    if not record and batch.library is not None:
+        _share(batch, out, workers)
+    else:
+        logs = _run(batch, out, workers, record)
     if record:
         results["events"] = np.concatenate([np.empty(0, engine.layout.event), *logs])
     if settle:
@@ -218,8 +219,8 @@ def simulate(
 
         left, limit = batch.leaving, batch.time_limit
         decide(results, releases, named, most, scene=engine, leaving=left, time_limit=limit)
-    kept = {name: array for name, array in results.items() if name in (*wanted, "events")}
-    return Shots(kept, releases, named, engine)
+        results = {name: array for name, array in results.items() if name in (*wanted, "events")}
+    return Shots(results, releases, named, engine)
 
 
 def _limit(time_limit: float | None, engine: Engine) -> float:
@@ -250,6 +251,25 @@ def check_log(
     check_room("max_contacts", at_once * each, "events to be recorded at once", row)
 
 
+def _share(batch: _Batch, out: Raw, threads: int) -> None:
+    """Run the batch in C: the threads share its shots."""
+    contacts = len(batch.states) * batch.max_contacts
+    # A caller waits less for itself than for a thread to wake.
+    here = contacts <= AT_ONCE_IN_C or not _interruptible()
+    others = min(threads, contacts // AT_ONCE + 1) - here
+    if not others:
+        batch.run(out, batch.max_contacts)
+        return
+    share = native.Share(PARTS * (others + here))
+    with _pool(batch, others) as pool:
+        work = partial(batch.run, out, batch.max_contacts, share)
+        asked = [pool.submit(work) for _ in range(others)]
+        if here:
+            work()
+        for one in asked:
+            one.result()
+
+
 def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[Any]]:
     """Run the batch in chunks; return the chunks' event logs, in order."""
     shots = len(batch.states)
@@ -264,41 +284,44 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
         log["shot"] += start
         return log
 
-    size = _chunk(shots, threads, batch.library is not None)
+    in_c = batch.library is not None
+    size = max(-(-shots // threads), 1 if in_c else LEAST)
     first = min(FEW, batch.max_contacts)
     if record:
         size = max(1, min(size, ROOM // (first + 1)))
     starts = range(0, shots, size)
-    # Python sees no Ctrl-C while its main thread is in the engine, so another one goes there.
-    main = threading.current_thread() is threading.main_thread()
-    alone = AT_ONCE_IN_C if threads == 1 and batch.library is not None else AT_ONCE
-    if shots * batch.max_contacts <= alone or (threads == 1 and not main):
+    alone = AT_ONCE_IN_C if threads == 1 and in_c else AT_ONCE
+    if shots * batch.max_contacts <= alone or (threads == 1 and not _interruptible()):
         logs = [work(start) for start in starts]
     else:
-        pool = pools.take(threads)
-        try:
+        with _pool(batch, threads) as pool:
             logs = list(pool.map(work, starts))
-        except BaseException:
-            batch.stop[0] = 1
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
-        pools.leave(pool, threads)
     return [log for log in logs if log is not None]
 
 
-def _chunk(shots: int, threads: int, in_c: bool) -> int:
-    """Return how many shots a thread takes at a time."""
-    own = -(-shots // threads)
-    if not in_c:
-        return max(own, LEAST)
-    if threads > 1:
-        own = max(own // SHARE, min(own // 2, SMALL))
-    return max(1, min(own, CHUNK))
+def _interruptible() -> bool:
+    """Return whether Ctrl-C is for this thread: Python does not see it while that is in C."""
+    return threading.current_thread() is threading.main_thread()
+
+
+@contextmanager
+def _pool(batch: _Batch, threads: int) -> Iterator[ThreadPoolExecutor]:
+    """Have threads work on a batch; if that fails, they stop."""
+    pool = pools.take(threads)
+    try:
+        yield pool
+    except BaseException:
+        batch.stop[0] = 1
+        pool.shutdown(wait=False, cancel_futures=True)
+        raise
+    pools.leave(pool, threads)
 
 
 def _fields(fields: str | Iterable[str], scene: Engine) -> tuple[str, ...]:
     if isinstance(fields, str):
-        fields = scene.layout.fields if fields == "all" else (fields,)
+        if fields == "all":
+            return scene.layout.fields
+        fields = (fields,)
     if not isinstance(fields, Iterable):
         raise TypeError(f"fields: expected 'all' or names, got {brief(fields)}")
     wanted = tuple(fields)  # once: they may be an iterator

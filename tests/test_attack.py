@@ -144,19 +144,19 @@ def test_readers_without_a_fault_hold(flips: files.Files, tmp_path: Path) -> Non
 # -------------------------------------------------------------------------------- garbage rows
 
 PLANTED = r"""
-#define hoop_simulate engine
+#define hoop_share engine
 #include "hoop.c"
-#undef hoop_simulate
+#undef hoop_share
 #include <stdlib.h>
 
-int hoop_simulate(size_t shots, const double *states, const double *const *parameters,
-                  const int64_t *strides, const int8_t *leaving, int32_t max_contacts,
-                  double time_limit, int width, const volatile int32_t *stop,
-                  const hoop_results *results)
+int hoop_share(size_t shots, const double *states, const double *const *parameters,
+               const int64_t *strides, const int8_t *leaving, int32_t max_contacts,
+               double time_limit, int width, const volatile int32_t *stop,
+               const hoop_results *results, size_t *next, size_t parts)
 {
     const char *planted = getenv("HOOP_PLANTED");
     const int used = engine(shots, states, parameters, strides, leaving, max_contacts, time_limit,
-                            width, stop, results);
+                            width, stop, results, next, parts);
     if (planted && *planted == 'r') { /* reads past the end */
         volatile double past = states[HOOP_STATE * shots];
         (void)past;

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import multiprocessing
 import threading
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 import pytest
 
 import hoopgen
 from hoopgen import simulation
-from hoopgen.engine import pools
+from hoopgen.engine import native, pools
+from hoopgen.engines import HOOP
 
 
 def ours() -> set[int | None]:
@@ -24,7 +27,7 @@ def outcome() -> list[int]:
 
 @pytest.fixture(autouse=True)
 def no_batch_is_small(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(simulation, "AT_ONCE", 0)
+    monkeypatch.setattr(simulation, "AT_ONCE", 1)
     monkeypatch.setattr(simulation, "LEAST", 16)
 
 
@@ -65,3 +68,57 @@ def test_a_batch_that_fails_leaves_no_pool_behind(monkeypatch: pytest.MonkeyPatc
     with pytest.raises(RuntimeError, match="broken"):
         outcome()
     assert pools.take(2) is not idle
+
+
+@pytest.fixture
+def library() -> native.Library:
+    if HOOP.library is None:
+        pytest.skip("the C engine was not built")
+    return HOOP.library
+
+
+def test_threads_that_share_a_batch_run_each_shot_once(library: native.Library) -> None:
+    shots = 5000  # the last that are taken fill no row of lanes
+    states = hoopgen.release(7.0, np.linspace(0.7, 1.1, shots), height=2.1, distance=4.2)
+    wanted = hoopgen.simulate(states, threads=1)
+    out = HOOP.layout.allocate(shots, HOOP.layout.fields)
+    share = native.Share(parts=8)
+    given = (states, [*hoopgen.PAPER.values()], None, 40, out, np.zeros(1, np.int32))
+    with ThreadPoolExecutor(3) as pool:
+        for ran in [pool.submit(library.run, *given, share=share) for _ in range(3)]:
+            ran.result()
+    for name, array in out.arrays.items():
+        np.testing.assert_array_equal(array, getattr(wanted, name), strict=True)
+    assert share.next.value == shots
+    for array in out.arrays.values():
+        array.fill(1)
+    library.run(*given, share=share)  # nothing is left
+    assert all(np.all(array == 1) for array in out.arrays.values())
+
+
+@pytest.mark.parametrize(
+    ("at_once", "interruptible", "works"),
+    [(1 << 20, True, True), (0, True, False), (0, False, True)],
+)
+def test_the_caller_works_too_where_ctrl_c_need_not_wait(
+    at_once: int,
+    interruptible: bool,
+    works: bool,
+    library: native.Library,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    ran = []
+
+    class Seen:
+        def run(self, *arguments: Any, **options: Any) -> None:
+            ran.append(threading.current_thread())
+            library.run(*arguments, **options)
+
+    wanted = hoopgen.simulate([[0.0, 0.0, 1.0, *np.zeros(6)]] * 64).time
+    monkeypatch.setattr(HOOP, "found", Seen())
+    monkeypatch.setattr(simulation, "AT_ONCE_IN_C", at_once)
+    monkeypatch.setattr(simulation, "_interruptible", lambda: interruptible)
+    got = hoopgen.simulate([[0.0, 0.0, 1.0, *np.zeros(6)]] * 64, threads=2).time
+    assert got.tobytes() == wanted.tobytes()
+    assert len(ran) == 2
+    assert ran.count(threading.current_thread()) == works

@@ -337,7 +337,7 @@ def test_threads_do_not_change_a_bit(
     some = mixed.take(slice(None, None, 30))
     wanted = everything(simulate, some, threads=1)
     monkeypatch.setattr(simulation, "ROOM", 97 * 41)
-    monkeypatch.setattr(simulation, "CHUNK", 97)
+    monkeypatch.setattr(simulation, "AT_ONCE", 97 * 40)
     monkeypatch.setattr(simulation, "LEAST", 97)
     assert_same_bits(everything(simulate, some, threads=threads), wanted)
     unrecorded = simulate(some.states, some.parameters, threads=threads)
@@ -399,6 +399,26 @@ def test_the_same_call_twice_gives_the_same_bits_and_leaves_its_input_alone(
     once, again = everything(simulate, some), everything(simulate, some)
     assert_same_bits(again, once)
     np.testing.assert_array_equal(some.states, states)
+
+
+def test_arrays_that_must_not_be_written_are_read(simulate: Simulate, mixed: Batch) -> None:
+    some = mixed.take(slice(None, None, 500))
+    states = some.states.copy()
+    gravity = np.linspace(9.0, 10.0, len(states))
+    wanted = simulate(states, {"gravity": gravity})
+    states.flags.writeable = gravity.flags.writeable = False
+    got = simulate(states, {"gravity": gravity})
+    assert got.state.tobytes() == wanted.state.tobytes()
+
+
+def test_parameters_that_changed_since_the_last_call_are_read_anew(simulate: Simulate) -> None:
+    drop, parameters = np.array([0.0, 0.0, 1.0, *np.zeros(6)]), {"gravity": 9.81}
+    before = simulate(drop, parameters).time
+    parameters["gravity"] = 1.62
+    drop[2] = 2.0
+    after = simulate(drop, parameters).time
+    assert after.tobytes() == simulate(drop.copy(), {"gravity": 1.62}).time.tobytes()
+    assert after > before
 
 
 def test_a_shot_goes_on_from_any_of_its_contacts_to_the_same_end(

@@ -114,7 +114,7 @@ def test_a_library_that_changes_the_process_is_not_used(tmp_path: Path) -> None:
         "#include <xmmintrin.h>\n"
         "__attribute__((constructor)) static void set(void)\n"
         "{ _mm_setcsr(_mm_getcsr() | 0x8040); }\n"
-        "int hoop_simulate(void);\nint hoop_simulate(void) { return 0; }\n",
+        "int hoop_share(void);\nint hoop_share(void) { return 0; }\n",
         encoding="utf-8",
     )
     library = shared_library(source)

@@ -12,6 +12,11 @@
 #if defined(__GNUC__) && defined(__x86_64__)
 #include <immintrin.h>
 #endif
+#if defined(_MSC_VER) && !defined(__clang__)
+#include <intrin.h>
+#else
+#include <stdatomic.h>
+#endif
 
 /* Results are the same bits everywhere because every operation is done as it is written. Most of what
    flags can do to that the compiler admits to here; what it does not, court_exact.h finds. */
@@ -78,6 +83,8 @@ typedef struct {
     int32_t max_contacts;
     double time_limit;
     const volatile int32_t *stop;
+    size_t *next;
+    size_t parts;
     const court_results *results;
 } court_job;
 
@@ -93,6 +100,34 @@ typedef struct {
 
 /* Shots in flight at once: what the stages read and write of them stays in the nearest caches. */
 #define LANES_SHOTS 128
+
+/* Whether a number that threads have in common was still *seen, and is `then` now; else *seen is
+   what it is. */
+static int exchanged(size_t *common, size_t *seen, size_t then)
+{
+#if defined(_MSC_VER) && !defined(__clang__)
+    void *const was = _InterlockedCompareExchangePointer((void *volatile *)common, (void *)then, (void *)*seen);
+    const int same = was == (void *)*seen;
+    *seen = (size_t)was;
+    return same;
+#else
+    return atomic_compare_exchange_strong((_Atomic size_t *)common, seen, then);
+#endif
+}
+
+/* Take shots that no thread has begun, *end behind the last of them, and return the first: fewer and
+   fewer, so that there are few seams, where threads write to the same pages, and all end together. */
+static size_t court_take(const court_job *job, size_t *end)
+{
+    const size_t least = LANES_SHOTS / 4;
+    size_t start = 0, some;
+    do {
+        const size_t left = job->shots - start, rows = left / job->parts / least * least;
+        some = rows ? rows : left < least ? left : least;
+    } while (!exchanged(job->next, &start, start + some));
+    *end = start + some;
+    return start;
+}
 
 /* Idle lanes for which the next shots are fetched. */
 #define LANES_SPARE (LANES_WIDTH < 4 ? 1 : LANES_WIDTH / 4)
@@ -172,14 +207,24 @@ int court_simulate(size_t shots, const double *states, const double *const *para
                   double time_limit, int width,
                   const volatile int32_t *stop, const court_results *results)
 {
+    size_t next = 0;
+    return court_share(shots, states, parameters, strides, leaving, max_contacts, time_limit, width,
+                      stop, results, &next, 1);
+}
+
+int court_share(size_t shots, const double *states, const double *const *parameters,
+               const int64_t *strides, const int8_t *leaving, int32_t max_contacts,
+               double time_limit, int width, const volatile int32_t *stop,
+               const court_results *results, size_t *next, size_t parts)
+{
     court_job job = {shots, states, parameters, strides, leaving, 0, max_contacts, time_limit,
-                              stop, results};
+                              stop, next, parts, results};
     const int most = widest();
     for (int k = 0; k < COURT_PARAMETERS; k++)
         job.varying |= strides[k] != 0;
     if (width == 0)
         width = most;
-    if (width > most || max_contacts < 1)
+    if (width > most || max_contacts < 1 || parts < 1)
         return -1;
 #define RUN(width) \
     case width: \

@@ -131,6 +131,17 @@ HOOPGEN_API int court_simulate(size_t shots, const double *states,
                               int width, const volatile int32_t *stop,
                               const court_results *results);
 
+/* The same, by several threads that call it with the same arguments: each shot is simulated by one.
+
+   next   the first shot that none has begun, in common; 0 at first
+   parts  which part of the shots that are left a thread takes at a time: some times as many as
+          there are threads */
+HOOPGEN_API int court_share(size_t shots, const double *states,
+                           const double *const *parameters, const int64_t *strides,
+                           const int8_t *leaving, int32_t max_contacts, double time_limit,
+                           int width, const volatile int32_t *stop,
+                           const court_results *results, size_t *next, size_t parts);
+
 /* The word for its sources that the build gave as COURT_SOURCES, else "unknown". */
 HOOPGEN_API const char *court_sources(void);
 

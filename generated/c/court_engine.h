@@ -479,6 +479,8 @@ LANES_INLINE void LANES(court_plain_begin)(LANES(court_plain_lists) *lists, size
     if (job->leaving)
         for (k = 0; k < shots; k++)
             lists->last[row + k] = (double)job->leaving[start + k];
+    if (job->results->events)
+        memset(job->results->event_counts + start, 0, shots * sizeof(int32_t));
 }
 
 /* Write the results of the shots in rows that follow one another, none of them invalid. */
@@ -2273,13 +2275,11 @@ static void LANES(court_plain)(const court_job *job)
     const V time_limit = K(job->time_limit);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
-    size_t begun = 0, shots = 0;
+    size_t begun = 0, end = 0, shots = 0;
 
     lists->waiting = 0;
     if (job->shots == 0)
         return;
-    if (recording)
-        memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
     lanes_store(lists->p_ball_radius, K(*job->parameters[0]));
     lanes_store(lists->p_ring_radius, K(*job->parameters[1]));
     lanes_store(lists->p_wire_radius, K(*job->parameters[2]));
@@ -2304,14 +2304,16 @@ static void LANES(court_plain)(const court_job *job)
     for (;;) {
         if (job->stop && *job->stop)
             return;
+        if (begun == end && end < job->shots)
+            begun = court_take(job, &end);
         int following = shots == 0;
-        if (lists->waiting + LANES_WIDTH > LANES_SHOTS || (shots == 0 && begun == job->shots)) {
+        if (lists->waiting + LANES_WIDTH > LANES_SHOTS || (shots == 0 && begun == end)) {
             shots += LANES(court_plain_resume)(lists, shots, job);
             following = 0;
         }
         const size_t fresh = shots;
-        if (begun < job->shots && shots < LANES_SHOTS) {
-            const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
+        if (begun < end && shots < LANES_SHOTS) {
+            const size_t room = LANES_SHOTS - shots, left = end - begun;
             shots += left < room ? left : room;
             LANES(court_plain_begin)(lists, fresh, shots - fresh, job, begun);
             begun += shots - fresh;
@@ -5391,6 +5393,8 @@ LANES_INLINE void LANES(court_bounded_begin)(LANES(court_bounded_lists) *lists, 
     if (job->leaving)
         for (k = 0; k < shots; k++)
             lists->last[row + k] = (double)job->leaving[start + k];
+    if (job->results->events)
+        memset(job->results->event_counts + start, 0, shots * sizeof(int32_t));
 }
 
 /* Write the results of the shots in rows that follow one another, none of them invalid. */
@@ -8114,13 +8118,11 @@ static void LANES(court_bounded)(const court_job *job)
     const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
-    size_t begun = 0, shots = 0;
+    size_t begun = 0, end = 0, shots = 0;
 
     lists->waiting = 0;
     if (job->shots == 0)
         return;
-    if (recording)
-        memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
     lanes_store(lists->p_ball_radius, K(*job->parameters[0]));
     lanes_store(lists->p_ring_radius, K(*job->parameters[1]));
     lanes_store(lists->p_wire_radius, K(*job->parameters[2]));
@@ -8145,14 +8147,16 @@ static void LANES(court_bounded)(const court_job *job)
     for (;;) {
         if (job->stop && *job->stop)
             return;
+        if (begun == end && end < job->shots)
+            begun = court_take(job, &end);
         int following = shots == 0;
-        if (lists->waiting + LANES_WIDTH > LANES_SHOTS || (shots == 0 && begun == job->shots)) {
+        if (lists->waiting + LANES_WIDTH > LANES_SHOTS || (shots == 0 && begun == end)) {
             shots += LANES(court_bounded_resume)(lists, shots, job);
             following = 0;
         }
         const size_t fresh = shots;
-        if (begun < job->shots && shots < LANES_SHOTS) {
-            const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
+        if (begun < end && shots < LANES_SHOTS) {
+            const size_t room = LANES_SHOTS - shots, left = end - begun;
             shots += left < room ? left : room;
             LANES(court_bounded_begin)(lists, fresh, shots - fresh, job, begun);
             begun += shots - fresh;

@@ -287,6 +287,8 @@ LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t
     if (job->leaving)
         for (k = 0; k < shots; k++)
             lists->last[row + k] = (double)job->leaving[start + k];
+    if (job->results->events)
+        memset(job->results->event_counts + start, 0, shots * sizeof(int32_t));
 }
 
 /* Write the results of the shots in rows that follow one another, none of them invalid. */
@@ -424,12 +426,10 @@ static void LANES(hoop_plain)(const hoop_job *job)
     const V time_limit = K(job->time_limit);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
-    size_t begun = 0, shots = 0;
+    size_t begun = 0, end = 0, shots = 0;
 
     if (job->shots == 0)
         return;
-    if (recording)
-        memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
     lanes_store(lists->p_ball_radius, K(*job->parameters[0]));
     lanes_store(lists->p_ring_radius, K(*job->parameters[1]));
     lanes_store(lists->p_wire_radius, K(*job->parameters[2]));
@@ -445,10 +445,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
     for (;;) {
         if (job->stop && *job->stop)
             return;
+        if (begun == end && end < job->shots)
+            begun = hoop_take(job, &end);
         int following = shots == 0;
         const size_t fresh = shots;
-        if (begun < job->shots) {
-            const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
+        if (begun < end) {
+            const size_t room = LANES_SHOTS - shots, left = end - begun;
             shots += left < room ? left : room;
             LANES(hoop_plain_begin)(lists, fresh, shots - fresh, job, begun);
             begun += shots - fresh;
@@ -1951,6 +1953,8 @@ LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, si
     if (job->leaving)
         for (k = 0; k < shots; k++)
             lists->last[row + k] = (double)job->leaving[start + k];
+    if (job->results->events)
+        memset(job->results->event_counts + start, 0, shots * sizeof(int32_t));
 }
 
 /* Write the results of the shots in rows that follow one another, none of them invalid. */
@@ -2129,12 +2133,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
-    size_t begun = 0, shots = 0;
+    size_t begun = 0, end = 0, shots = 0;
 
     if (job->shots == 0)
         return;
-    if (recording)
-        memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
     lanes_store(lists->p_ball_radius, K(*job->parameters[0]));
     lanes_store(lists->p_ring_radius, K(*job->parameters[1]));
     lanes_store(lists->p_wire_radius, K(*job->parameters[2]));
@@ -2150,10 +2152,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     for (;;) {
         if (job->stop && *job->stop)
             return;
+        if (begun == end && end < job->shots)
+            begun = hoop_take(job, &end);
         int following = shots == 0;
         const size_t fresh = shots;
-        if (begun < job->shots) {
-            const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
+        if (begun < end) {
+            const size_t room = LANES_SHOTS - shots, left = end - begun;
             shots += left < room ? left : room;
             LANES(hoop_bounded_begin)(lists, fresh, shots - fresh, job, begun);
             begun += shots - fresh;

@@ -8,7 +8,7 @@ from __future__ import annotations
 import ctypes
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -20,14 +20,34 @@ from . import arithmetic, sources, trust
 from .raw import LOG, Raw
 from .trust import WIDTHS, Batch
 
-__all__ = ["WIDTHS", "Library", "Refused", "checked"]
+__all__ = ["WIDTHS", "Library", "Refused", "Share", "checked"]
 
 
 _INEXACT = -2
 """Returned instead of a width: nothing was run, for it would not be exact."""
 
 
+_NOTHING = ctypes.c_char * 0
+"""Of no size, so that it may begin wherever an array does, without shots too."""
+
+
 _AGAIN = "install again without CFLAGS and LDFLAGS of your own"
+
+
+@dataclass
+class Share:
+    """How threads that run the same shots share them.
+
+    Attributes
+    ----------
+    parts
+        Which part of the shots that are left a thread takes at a time.
+    next
+        The first shot that none has begun.
+    """
+
+    parts: int = 1
+    next: ctypes.c_size_t = field(default_factory=ctypes.c_size_t)
 
 
 class Library:
@@ -60,7 +80,7 @@ class Library:
         self._pointers = ctypes.c_void_p * count
         self._strides = ctypes.c_int64 * count
         library = ctypes.CDLL(str(path))
-        self._simulate = getattr(library, f"{scene}_simulate")
+        self._simulate = getattr(library, f"{scene}_share")
         self._simulate.restype = ctypes.c_int
         self._simulate.argtypes = [
             ctypes.c_size_t,
@@ -73,6 +93,8 @@ class Library:
             ctypes.c_int,
             ctypes.c_void_p,
             ctypes.c_void_p,
+            ctypes.c_void_p,
+            ctypes.c_size_t,
         ]
         self._sources = getattr(library, f"{scene}_sources", None)
         if self._sources is not None:
@@ -93,6 +115,7 @@ class Library:
         stop: NDArray[np.int32],
         width: int = 0,
         time_limit: float = math.inf,
+        share: Share | None = None,
     ) -> None:
         """Simulate shots and write what `out` has room for.
 
@@ -110,6 +133,9 @@ class Library:
             Vector lanes, 0 for the widest.
         time_limit
             Time since the release at which a shot ends, s; infinite: none.
+        share
+            What it has in common with other threads that run the same shots into the same `out`,
+            of which each then runs some; None: it runs all.
 
         Raises
         ------
@@ -118,15 +144,16 @@ class Library:
         RuntimeError
             If doubles are not computed as IEEE 754 says: in this thread, or by how it was built.
         """
+        rows = [(k, own) for k, own in enumerate(parameters) if not isinstance(own, float)]
         numbers = self._numbers(*[p if isinstance(p, float) else 0.0 for p in parameters])
         start = ctypes.addressof(numbers)
         pointers = self._pointers(*range(start, start + ctypes.sizeof(numbers), 8))
         strides = self._strides()
-        for k, own in enumerate(parameters):
-            if not isinstance(own, float):
-                pointers[k], strides[k] = _address(own), 1
+        for k, own in rows:
+            pointers[k], strides[k] = _address(own), 1
         arrays = out.arrays
         results = self._results(*[_address(arrays.get(name)) for name in self._arrays])
+        share = share or Share()
         used = self._simulate(
             len(states),
             _address(states),
@@ -138,6 +165,8 @@ class Library:
             width,
             _address(stop),
             ctypes.byref(results),
+            ctypes.byref(share.next),
+            share.parts,
         )
         if used == _INEXACT:
             arithmetic.check_arithmetic()
@@ -148,7 +177,11 @@ class Library:
 
 def _address(array: NDArray[Any] | None) -> int | None:
     """Return where an array's data begin; `ndarray.ctypes` takes four times as long to say."""
-    return None if array is None else array.__array_interface__["data"][0]
+    if array is None:
+        return None
+    if array.flags.writeable:
+        return ctypes.addressof(_NOTHING.from_buffer(array))  # type: ignore[arg-type]
+    return array.__array_interface__["data"][0]  # type: ignore[no-any-return]
 
 
 @dataclass(frozen=True)

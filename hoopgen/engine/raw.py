@@ -63,6 +63,10 @@ class Layout:
 
     def __init__(self, kernels: ModuleType) -> None:
         self.results: dict[str, Any] = {result.name: result for result in kernels.RESULTS}
+        self._rooms: dict[str, tuple[tuple[int, ...], np.dtype[Any]]] = {
+            name: ((len(result.columns),) if result.row else (), np.dtype(result.dtype))
+            for name, result in self.results.items()
+        }
         self.fields = tuple(name for name, result in self.results.items() if not result.asked)
         self.bounds = tuple(name for name, result in self.results.items() if result.asked)
         self.state_size = len(kernels.STATE)
@@ -85,12 +89,8 @@ class Layout:
 
     def allocate(self, shots: int, wanted: Collection[str]) -> Raw:
         """Return uninitialised results of `shots` shots for the fields that are wanted."""
-
-        def empty(name: str) -> NDArray[Any]:
-            result = self.results[name]
-            return np.empty((shots, len(result.columns)) if result.row else shots, result.dtype)
-
-        return Raw(**{name: empty(name) for name in wanted})
+        rooms = [(name, *self._rooms[name]) for name in wanted]
+        return Raw(**{name: np.empty((shots, *each), dtype) for name, each, dtype in rooms})
 
     def allocate_events(self, shots: int, max_contacts: int) -> Raw:
         """Return room for the event log of `shots` shots."""
