@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import sys
 from types import ModuleType
 
 import numpy as np
 import pytest
-from compiled import ROOT, same_bits
+from compiled import same_bits
 from court_shots import all_kinds
 from hoopgen.generated.numpy import court, hoop
 from numpy.typing import NDArray
 
+from benchmarks.workloads import bouncing, free_throw, swirl
 from hoopgen.engine import numpy_backend
 from hoopgen.engine.raw import Layout, Raw
-
-sys.path.append(str(ROOT))  # benchmarks/ is not installed
-
-from benchmarks.workloads import bouncing, free_throw, swirl
 
 MOST = 40
 Floats = NDArray[np.float64]
