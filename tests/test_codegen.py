@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import jinja2
@@ -55,7 +55,7 @@ from mpmath import mp, mpf
 from test_kernels import DIGITS, EXTREMES, Evaluator, model
 
 from hoopgen.codegen import render
-from hoopgen.codegen.printers import JS, NUMPY, C, Spelling, constant
+from hoopgen.codegen.printers import JS, NUMPY, C, Constants, Spelling, constant
 from hoopgen.codegen.program import lower
 from hoopgen.engine.sources import FLAGS
 
@@ -160,8 +160,9 @@ def contexts() -> dict[str, dict[str, Any]]:
 
 def printed(template: str, kernels: list[Kernel], **context: Any) -> str:
     """Return kernels, printed by the template of a target as if they were the hoop's."""
-    views = [render._kernel_view(lower(k), in_loop=True) for k in kernels]
-    context = contexts()[template] | {"kernels": views} | context
+    numbers = Constants()
+    views = [render._kernel_view(lower(k), True, numbers) for k in kernels]
+    context = contexts()[template] | {"kernels": views, "constants": numbers.lines} | context
     return render._environment().get_template(template).render(context)
 
 
@@ -215,6 +216,21 @@ def test_the_zoo_has_the_same_bits_in_numpy_and_c(
             assert same_bits(left, right).all(), name
 
 
+def test_the_zoo_has_the_same_bits_for_rows_and_for_one_shot(tmp_path: Path) -> None:
+    """At ordinary and at extreme inputs, zeros' signs included."""
+    source = tmp_path / "zoo.py"
+    one = SimpleNamespace(called={k.name for k in ZOO_KERNELS}, lines=[])
+    text = printed("numpy/kernels.py.j2", ZOO_KERNELS, alone=one)
+    source.write_text(text, encoding="utf-8")
+    module, columns = load_module(source), zoo_columns(301)
+    for k in ZOO_KERNELS:
+        rows, alone = zoo_outputs(module, k, columns), getattr(module, f"_{k.name}_alone")
+        with np.errstate(all="ignore"):
+            found = [alone(*shot[: len(k.arguments)]) for shot in zip(*columns, strict=True)]
+        for name, left, right in zip(k.output_names, rows, zip(*found, strict=True), strict=True):
+            assert same_bits(left, np.asarray(right, np.float64)).all(), name
+
+
 def test_an_expression_has_the_same_bits_alone_and_among_others(zoo_numpy: ModuleType) -> None:
     """What is shared is computed once, and is what it would have been."""
     columns = zoo_columns(2001)
@@ -252,7 +268,7 @@ def test_a_kernel_may_need_any_number_of_rows(tmp_path: Path) -> None:
     terms = [sp.sqrt(1 + (a - k) ** 2) for k in range(300)]
     totals = {"total": sum(terms), "squares": sum(hold(t * t) for t in terms)}
     wide = kernel("wide", totals, ARGUMENTS, "All terms are kept until the second sum.", "zoo")
-    rows = render._kernel_view(lower(wide), in_loop=True).numpy.rows
+    rows = render._kernel_view(lower(wide), True, Constants()).numpy.rows
     assert rows > 256
     source = tmp_path / "wide.py"
     source.write_text(printed("numpy/kernels.py.j2", [wide], rows=rows + 1), encoding="utf-8")

@@ -11,10 +11,13 @@ Every function takes scalars or arrays that broadcast and is evaluated element b
 from __future__ import annotations
 
 from enum import IntEnum
+from functools import cache as _cache
+from math import sqrt as _square_root
 from typing import Any, NamedTuple
 
 from numpy import absolute as _absolute
 from numpy import add as _add
+from numpy import array as _array
 from numpy import bitwise_and as _bitwise_and
 from numpy import bitwise_xor as _bitwise_xor
 from numpy import count_nonzero as _count_nonzero
@@ -22,6 +25,7 @@ from numpy import divide as _divide
 from numpy import empty_like as _empty_like
 from numpy import flatnonzero as _flatnonzero
 from numpy import float32 as _float32
+from numpy import float64 as _float64
 from numpy import full as _full
 from numpy import inf as _inf
 from numpy import int8 as _int8
@@ -449,13 +453,111 @@ ROWS = 41
 FEW = 1 << 10
 """So few shots are quicker with fresh arrays than with rows, and without a look at how many differ."""
 
+ALONE = 8
+"""So few shots go one by one through a body that repeats."""
+
 NO_ROWS: tuple[None, ...] = (None,) * ROWS
 """With these in their place it makes arrays of its own."""
 
 
+def _scalar(value: Any) -> Any:
+    """Return a number as an array of no dimension, which nothing may write into."""
+    scalar = _array(value)
+    scalar.flags.writeable = False
+    return scalar
+
+
+_k0 = _scalar(0.0)
+_k1 = _scalar(6.0)
+_k2 = _scalar(_inf)
+_k3 = _scalar(2.9073548971824276e+135)
+_k4 = _scalar(1.0009765625)
+_k5 = _scalar(4.445228907190568e-16)
+_k6 = _scalar(3.0029296875)
+_k7 = _scalar(4.440892098500626e-16)
+_k8 = _scalar(2.0)
+_k9 = _scalar(1.1102230246251565e-16)
+_k10 = _scalar(1.0)
+_k11 = _scalar(8.0)
+_k12 = _scalar(0.0625)
+_k13 = _scalar(2.220446049250313e-16)
+_k14 = _scalar(16.0)
+_k15 = _scalar(64.0)
+_k16 = _scalar(0.5)
+_k17 = _scalar(1.7763568394002505e-15)
+_k18 = _scalar(9.313225746154785e-10)
+_k19 = _scalar(1.0000000000009095)
+_k20 = _scalar(0.6)
+_k21 = _scalar(4.0)
+_k22 = _scalar(8.881784197001252e-16)
+_k23 = _scalar(2.409919865102884e-181)
+_k24 = _scalar(-_inf)
+_k25 = _scalar(5.0)
+_k26 = _scalar(3.552713678800501e-15)
+_k27 = _scalar(9.094947017729282e-13)
+_k28 = _float32(1.00006103515625)
+_k29 = _float32(2.0)
+_k30 = _scalar(_float32(4.76837158203125e-07))
+_k31 = _float32(1.0)
+_k32 = _scalar(_float32(9.5367431640625e-07))
+_k33 = _scalar(_float32(0.0))
+_k34 = _scalar(_float32(_inf))
+_k35 = _scalar(_float32(1.0))
+_k36 = _scalar(_float32(8.673617379884035e-19))
+_k37 = _scalar(_float32(-_inf))
+_k38 = _float32(0.0001220703125)
+_k39 = _scalar(_float32(1.000000238418579))
+_k40 = _float32(32.0)
+_k41 = _float32(4096.0)
+_k42 = _float32(0.000244140625)
+_k43 = _scalar(_float32(4096.0))
+_k44 = _float32(0.0)
+_k45 = _float32(4.76837158203125e-07)
+_k46 = _float32(9.5367431640625e-07)
+_k47 = _float32(_inf)
+_k48 = _float32(8.673617379884035e-19)
+_k49 = _float32(-_inf)
+_k50 = _float32(1.000000238418579)
+_k51 = _scalar(_float32(5.0))
+_k52 = _scalar(_float32(0.00390625))
+_k53 = _scalar(_float32(2.9802322387695312e-08))
+_k54 = _scalar(_float32(2.842170943040401e-14))
+_k55 = _scalar(_float32(2.0))
+_k56 = _float32(4.0)
+_k57 = _float32(6.0003662109375)
+_k58 = _scalar(_float32(0.5))
+_k59 = _scalar(_float32(1.0009765625))
+_k60 = _float32(5.0048828125)
+_k61 = _scalar(_float32(5.684341886080802e-14))
+_k62 = _float32(7.62939453125e-06)
+_k63 = _scalar(_float32(2.384185791015625e-07))
+_k64 = _float32(128.0)
+_k65 = _float32(2.842170943040401e-14)
+_k66 = _float32(0.00390625)
+_k67 = _float32(5.0)
+_k68 = _float32(2.9802322387695312e-08)
+_k69 = _float32(1.0009765625)
+_k70 = _float32(5.684341886080802e-14)
+_k71 = _float32(0.5)
+_k72 = _float32(2.384185791015625e-07)
+_k73 = _float32(6.0)
+_k74 = _scalar(_float32(8.0))
+_k75 = _scalar(_float32(4.0))
+_k76 = _scalar(_float32(0.0001220703125))
+_k77 = _scalar(_float32(3.814697265625e-06))
+_k78 = _scalar(_float32(3.0))
+_k79 = _scalar(_float32(0.000244140625))
+_k80 = _float32(8.0)
+_k81 = _float32(3.814697265625e-06)
+_k82 = _float32(3.0)
+_k83 = _scalar(2.222614453595284e-16)
+_k84 = _scalar(2.001953125)
+_k85 = _float64(0.0)
+
+
 def _bits(value: Any, row: Any) -> Any:
     """Return numbers as the whole numbers of the same bits, of the size of those in a row."""
-    return (value if _ndim(value) else row.dtype.type(value)).view(_whole(row))
+    return (value if type(value) is _ndarray and value.ndim else row.dtype.type(value)).view(_whole(row))
 
 
 def _whole(row: Any) -> Any:
@@ -475,7 +577,9 @@ def _double(value: Any) -> Any:
 
 def _halves(room: Any) -> Any:
     """Return rows as rows of single precision."""
-    return [None if row is None else row.view(_float32)[: len(row)] for row in room]
+    if room[0] is None:
+        return room
+    return [row.view(_float32)[: len(row)] for row in room]
 
 
 def _select(truth: Any, then: Any, other: Any, row: Any, keep: bool = True) -> Any:
@@ -487,7 +591,7 @@ def _select(truth: Any, then: Any, other: Any, row: Any, keep: bool = True) -> A
     if row is None:
         return _where(truth, then, other)
     shots = len(row)
-    many = _count_nonzero(truth) if _ndim(truth) else shots * bool(truth)
+    many = _count_nonzero(truth) if type(truth) is _ndarray and truth.ndim else shots * bool(truth)
     if many in (0, shots):
         all_of = then if many else other
         if keep and _ndim(all_of):
@@ -579,8 +683,8 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any, _room: Any 
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _negative(_add(rate, rate_margin, _r0), _r0)
-    _s1 = 0.0 < _s0
-    return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(6.0, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(6.0, margin, _r2), _s0, _r2), _inf, _r0)
+    _s1 = _k0 < _s0
+    return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(_k1, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(_k1, margin, _r2), _s0, _r2), _k2, _r0)
 
 
 def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -627,7 +731,7 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _ro
     _s9 = _select(_s8 < _s2, _s2, _s8, _r8)
     _s10 = _select(_s9 < _s3, _s3, _s9, _r9)
     _s11 = _select(_s10 < _s4, _s4, _s10, _r10)
-    return _add(_s0, _s1, _r11) + _s2, _add(_s3, _s4, _r11) + _s5, _select(_s11 < _s5, _s5, _s11, _r11) - 2.9073548971824276e+135
+    return _add(_s0, _s1, _r11) + _s2, _add(_s3, _s4, _r11) + _s5, _select(_s11 < _s5, _s5, _s11, _r11) - _k3
 
 
 def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -640,8 +744,8 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s1 = _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_bridge_half_width) + p_end_depth) + p_ring_radius) + p_wire_radius
-    _s3 = _add(_multiply(_multiply(1.0009765625, delay, _r2), _s0, _r2), _multiply(4.445228907190568e-16, _add(_s1, (_s2 + _absolute(p_board_bottom)) + _absolute(p_board_top), _r0), _r0), _r0)
-    return _s3 + _multiply(3.0029296875, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s1, _r1), _r1), _r1),
+    _s3 = _add(_multiply(_multiply(_k4, delay, _r2), _s0, _r2), _multiply(_k5, _add(_s1, (_s2 + _absolute(p_board_bottom)) + _absolute(p_board_top), _r0), _r0), _r0)
+    return _s3 + _multiply(_k6, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k7, _s1, _r1), _r1), _r1),
 
 
 def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -653,17 +757,17 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _room[:25]
     _s0 = _add(dx, _multiply(dvx, t, _r0), _r0)
     _s1 = _absolute(vx, _r1)
-    _s2 = _multiply(2.0, t, _r2)
-    _s3 = _multiply(1.1102230246251565e-16, _add(_multiply(_s2, _s1, _r3), _absolute(x, _r4), _r4), _r4)
-    _s4 = _add(_s0, _select(_s0 < 0.0, _negative(_s3, _r3), _s3, _r5), _r5)
+    _s2 = _multiply(_k8, t, _r2)
+    _s3 = _multiply(_k9, _add(_multiply(_s2, _s1, _r3), _absolute(x, _r4), _r4), _r4)
+    _s4 = _add(_s0, _select(_s0 < _k0, _negative(_s3, _r3), _s3, _r5), _r5)
     _s5 = _add(dy, _multiply(dvy, t, _r3), _r3)
     _s6 = _absolute(vy, _r0)
-    _s7 = _multiply(1.1102230246251565e-16, _add(_multiply(_s2, _s6, _r6), _absolute(y, _r7), _r7), _r7)
-    _s8 = _add(_s5, _select(_s5 < 0.0, _negative(_s7, _r6), _s7, _r8), _r8)
+    _s7 = _multiply(_k9, _add(_multiply(_s2, _s6, _r6), _absolute(y, _r7), _r7), _r7)
+    _s8 = _add(_s5, _select(_s5 < _k0, _negative(_s7, _r6), _s7, _r8), _r8)
     _s9 = _add(dz, _multiply(dvz, t, _r6), _r6)
     _s10 = _absolute(vz, _r3)
-    _s11 = _multiply(1.1102230246251565e-16, _add(_add(_multiply(p_gravity, _multiply(t, t, _r9), _r9), _multiply(_s2, _s10, _r2), _r2), _absolute(z, _r9), _r9), _r9)
-    _s12 = _add(_s9, _select(_s9 < 0.0, _negative(_s11, _r2), _s11, _r10), _r10)
+    _s11 = _multiply(_k9, _add(_add(_multiply(p_gravity, _multiply(t, t, _r9), _r9), _multiply(_s2, _s10, _r2), _r2), _absolute(z, _r9), _r9), _r9)
+    _s12 = _add(_s9, _select(_s9 < _k0, _negative(_s11, _r2), _s11, _r10), _r10)
     _s13 = _add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r6), _r6), _multiply(nz, vz, _r2), _r2)
     _s14 = _divide(_negative(_add(_add(_multiply(nx, _s4, _r6), _multiply(ny, _s8, _r11), _r11), _multiply(nz, _s12, _r6), _r6), _r6), _s13, _r6)
     _s15 = _add(_multiply(vx, _s14, _r11), _s4, _r11)
@@ -681,14 +785,14 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s27 = _absolute(dvz, _r22)
     _s28 = _select(_s3 < _s7, _s7, _s3, _r23)
     _s29 = _add(_multiply(t, _select(_s26 < _s27, _s27, _s26, _r24), _r24), _select(_s28 < _s11, _s11, _s28, _r22), _r22)
-    _s30 = _multiply(_divide(_s17, _absolute(_s13, _r2), _r12), _add(_multiply(_s22, _select(_s23 < 1.0, _s23, 1.0, _r5), _r5), _s29, _r5), _r5) + _add(_s29, _s22, _r22)
-    _s31 = _divide(_s30, _add(8.0, _multiply(8.0, contacts, _r22), _r22), _r22)
+    _s30 = _multiply(_divide(_s17, _absolute(_s13, _r2), _r12), _add(_multiply(_s22, _select(_s23 < _k10, _s23, _k10, _r5), _r5), _s29, _r5), _r5) + _add(_s29, _s22, _r22)
+    _s31 = _divide(_s30, _add(_k11, _multiply(_k11, contacts, _r22), _r22), _r22)
     _s32 = _negative(_s31, _r5)
     _s33 = _add(_multiply(vy, _s14, _r17), _s8, _r17)
     _s34 = _add(_multiply(vz, _s14, _r8), _s12, _r8)
     _s35 = _absolute(_s14, _r10)
-    _s36 = _multiply(0.0625, late, _r16)
-    return _result(_absolute(_s15, _r15) < _s31, _select(_s15 < 0.0, _s32, _s31, _r15), _s15, _r0), _result(_absolute(_s33, _r15) < _s31, _select(_s33 < 0.0, _s32, _s31, _r15), _s33, _r0), _result(_absolute(_s34, _r15) < _s31, _select(_s34 < 0.0, _s32, _s31, _r15), _s34, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r6), _multiply(4.440892098500626e-16, _add(clock, t, _r6), _r6) + _select(_s35 < _s36, _s36, _s35, _r15), _s30
+    _s36 = _multiply(_k12, late, _r16)
+    return _result(_absolute(_s15, _r15) < _s31, _select(_s15 < _k0, _s32, _s31, _r15), _s15, _r0), _result(_absolute(_s33, _r15) < _s31, _select(_s33 < _k0, _s32, _s31, _r15), _s33, _r0), _result(_absolute(_s34, _r15) < _s31, _select(_s34 < _k0, _s32, _s31, _r15), _s34, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r6), _multiply(_k7, _add(clock, t, _r6), _r6) + _select(_s35 < _s36, _s36, _s35, _r15), _s30
 
 
 def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -699,25 +803,25 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _room[:17]
     _s0 = _absolute(vx, _r0)
-    _s1 = _add(clock_error, _multiply(4.440892098500626e-16, _add(clock, t, _r1), _r1), _r1)
+    _s1 = _add(clock_error, _multiply(_k7, _add(clock, t, _r1), _r1), _r1)
     _s2 = _absolute(dvx, _r2)
     _s3 = _absolute(dvy, _r3)
     _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
     _s5 = _absolute(dvz, _r5)
-    _s6 = _multiply(2.0, t, _r6)
-    _s7 = _multiply(1.1102230246251565e-16, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8)
+    _s6 = _multiply(_k8, t, _r6)
+    _s7 = _multiply(_k9, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8)
     _s8 = _absolute(vy, _r7)
-    _s9 = _multiply(1.1102230246251565e-16, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10)
+    _s9 = _multiply(_k9, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10)
     _s10 = _select(_s7 < _s9, _s9, _s7, _r9)
     _s11 = _absolute(vz, _r11)
-    _s12 = _multiply(1.1102230246251565e-16, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12)
+    _s12 = _multiply(_k9, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12)
     _s13 = _absolute(dx, _r6)
     _s14 = _absolute(dy, _r13)
     _s15 = _select(_s13 < _s14, _s14, _s13, _r14)
     _s16 = _absolute(dz, _r15)
     _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
     _s18 = _absolute(0.0)
-    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(2.220446049250313e-16, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(2.220446049250313e-16, _s8, _r7), _add(_s5, _multiply(2.220446049250313e-16, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
+    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(_k13, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(_k13, _s8, _r7), _add(_s5, _multiply(_k13, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -739,7 +843,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     _s9 = _absolute(dwy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dwz, _r11)
-    return 16.0 * _select(_s2 < _s3, _s3, _s2, _r12), 16.0 * _select(_s6 < _s7, _s7, _s6, _r12), 16.0 * _select(_s10 < _s11, _s11, _s10, _r12), 16.0 * clock_error
+    return _k14 * _select(_s2 < _s3, _s3, _s2, _r12), _k14 * _select(_s6 < _s7, _s7, _s6, _r12), _k14 * _select(_s10 < _s11, _s11, _s10, _r12), _k14 * clock_error
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -761,7 +865,7 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     _s9 = _absolute(dwy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dwz, _r11)
-    return 64.0 * _select(_s2 < _s3, _s3, _s2, _r12), 64.0 * _select(_s6 < _s7, _s7, _s6, _r12), 64.0 * _select(_s10 < _s11, _s11, _s10, _r12), 64.0 * clock_error
+    return _k15 * _select(_s2 < _s3, _s3, _s2, _r12), _k15 * _select(_s6 < _s7, _s7, _s6, _r12), _k15 * _select(_s10 < _s11, _s11, _s10, _r12), _k15 * clock_error
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -797,8 +901,8 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = p_ball_radius + p_wire_radius
     _s3 = _subtract(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _s2 * _s2, _r0)
-    _s4 = _absolute(last, _r2) < 0.5
-    _s5 = _select(_s4, 1.0, _select(0.0 <= _s3, 1.0, 0.0, _r2), _r3)
+    _s4 = _absolute(last, _r2) < _k16
+    _s5 = _select(_s4, _k10, _select(_k0 <= _s3, _k10, _k0, _r2), _r3)
     _s6 = p_ball_radius - p_board_distance
     _s7 = _subtract(x, _s6, _r4)
     _s8 = 2.0 * p_ball_radius
@@ -812,8 +916,8 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s16 = _select(_s14 < _s15, _s15, _s14, _r12)
     _s17 = _subtract(z, p_board_top, _r13)
     _s18 = _select(_s16 < _s17, _s17, _s16, _r14)
-    _s19 = _absolute(_subtract(last, 1.0, _r15), _r15) < 0.5
-    _s20 = _select(_s19, _s5, _select(0.0 <= _s18, _s5, 0.0, _r15), _r16)
+    _s19 = _absolute(_subtract(last, _k10, _r15), _r15) < _k16
+    _s20 = _select(_s19, _s5, _select(_k0 <= _s18, _s5, _k0, _r15), _r16)
     _s21 = _subtract(z, _s2, _r17)
     _s22 = _subtract((_s2 - _s8) - (2.0 * p_wire_radius), z, _r18)
     _s23 = _select(_s21 < _s22, _s22, _s21, _r19)
@@ -826,13 +930,13 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s30 = _select(_s29 < x, x, _s29, _r25)
     _s31 = _negative(_add(p_board_distance, x, _r26), _r26)
     _s32 = _select(_s30 < _s31, _s31, _s30, _r27)
-    _s33 = _absolute(_subtract(last, 2.0, _r28), _r28) < 0.5
+    _s33 = _absolute(_subtract(last, _k8, _r28), _r28) < _k16
     _s34 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
     _s35 = _add(_add(((_s34 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
-    _s36 = _multiply(1.7763568394002505e-15, _add(_s35, _absolute(z, _r28), _r28), _r28)
-    _s37 = _select(_s4, 0.0, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), 1.0, 0.0, _r29), _r0)
-    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, 1.0, _s37, _r14), _r13)
-    return _result(_s33, _s20, _select(0.0 <= _s32, _s20, 0.0, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, 1.0, _s38, _r27), _r0)
+    _s36 = _multiply(_k17, _add(_s35, _absolute(z, _r28), _r28), _r28)
+    _s37 = _select(_s4, _k0, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k10, _k0, _r29), _r0)
+    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k10, _s37, _r14), _r13)
+    return _result(_s33, _s20, _select(_k0 <= _s32, _s20, _k0, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k10, _s38, _r27), _r0)
 
 
 def left(index: Any, last: Any) -> tuple[Any, ...]:
@@ -1086,8 +1190,8 @@ def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y
     Returns finite.
     """
     _r0, = _room[:1]
-    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _inf), (_absolute(y, _r0) < _inf)), (_absolute(z, _r0) < _inf)), (_absolute(vx, _r0) < _inf)), (_absolute(vy, _r0) < _inf))
-    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _inf)), (_absolute(wx, _r0) < _inf)), (_absolute(wy, _r0) < _inf)), (_absolute(wz, _r0) < _inf))
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _k2), (_absolute(y, _r0) < _k2)), (_absolute(z, _r0) < _k2)), (_absolute(vx, _r0) < _k2)), (_absolute(vy, _r0) < _k2))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _k2)), (_absolute(wx, _r0) < _k2)), (_absolute(wy, _r0) < _k2)), (_absolute(wz, _r0) < _k2))
     return _s1,
 
 
@@ -1294,14 +1398,14 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
     Returns reachable.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
-    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(9.313225746154785e-10, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k18, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
     _s1 = _add(x, _multiply(horizon, vx, _r0), _r0)
     _s2 = _select(_s1 < x, _s1, x, _r2)
-    _s3 = _subtract(p_ring_radius, _multiply(2.0, _s0, _r3), _r3)
+    _s3 = _subtract(p_ring_radius, _multiply(_k8, _s0, _r3), _r3)
     _s4 = -p_board_distance
     _s5 = _select(_s2 < _s4, _s4, _s2, _r4)
-    _s6 = _select(0.0 < _s5, 0.0, _s5, _r5)
-    _s7 = _logical_and((_s0 < _subtract(_s2, p_ball_radius - p_board_distance, _r6)), _logical_and((0.0 < _s3), (_multiply(1.0000000000009095, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s6, _s6, _r5), _r5), _r5) < _multiply(_s3, _s3, _r3))))
+    _s6 = _select(_k0 < _s5, _k0, _s5, _r5)
+    _s7 = _logical_and((_s0 < _subtract(_s2, p_ball_radius - p_board_distance, _r6)), _logical_and((_k0 < _s3), (_multiply(_k19, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s6, _s6, _r5), _r5), _r5) < _multiply(_s3, _s3, _r3))))
     return _logical_not(_s7),
 
 
@@ -1314,9 +1418,9 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = 0.4 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(0.6, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
-    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(0.6, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
-    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(0.6, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
+    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k20, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
+    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k20, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
+    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k20, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
     _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
     _s6 = 1.0 / p_ball_radius
     return _s2 - _multiply(_multiply(nx, p_restitution, _r5), _s1, _r5), _s3 - _multiply(_multiply(ny, p_restitution, _r5), _s1, _r5), _s4 - _multiply(_multiply(nz, p_restitution, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
@@ -1332,14 +1436,14 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     _s0 = 0.4 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s2 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
-    _s3 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dnz, wy, _r1), _multiply(dwy, nz, _r3), _r3), _multiply(dny, wz, _r1), _r1), _multiply(dwz, ny, _r3), _r3), _r3), _multiply(0.6, _subtract(_subtract(dvx, _multiply(dnx, _s1, _r1), _r1), _multiply(nx, _s2, _r4), _r4), _r4), _r4)
+    _s3 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dnz, wy, _r1), _multiply(dwy, nz, _r3), _r3), _multiply(dny, wz, _r1), _r1), _multiply(dwz, ny, _r3), _r3), _r3), _multiply(_k20, _subtract(_subtract(dvx, _multiply(dnx, _s1, _r1), _r1), _multiply(nx, _s2, _r4), _r4), _r4), _r4)
     _s4 = _subtract(_subtract(_s3, _multiply(_multiply(dnx, p_restitution, _r3), _s1, _r3), _r3), _multiply(_multiply(nx, p_restitution, _r1), _s2, _r1), _r1)
     _s5 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r3), _absolute(wy, _r5), _r5), _absolute(wz, _r3), _r3), _r3), _absolute(vx, _r5), _r5), _absolute(vy, _r3), _r3)
     _s6 = _add(_s5, _absolute(vz, _r5), _r5)
-    _s7 = _multiply(2.220446049250313e-16, _s6, _r3)
+    _s7 = _multiply(_k13, _s6, _r3)
     _s8 = _negative(_s7, _r6)
-    _s9 = _add(_s4, _select(_s4 < 0.0, _s8, _s7, _r7), _r7)
-    _s10 = _add(8.0, _multiply(8.0, contacts, _r1), _r1)
+    _s9 = _add(_s4, _select(_s4 < _k0, _s8, _s7, _r7), _r7)
+    _s10 = _add(_k11, _multiply(_k11, contacts, _r1), _r1)
     _s11 = _absolute(dwx, _r8)
     _s12 = _absolute(dwy, _r9)
     _s13 = _select(_s11 < _s12, _s12, _s11, _r10)
@@ -1351,29 +1455,29 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     _s19 = _add(_add(_multiply(p_ball_radius, _select(_s13 < _s14, _s14, _s13, _r16), _r16), _multiply(turn, _s6, _r5), _r5), _select(_s17 < _s18, _s18, _s17, _r16), _r16)
     _s20 = _divide(_s19, _s10, _r15)
     _s21 = _negative(_s20, _r14)
-    _s22 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dnx, wz, _r13), _multiply(dwz, nx, _r12), _r12), _multiply(dnz, wx, _r13), _r13), _multiply(dwx, nz, _r12), _r12), _r12), _multiply(0.6, _subtract(_subtract(dvy, _multiply(dny, _s1, _r13), _r13), _multiply(ny, _s2, _r5), _r5), _r5), _r5)
+    _s22 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dnx, wz, _r13), _multiply(dwz, nx, _r12), _r12), _multiply(dnz, wx, _r13), _r13), _multiply(dwx, nz, _r12), _r12), _r12), _multiply(_k20, _subtract(_subtract(dvy, _multiply(dny, _s1, _r13), _r13), _multiply(ny, _s2, _r5), _r5), _r5), _r5)
     _s23 = _subtract(_subtract(_s22, _multiply(_multiply(dny, p_restitution, _r12), _s1, _r12), _r12), _multiply(_multiply(ny, p_restitution, _r13), _s2, _r13), _r13)
-    _s24 = _add(_s23, _select(_s23 < 0.0, _s8, _s7, _r12), _r12)
-    _s25 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dny, wx, _r13), _multiply(dwx, ny, _r11), _r11), _multiply(dnx, wy, _r13), _r13), _multiply(dwy, nx, _r11), _r11), _r11), _multiply(0.6, _subtract(_subtract(dvz, _multiply(dnz, _s1, _r13), _r13), _multiply(nz, _s2, _r10), _r10), _r10), _r10)
+    _s24 = _add(_s23, _select(_s23 < _k0, _s8, _s7, _r12), _r12)
+    _s25 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dny, wx, _r13), _multiply(dwx, ny, _r11), _r11), _multiply(dnx, wy, _r13), _r13), _multiply(dwy, nx, _r11), _r11), _r11), _multiply(_k20, _subtract(_subtract(dvz, _multiply(dnz, _s1, _r13), _r13), _multiply(nz, _s2, _r10), _r10), _r10), _r10)
     _s26 = _subtract(_subtract(_s25, _multiply(_multiply(dnz, p_restitution, _r11), _s1, _r11), _r11), _multiply(_multiply(nz, p_restitution, _r13), _s2, _r13), _r13)
-    _s27 = _add(_s26, _select(_s26 < 0.0, _s8, _s7, _r11), _r11)
+    _s27 = _add(_s26, _select(_s26 < _k0, _s8, _s7, _r11), _r11)
     _s28 = _add(_add(_multiply(nx, wx, _r13), _multiply(ny, wy, _r6), _r6), _multiply(nz, wz, _r13), _r13)
     _s29 = _add(_add(_add(_add(_add(_multiply(dnx, wx, _r6), _multiply(dny, wy, _r2), _r2), _multiply(dnz, wz, _r6), _r6), _multiply(dwx, nx, _r2), _r2), _multiply(dwy, ny, _r6), _r6), _multiply(dwz, nz, _r2), _r2)
     _s30 = 1.0 / p_ball_radius
-    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r9), _r9), _r9), _multiply(0.6, _subtract(vz, _multiply(nz, _s1, _r6), _r6), _r6), _r6)
-    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r9), _multiply(nz, wx, _r8), _r8), _r8), _multiply(0.6, _subtract(vy, _multiply(ny, _s1, _r9), _r9), _r9), _r9)
+    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r9), _r9), _r9), _multiply(_k20, _subtract(vz, _multiply(nz, _s1, _r6), _r6), _r6), _r6)
+    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r9), _multiply(nz, wx, _r8), _r8), _r8), _multiply(_k20, _subtract(vy, _multiply(ny, _s1, _r9), _r9), _r9), _r9)
     _s33 = _add(_add(_multiply(dnx, _s28, _r8), _multiply(nx, _s29, _r17), _r17), _multiply(_s30, _subtract(_subtract(_add(_multiply(dny, _s31, _r8), _multiply(ny, _s25, _r18), _r18), _multiply(dnz, _s32, _r8), _r8), _multiply(nz, _s22, _r18), _r18), _r18), _r18)
     _s34 = _divide(_s7, p_ball_radius, _r3)
     _s35 = _negative(_s34, _r17)
-    _s36 = _add(_s33, _select(_s33 < 0.0, _s35, _s34, _r8), _r8)
+    _s36 = _add(_s33, _select(_s33 < _k0, _s35, _s34, _r8), _r8)
     _s37 = _divide(_s19, _multiply(p_ball_radius, _s10, _r1), _r1)
     _s38 = _negative(_s37, _r16)
-    _s39 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r18), _multiply(ny, wz, _r19), _r19), _r19), _multiply(0.6, _subtract(vx, _multiply(nx, _s1, _r0), _r0), _r0), _r0)
+    _s39 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r18), _multiply(ny, wz, _r19), _r19), _r19), _multiply(_k20, _subtract(vx, _multiply(nx, _s1, _r0), _r0), _r0), _r0)
     _s40 = _add(_add(_multiply(dny, _s28, _r19), _multiply(ny, _s29, _r18), _r18), _multiply(_s30, _subtract(_subtract(_add(_multiply(dnz, _s39, _r19), _multiply(nz, _s3, _r20), _r20), _multiply(dnx, _s31, _r6), _r6), _multiply(nx, _s25, _r10), _r10), _r10), _r10)
-    _s41 = _add(_s40, _select(_s40 < 0.0, _s35, _s34, _r18), _r18)
+    _s41 = _add(_s40, _select(_s40 < _k0, _s35, _s34, _r18), _r18)
     _s42 = _add(_add(_multiply(dnz, _s28, _r13), _multiply(nz, _s29, _r2), _r2), _multiply(_s30, _subtract(_subtract(_add(_multiply(dnx, _s32, _r9), _multiply(nx, _s22, _r5), _r5), _multiply(dny, _s39, _r0), _r0), _multiply(ny, _s3, _r4), _r4), _r4), _r4)
-    _s43 = _add(_s42, _select(_s42 < 0.0, _s35, _s34, _r2), _r2)
-    return _result(_absolute(_s9, _r4) < _s20, _select(_s9 < 0.0, _s21, _s20, _r4), _s9, _r0), _result(_absolute(_s24, _r4) < _s20, _select(_s24 < 0.0, _s21, _s20, _r4), _s24, _r0), _result(_absolute(_s27, _r4) < _s20, _select(_s27 < 0.0, _s21, _s20, _r4), _s27, _r0), _result(_absolute(_s36, _r4) < _s37, _select(_s36 < 0.0, _s38, _s37, _r4), _s36, _r0), _result(_absolute(_s41, _r4) < _s37, _select(_s41 < 0.0, _s38, _s37, _r4), _s41, _r0), _result(_absolute(_s43, _r4) < _s37, _select(_s43 < 0.0, _s38, _s37, _r4), _s43, _r0)
+    _s43 = _add(_s42, _select(_s42 < _k0, _s35, _s34, _r2), _r2)
+    return _result(_absolute(_s9, _r4) < _s20, _select(_s9 < _k0, _s21, _s20, _r4), _s9, _r0), _result(_absolute(_s24, _r4) < _s20, _select(_s24 < _k0, _s21, _s20, _r4), _s24, _r0), _result(_absolute(_s27, _r4) < _s20, _select(_s27 < _k0, _s21, _s20, _r4), _s27, _r0), _result(_absolute(_s36, _r4) < _s37, _select(_s36 < _k0, _s38, _s37, _r4), _s36, _r0), _result(_absolute(_s41, _r4) < _s37, _select(_s41 < _k0, _s38, _s37, _r4), _s41, _r0), _result(_absolute(_s43, _r4) < _s37, _select(_s43 < _k0, _s38, _s37, _r4), _s43, _r0)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -1431,7 +1535,7 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     _r0, _r1 = _room[:2]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(1.0, _s1, _r1), _r0)
+    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k10, _s1, _r1), _r0)
     return x * _s2, y * _s2, z * _s0
 
 
@@ -1457,9 +1561,9 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
     _s1 = 1.0 / _s0
     _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s3 = _subtract(_s2, p_ring_radius, _r0)
-    _s4 = _divide(1.0, _s2, _r2)
+    _s4 = _divide(_k10, _s2, _r2)
     _s5 = _multiply(_multiply(_s1, _s3, _r3), _s4, _r3)
-    _s6 = _divide(_multiply(0.5, _add(_multiply(_multiply(2.0, dx, _r4), x, _r4), _multiply(_multiply(2.0, dy, _r5), y, _r5), _r5), _r5), _s2, _r5)
+    _s6 = _divide(_multiply(_k16, _add(_multiply(_multiply(_k8, dx, _r4), x, _r4), _multiply(_multiply(_k8, dy, _r5), y, _r5), _r5), _r5), _s2, _r5)
     _s7 = _add(_multiply(_multiply(_s6, _s1, _r1), _s4, _r1), _multiply(_multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r2), _r2), _r2), _s1, _r2), _s3, _r2), _r2)
     _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
     return _multiply(dx, _s5, _r1) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r3) + _multiply(y, _s7, _r2), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
@@ -1499,21 +1603,21 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s24 = _where(_s22 < _s23, _s23, _s22)
     _s25 = _s24 * _s24
     _s26 = _s24 * _s25
-    _s27 = _multiply(_subtract(_add(_add(_multiply(2.0, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(2.0, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
+    _s27 = _multiply(_subtract(_add(_add(_multiply(_k8, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k8, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
     _s28 = _subtract(_multiply(vy, x, _r12), _multiply(vx, y, _r15), _r15)
     _s29 = _multiply(_s28, _s28, _r15)
     _s30 = _subtract(_s27, _multiply(2.0 * p_ring_radius, _s29, _r12), _r12)
     _s31 = _add(_multiply(_s16, _add(_multiply(vx, _s12, _r6), _multiply(vy, _s13, _r7), _r7), _r7), _multiply(_multiply(_s17, _subtract(vz, _multiply(p_gravity, _s11, _r10), _r10), _r10), _s15, _r10), _r10)
     _s32 = _add(x, _multiply(horizon, vx, _r7), _r7)
     _s33 = _add(y, _multiply(horizon, vy, _r8), _r8)
-    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < 0.0, 1.0, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < 0.0, 1.0, 0.0, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(4.0, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(2.0, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < 0.0, _s34, 0.0, _r7)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(9.313225746154785e-10, horizon, _r10), _r10), 1.0, _select(0.0 < _s20, _select(0.0 < _s30, _s35, 0.0, _r12), 0.0, _r13), _r10)
+    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k0, _k10, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k0, _k10, _k0, _r8), _r15)
+    _s35 = _select(_subtract(_multiply(_multiply(_k21, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k8, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k0, _s34, _k0, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k18, horizon, _r10), _r10), _k10, _select(_k0 < _s20, _select(_k0 < _s30, _s35, _k0, _r12), _k0, _r13), _r10)
     _s37 = _add(_multiply(vx, x, _r4), _multiply(vy, y, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
-    _s39 = _select(_s38 < 0.0, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, 0.0, _r4), 0.0, _r14)
-    _s40 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r9), _r9), _r9), _r9) < (65536.0 * _s5), _select(0.0 < _s7, _select(_s10 < 0.0, _s36, _s39, _r5), 0.0, _r3), 0.0, _r9)
-    return _result(0.0 < _select(_s1 < _s3, _s3, _s1, _r11), 0.0, _select(_s2 < (5.820766091346741e-11 * _s5), _s40, 0.0, _r0), _r0),
+    _s39 = _select(_s38 < _k0, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k0, _r4), _k0, _r14)
+    _s40 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r9), _r9), _r9), _r9) < (65536.0 * _s5), _select(_k0 < _s7, _select(_s10 < _k0, _s36, _s39, _r5), _k0, _r3), _k0, _r9)
+    return _result(_k0 < _select(_s1 < _s3, _s3, _s1, _r11), _k0, _select(_s2 < (5.820766091346741e-11 * _s5), _s40, _k0, _r0), _r0),
 
 
 def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1525,7 +1629,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34 = _room[:35]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
-    _s2 = _add(_multiply(2.0, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(2.0, _s1, _r1)
+    _s2 = _add(_multiply(_k8, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k8, _s1, _r1)
     _s3 = _subtract(_multiply(vy, x, _r1), _multiply(vx, y, _r3), _r3)
     _s4 = _multiply(_s3, _s3, _r1)
     _s5 = (2.0 * p_ring_radius) * _s4
@@ -1533,44 +1637,44 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(8.881784197001252e-16, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k22, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
-    _s14 = _multiply(1.7763568394002505e-15, _add(_absolute(vz, _r8), _s13, _r8), _r8)
-    _s15 = 0.0 <= _s11
-    _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _inf, _r9)
+    _s14 = _multiply(_k17, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s15 = _k0 <= _s11
+    _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k2, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(1.7763568394002505e-15, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s19 = _multiply(_multiply(_k17, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
     _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
-    _s23 = _multiply(1.7763568394002505e-15, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
-    _s24 = _divide(1.0, _s1, _r14)
-    _s25 = 0.0 <= _s20
-    _s26 = 2.409919865102884e-181 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _inf, _r15), -_inf, _r16)
+    _s23 = _multiply(_k17, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s24 = _divide(_k10, _s1, _r14)
+    _s25 = _k0 <= _s20
+    _s26 = _k23 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k2, _r15), _k24, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
-    _s33 = _sqrt(_select(_s32 < 0.0, 0.0, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), -_inf, _r10), _inf, _r18)
-    _s35 = 0.0 < _select(_s26, _s32, 0.0, _r19)
+    _s33 = _sqrt(_select(_s32 < _k0, _k0, _s32, _r1), _r1)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k24, _r10), _k2, _r18)
+    _s35 = _k0 < _select(_s26, _s32, _k0, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
-    _s38 = _sqrt(_select(_s37 < 0.0, 0.0, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), -_inf, _r0)
-    _s40 = 0.0 < _s37
+    _s38 = _sqrt(_select(_s37 < _k0, _k0, _s37, _r4), _r4)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k24, _r0)
+    _s40 = _k0 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
-    _s43 = _select(_s35, _multiply(_subtract(_subtract(_s33, _s21, _r1), _s23, _r1), _s24, _r1), _inf, _r14)
+    _s43 = _select(_s35, _multiply(_subtract(_subtract(_s33, _s21, _r1), _s23, _r1), _s24, _r1), _k2, _r14)
     _s44 = _select(_s43 < _s36, _s36, _s43, _r3)
     _s45 = _select(_s16 < _s44, _s44, _s16, _r13)
     _s46 = _select(_s34 < _s41, _s34, _s41, _r23)
-    _s47 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s38, _r4), _s14, _r4), _r4), _inf, _r8)
+    _s47 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s38, _r4), _s14, _r4), _r4), _k2, _r8)
     _s48 = _select(_s47 < _s41, _s41, _s47, _r24)
     _s49 = _s45 <= _s46
     _s50 = _select(_s49, _s45, _select(_s48 < _s27, _s27, _s48, _r25), _r26)
@@ -1578,12 +1682,12 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s52 = _select(_s48 < _s44, _s44, _s48, _r29)
     _s53 = _select(_s34 < _s39, _s34, _s39, _r30)
     _s54 = 1.0 / _s31
-    _s55 = _select(0.0 < _s42, _s42, 0.0, _r31)
+    _s55 = _select(_k0 < _s42, _s42, _k0, _r31)
     _s56 = _select(_s55 < _s51, _s51, _s55, _r32)
     _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _subtract(_subtract(_add(position_error, _multiply(horizon, velocity_error, _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
-    return _s2, _s5, _sqrt(_s6), _result(0.0 < _s28, _s28, 0.0, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(0.0 < _s50, _s50, 0.0, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(0.0 < _s52, _s52, 0.0, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s59, _s59, _s58, _r0)
+    return _s2, _s5, _sqrt(_s6), _result(_k0 < _s28, _s28, _k0, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k0 < _s50, _s50, _k0, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k0 < _s52, _s52, _k0, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s59, _s59, _s58, _r0)
 
 
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1599,14 +1703,14 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s3 = _multiply(_s2, _s1, _r1)
     _s4 = p_ring_radius + _s2
     _s5 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s6 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(4.440892098500626e-16, _s5, _r4), _r4)
+    _s6 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k7, _s5, _r4), _r4)
     _s7 = p_ring_radius - _s2
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(5.0, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(2.220446049250313e-16, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = 1.0009765625 * _add(_add(_multiply(_multiply(3.552713678800501e-15, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(4.440892098500626e-16, _s3, _r2), _r2), _s11, _r2)
-    return 1.0009765625 * _add(_add(_multiply(_multiply(4.440892098500626e-16, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, 1.0009765625 * _add(_multiply(3.552713678800501e-15, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k25, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k13, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k4 * _add(_add(_multiply(_multiply(_k26, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k7, _s3, _r2), _r2), _s11, _r2)
+    return _k4 * _add(_add(_multiply(_multiply(_k7, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k4 * _add(_multiply(_k26, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1620,14 +1724,14 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _add(rho_start, _s2, _r2)
-    _s4 = _divide(1.0, _multiply(_s3, _s2, _r4), _r4)
+    _s4 = _divide(_k10, _multiply(_s3, _s2, _r4), _r4)
     _s5 = _subtract(_s2, p_ring_radius, _r5)
     _s6 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
     _s7 = _add(z, _multiply(t, _s6, _r7), _r7)
-    _s8 = 2.0 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
-    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(2.0, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
+    _s8 = _k8 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
+    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k8, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
-    _s11 = _result(0.0 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
+    _s11 = _result(_k0 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
     return t - _divide(_s11, _s8, _r7), _s11, _s8
 
 
@@ -1643,16 +1747,16 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _subtract(_s2, p_ring_radius, _r2)
     _s4 = _add(rho_start, _s2, _r4)
-    _s5 = _divide(1.0, _multiply(_s4, _s2, _r5), _r5)
-    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(2.0, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
+    _s5 = _divide(_k10, _multiply(_s4, _s2, _r5), _r5)
+    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k8, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
     _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
     _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
     _s9 = p_ball_radius + p_wire_radius
-    _s10 = _result(0.0 < leaving, _multiply(t, _add(_s6, _multiply(_add(z, _s8, _r9), _s7, _r9), _r9), _r9), _subtract(_add(_multiply(_s3, _s3, _r8), _multiply(_s8, _s8, _r7), _r7), _s9 * _s9, _r7), _r0)
+    _s10 = _result(_k0 < leaving, _multiply(t, _add(_s6, _multiply(_add(z, _s8, _r9), _s7, _r9), _r9), _r9), _subtract(_add(_multiply(_s3, _s3, _r8), _multiply(_s8, _s8, _r7), _r7), _s9 * _s9, _r7), _r0)
     _s11 = _multiply(_s4, _s5, _r5)
     _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
     _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
-    _s14 = 2.0 * _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
+    _s14 = _k8 * _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
     _s15 = 6.0 * p_gravity
     _s16 = _multiply(_s15, _s8, _r4)
     _s17 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r2), _r2), _r2)
@@ -1660,28 +1764,28 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s19 = 9.094947017729282e-13 * (p_ring_radius + _s18)
     _s20 = _subtract(_s14, rate_margin, _r5)
     _s21 = _subtract(_s10, margin, _r7)
-    _s22 = _select(_s21 < 0.0, 0.0, _s21, _r9)
+    _s22 = _select(_s21 < _k0, _k0, _s21, _r9)
     _s23 = _subtract(_add(_s16, _s17, _r8), steady, _r8)
-    _s24 = _s20 < 0.0
-    _s25 = _multiply(2.0, _s22, _r10)
-    _s26 = _select(0.0 < _select(0.0 <= _s20, _s22, 0.0, _r11), _inf, _divide(_select(_s24, _s25, _multiply(4.0, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(0.0 < _s23, _s23, 0.0, _r14), _r15), _r12), _r11)
+    _s24 = _s20 < _k0
+    _s25 = _multiply(_k8, _s22, _r10)
+    _s26 = _select(_k0 < _select(_k0 <= _s20, _s22, _k0, _r11), _k2, _divide(_select(_s24, _s25, _multiply(_k21, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k0 < _s23, _s23, _k0, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
-    _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < 0.0, 0.0, _s13, _r8), _r8), _s8, _r8), _r8)
+    _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k0, _k0, _s13, _r8), _r8), _s8, _r8), _r8)
     _s30 = _multiply(_s15, _select(_s18 < _s29, _s18, _s29, _r6), _r6)
-    _s31 = _subtract(_add(_multiply(_s28, _select(0.0 < _s12, 0.0, _s12, _r8), _r8), _s2, _r8), _s19, _r8)
+    _s31 = _subtract(_add(_multiply(_s28, _select(_k0 < _s12, _k0, _s12, _r8), _r8), _s2, _r8), _s19, _r8)
     _s32 = p_ring_radius - _s18
     _s33 = 0.0001220703125 * p_ring_radius
     _s34 = _where(_s32 < _s33, _s33, _s32)
-    _s35 = _divide(1.0, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
+    _s35 = _divide(_k10, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(9.094947017729282e-13, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
-    _s38 = _add(_multiply(_multiply(2.0, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k27, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s38 = _add(_multiply(_multiply(_k8, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
-    _s40 = _select(0.0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(0.0 < _s37, _s37, 0.0, _r5), _r1), _r7), _inf, _r9)
+    _s40 = _select(_k0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k0 < _s37, _s37, _k0, _r5), _r1), _r7), _k2, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
     _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
-    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(0.0 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(8.0, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
+    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k0 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k11, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1705,73 +1809,73 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _float32(1.00006103515625) * (p_ball_radius + p_wire_radius)
-    _s2 = _float32(2.0) * p_gravity
-    _s3 = _multiply(_float32(4.76837158203125e-07), _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s1 = _k28 * (p_ball_radius + p_wire_radius)
+    _s2 = _k29 * p_gravity
+    _s3 = _multiply(_k30, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _float32(1.0) / p_gravity
+    _s5 = _k31 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_float32(9.5367431640625e-07), _add(_absolute(vz, _r4), _s6, _r4), _r4)
-    _s8 = _float32(0.0) <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _float32(_inf), _r5)
+    _s7 = _multiply(_k32, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = _k33 <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k34, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_float32(9.5367431640625e-07), _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k32, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_float32(9.5367431640625e-07), _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_float32(1.0), _s10, _r13)
-    _s21 = _float32(0.0) <= _s16
-    _s22 = _float32(8.673617379884035e-19) < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _float32(_inf), _r14), _float32(-_inf), _r15)
+    _s19 = _multiply(_k32, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k35, _s10, _r13)
+    _s21 = _k33 <= _s16
+    _s22 = _k36 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k34, _r14), _k37, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
-    _s25 = _select(_float32(0.0) < _s24, _s24, _float32(0.0), _r17)
-    _s26 = _select(_float32(0.0) < _s25, _s25, _float32(0.0), _r18)
+    _s25 = _select(_k33 < _s24, _s24, _k33, _r17)
+    _s26 = _select(_k33 < _s25, _s25, _k33, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _float32(0.0001220703125) * p_ring_radius
+    _s28 = _k38 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
-    _s31 = _sqrt(_select(_s30 < _float32(0.0), _float32(0.0), _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _float32(-_inf), _r6), _float32(_inf), _r19)
-    _s33 = _float32(0.0) < _select(_s22, _s30, _float32(0.0), _r20)
+    _s31 = _sqrt(_select(_s30 < _k33, _k33, _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k37, _r6), _k34, _r19)
+    _s33 = _k33 < _select(_s22, _s30, _k33, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
-    _s36 = _sqrt(_select(_s35 < _float32(0.0), _float32(0.0), _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _float32(-_inf), _r0)
-    _s38 = _float32(0.0) < _s35
+    _s36 = _sqrt(_select(_s35 < _k33, _k33, _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k37, _r0)
+    _s38 = _k33 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_float32(1.000000238418579), horizon, _r24)
+    _s41 = _multiply(_k39, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _float32(_inf), _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k34, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _float32(_inf), _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k34, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
-    _s52 = _result(_float32(0.0) < _s51, _s51, _float32(0.0), _r0)
-    _s53 = _select(_float32(0.0) < _s52, _s52, _float32(0.0), _r30)
+    _s52 = _result(_k33 < _s51, _s51, _k33, _r0)
+    _s53 = _select(_k33 < _s52, _s52, _k33, _r30)
     _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
     _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
     _s56 = _s53 < _s55
     _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
-    _s58 = _result(_float32(0.0) < _s57, _s57, _float32(0.0), _r0)
-    _s59 = _select(_float32(0.0) < _s58, _s58, _float32(0.0), _r34)
+    _s58 = _result(_k33 < _s57, _s57, _k33, _r0)
+    _s59 = _select(_k33 < _s58, _s58, _k33, _r34)
     _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
     _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
     _s62 = _s59 < _s61
-    _s63 = _select(_float32(0.0) < _s40, _s40, _float32(0.0), _r36)
+    _s63 = _select(_k33 < _s40, _s40, _k33, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_float32(32.0) * _s29)), (_s11 <= ((_float32(32.0) * p_ball_radius) + (_float32(32.0) * p_wire_radius)))), (_s11 <= _float32(4096.0))), (_float32(0.000244140625) <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _float32(0.0), _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _float32(0.0), _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _float32(4096.0))), (_float32(0.000244140625) <= p_gravity)), (extent <= _float32(4096.0))), (speed <= _float32(4096.0)))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k40 * _s29)), (_s11 <= ((_k40 * p_ball_radius) + (_k40 * p_wire_radius)))), (_s11 <= _k41)), (_k42 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k33, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k33, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k41)), (_k42 <= p_gravity)), (extent <= _k43)), (speed <= _k43))
 
 
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1803,33 +1907,33 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _float32(0.0) < leaving
+    _s0 = _k33 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _float32(1.00006103515625) * _s2
+    _s3 = _k28 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _float32(0.0001220703125) * p_ring_radius
+    _s5 = _k38 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_float32(1.0) < _s7, _s7, _float32(1.0))
+    _s8 = _where(_k31 < _s7, _s7, _k31)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_float32(5.0), _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_float32(0.00390625), parting, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _float32(2.9802322387695312e-08), _s12, _float32(2.9802322387695312e-08), _r5)
-    _s14 = _result(_s0, _select(_float32(2.842170943040401e-14) < _s13, _s13, _float32(2.842170943040401e-14), _r6), _float32(2.9802322387695312e-08), _r0)
-    _s15 = _add(_multiply(_float32(2.0), _multiply(vz, vz, _r7), _r7), _multiply(_float32(4.0) * p_gravity, z, _r8), _r8) + _multiply(_float32(2.0), _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k51, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k52, parting, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k53, _s12, _k53, _r5)
+    _s14 = _result(_s0, _select(_k54 < _s13, _s13, _k54, _r6), _k53, _r0)
+    _s15 = _add(_multiply(_k55, _multiply(vz, vz, _r7), _r7), _multiply(_k56 * p_gravity, z, _r8), _r8) + _multiply(_k55, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
-    _s17 = (_float32(2.0) * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _float32(1.0) / _s6
+    _s17 = (_k29 * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = _k31 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_float32(6.0003662109375) * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k57 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_float32(9.5367431640625e-07), _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_float32(0.5), _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _float32(0.0), end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _float32(1.0009765625) * _s20, (_float32(5.0048828125) * _s2) * _s24, _result(_s0, _multiply(_float32(1.0009765625), _add(_multiply(_float32(4.76837158203125e-07), _absolute(parting, _r12), _r12), _multiply(_add(_float32(5.684341886080802e-14), _s14, _r2), _s11, _r2), _r2), _r2), _float32(_inf), _r0), _float32(1.0009765625) * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_float32(7.62939453125e-06) * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _float32(5.0) * _add(_multiply(_multiply(_float32(1.0009765625), _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_float32(2.384185791015625e-07), _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_float32(128.0) * p_ball_radius) + (_float32(128.0) * p_wire_radius))), (_multiply(leaving, t, _r7) <= _float32(0.0)))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k32, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k58, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k44, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k59 * _s20, (_k60 * _s2) * _s24, _result(_s0, _multiply(_k59, _add(_multiply(_k30, _absolute(parting, _r12), _r12), _multiply(_add(_k61, _s14, _r2), _s11, _r2), _r2), _r2), _k34, _r0), _k59 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k62 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k51 * _add(_multiply(_multiply(_k59, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k63, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k64 * p_ball_radius) + (_k64 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k33))
 
 
 def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1876,66 +1980,66 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s7 = _add(y, _multiply(t, vy, _r5), _r5)
     _s8 = _sqrt(_add(_multiply(_s6, _s6, _r6), _multiply(_s7, _s7, _r7), _r7), _r7)
     _s9 = _add(rho_start, _s8, _r6)
-    _s10 = _divide(_float32(1.0), _multiply(_s9, _s8, _r8), _r8)
+    _s10 = _divide(_k35, _multiply(_s9, _s8, _r8), _r8)
     _s11 = _multiply(_s8, _s10, _r9)
-    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_float32(2.0), _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
-    _s13 = _subtract(vz, _multiply(_float32(0.5) * p_gravity, t, _r10), _r10)
-    _s14 = _add(_add(_multiply(_multiply(_multiply(_float32(2.0), _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
+    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k55, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
+    _s13 = _subtract(vz, _multiply(_k71 * p_gravity, t, _r10), _r10)
+    _s14 = _add(_add(_multiply(_multiply(_multiply(_k55, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
     _s15 = _add(parting, _multiply(t, _subtract(_s14, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s16 = _multiply(_s9, _s10, _r8)
     _s17 = _multiply(_s16, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r5), _r5), _r5)
     _s18 = _subtract(_s8, p_ring_radius, _r3)
     _s19 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
     _s20 = _add(z, _multiply(t, _s13, _r10), _r10)
-    _s21 = _select(_s4, _subtract(_multiply(_float32(2.0), _s15, _r11), parting, _r11), _multiply(_float32(2.0), _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
-    _s22 = _select(_s4, _add(_s3, _multiply(_float32(2.0), _s0, _r0), _r0), rate_margin, _r2)
+    _s21 = _select(_s4, _subtract(_multiply(_k55, _s15, _r11), parting, _r11), _multiply(_k55, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
+    _s22 = _select(_s4, _add(_s3, _multiply(_k55, _s0, _r0), _r0), rate_margin, _r2)
     _s23 = _negative(_add(_s21, _s22, _r4), _r4)
     _s24 = _select(_s2, _s1, flat, _r14)
     _s25 = p_ball_radius + p_wire_radius
     _s26 = _subtract(_select(_s2, _multiply(t, _s15, _r12), _subtract(_add(_multiply(_s18, _s18, _r3), _multiply(_s20, _s20, _r15), _r15), _s25 * _s25, _r15), _r3), _s24, _r3)
-    _s27 = _select(_s26 < _float32(0.0), _float32(0.0), _s26, _r15)
-    _s28 = _multiply(_float32(2.0), _add(_multiply(_float32(2.0), _s24, _r12), _s27, _r12), _r12)
+    _s27 = _select(_s26 < _k33, _k33, _s26, _r15)
+    _s28 = _multiply(_k55, _add(_multiply(_k55, _s24, _r12), _s27, _r12), _r12)
     _s29 = _subtract(_s21, _s22, _r2)
-    _s30 = _float32(6.0) * p_gravity
+    _s30 = _k73 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(swing, _multiply(_s16, _multiply(_s16, _s16, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), steady, _r17)
-    _s34 = _s29 < _float32(0.0)
-    _s35 = _multiply(_float32(2.0), _s27, _r18)
-    _s36 = _select(_float32(0.0) < _select(_float32(0.0) <= _s29, _s27, _float32(0.0), _r19), _float32(_inf), _divide(_select(_s34, _add(_multiply(_float32(8.0), _s24, _r19), _s35, _r19), _multiply(_float32(4.0), _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_float32(0.0) < _s33, _s33, _float32(0.0), _r23), _r24), _r21), _r20)
+    _s34 = _s29 < _k33
+    _s35 = _multiply(_k55, _s27, _r18)
+    _s36 = _select(_k33 < _select(_k33 <= _s29, _s27, _k33, _r19), _k34, _divide(_select(_s34, _add(_multiply(_k74, _s24, _r19), _s35, _r19), _multiply(_k75, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k33 < _s33, _s33, _k33, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _float32(1.00006103515625) * _s25
-    _s40 = _add((_float32(0.0001220703125) * p_ball_radius) + (_float32(0.0001220703125) * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _float32(0.0), _float32(0.0), _s19, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k28 * _s25
+    _s40 = _add((_k38 * p_ball_radius) + (_k38 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k33, _k33, _s19, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_float32(0.0) < _s17, _float32(0.0), _s17, _r23), _r23), _s8, _r23), _multiply(_float32(0.0001220703125), _s42, _r7), _r7), _float32(9.5367431640625e-07) * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k33 < _s17, _k33, _s17, _r23), _r23), _s8, _r23), _multiply(_k76, _s42, _r7), _r7), _k46 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _float32(0.0001220703125) * p_ring_radius
+    _s45 = _k38 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_float32(1.0), _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k35, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(swing, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(steady, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_float32(3.814697265625e-06), _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k77, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
     _s51 = _negative(_s19, _r6)
-    _s52 = _add(_multiply(_s30, _add((_float32(0.000244140625) * p_ball_radius) + (_float32(0.000244140625) * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _float32(0.0), _float32(0.0), _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_float32(3.0), _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(steady, _add(_s52, _multiply(_float32(0.000244140625), _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k42 * p_ball_radius) + (_k42 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k33, _k33, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k78, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(steady, _add(_s52, _multiply(_k79, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_float32(8.0), _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
-    _s56 = _float32(0.0) < _select(_float32(0.0) < _s23, _s55, _s23, _r16)
-    _s57 = _add(_multiply(_multiply(_float32(2.0), _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k74, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
+    _s56 = _k33 < _select(_k33 < _s23, _s55, _s23, _r16)
+    _s57 = _add(_multiply(_multiply(_k55, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_float32(0.0) <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_float32(0.0) < _s50, _s50, _float32(0.0), _r2), _r4), _r8), _float32(_inf), _r15)
+    _s59 = _select(_k33 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k33 < _s50, _s50, _k33, _r2), _r4), _r8), _k34, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _float32(0.0)), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k33), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _float32(_inf), _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k34, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1947,7 +2051,7 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     _r0, _r1 = _room[:2]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
     _s1 = _add(_multiply(vx, x, _r1), _multiply(vy, y, _r0), _r0) / _s0
-    return _s0, 2.0 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
+    return _s0, _k8 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
 def ring_lost(horizon: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2040,7 +2144,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k83, _s0, _r1), _r1) + _multiply(_k84, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k7, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2125,13 +2229,13 @@ def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_rad
     Returns time, rate, bend, apex, height.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = 0.0 < leaving
-    _s1 = _select(_s0, 0.0, _subtract(z, p_ball_radius + p_wire_radius, _r0), _r1)
+    _s0 = _k0 < leaving
+    _s1 = _select(_s0, _k0, _subtract(z, p_ball_radius + p_wire_radius, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
-    _s4 = vz < 0.0
+    _s4 = vz < _k0
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(2.0, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
+    return _select(_s4, _multiply(_k8, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
 
 def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2142,7 +2246,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k83, _s0, _r1), _r1) + _multiply(_k84, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k7, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2218,13 +2322,13 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     Returns time, rate, bend, apex, height.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = 0.0 < leaving
-    _s1 = _select(_s0, 0.0, _subtract(z, -p_end_depth, _r0), _r1)
+    _s0 = _k0 < leaving
+    _s1 = _select(_s0, _k0, _subtract(z, -p_end_depth, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
-    _s4 = vz < 0.0
+    _s4 = vz < _k0
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(2.0, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
+    return _select(_s4, _multiply(_k8, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2235,7 +2339,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k83, _s0, _r1), _r1) + _multiply(_k84, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k7, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -2424,13 +2528,22 @@ def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, hal
 
 def _choose(truth: Any, new: Any, old: Any) -> Any:
     """Return new values where a truth holds."""
-    if _ndim(truth) and len(truth) >= FEW:
+    if type(truth) is _ndarray and truth.ndim and len(truth) >= FEW:
+        for values in (new, old):
+            if type(values) is _ndarray and values.ndim and values.dtype == _float64:
+                return _select(truth, new, old, _empty_like(values))
         many = _count_nonzero(truth)
         if many == 0 and _ndim(old):
             return old
         if many == len(truth) and _ndim(new):
             return new
     return _where(truth, new, old)
+
+
+@_cache
+def _fixed(kernel: Any, *numbers: float) -> tuple[Any, ...]:
+    """Return what a kernel makes of numbers alone, which is the same in each turn."""
+    return tuple(kernel(*numbers))
 
 
 _NOWHERE = _flatnonzero(())
@@ -2449,6 +2562,12 @@ def _rows(truth: Any, shots: int) -> tuple[Any, int]:
     return (None if len(rows) == shots else rows), len(rows)
 
 
+def _most(truth: Any, shots: int) -> tuple[Any, int]:
+    """Do the same, but return all rows if it holds for nearly all: to take those costs more."""
+    rows, count = _rows(truth, shots)
+    return (None, shots) if 16 * count > 15 * shots and shots >= FEW else (rows, count)
+
+
 def _take(values: Any, rows: Any) -> Any:
     """Return some rows of a column; what all shots share stays."""
     if rows is None or type(values) is not _ndarray or not values.ndim:
@@ -2463,13 +2582,13 @@ def _of(rows: Any, some: Any) -> Any:
 
 def _copy(values: Any, shots: int) -> Any:
     """Return a column of one's own."""
-    return values.copy() if _ndim(values) else _full(shots, values)
+    return values.copy() if type(values) is _ndarray and values.ndim else _full(shots, values)
 
 
-def _put(values: Any, rows: Any, new: Any, shots: int) -> Any:
-    """Return a column with new values in some rows."""
+def _put(values: Any, rows: Any, new: Any, shots: int, truth: Any = True) -> Any:
+    """Return a column with new values in some rows; if those are all, where a truth holds."""
     if rows is None:
-        return new
+        return new if truth is True else _choose(truth, new, values)
     column = _copy(values, shots)
     column[rows] = new
     return column
@@ -2478,6 +2597,757 @@ def _put(values: Any, rows: Any, new: Any, shots: int) -> Any:
 def _store(values: Any, rows: Any, new: Any, some: Any) -> None:
     """Put some of the new values into rows of a column."""
     values[... if rows is None else rows] = _take(new, some)
+
+
+# What lasts for a few shots is done for one at a time, in the same operations.
+
+
+def _root(value: Any) -> Any:
+    """Return the square root of a number, as a number of its own kind."""
+    return type(value)(_square_root(value)) if value >= 0.0 else _sqrt(value)
+
+
+def _number(value: Any) -> Any:
+    """Return a column as it is, and what all shots share as a number of NumPy."""
+    if type(value) is _ndarray:
+        return value if value.ndim else value[()]
+    return _float64(value) if type(value) is float else value
+
+
+def _one_by_one(body: Any, rows: Any, own: Any, near: Any, far: Any, into: Any, *turns: int) -> None:
+    """Take a few shots through a body, and put what it assigns into their rows.
+
+    What it needs are columns in which a shot is at its own place, and such in which it is in its row.
+    """
+    if rows is None:
+        rows = own = _flatnonzero(_array([True] * len(into[0])))
+    near, far = ([_number(values) for values in several] for several in (near, far))
+    for row, place in zip(rows.tolist(), own.tolist(), strict=True):
+        given = [v[place] if type(v) is _ndarray else v for v in near]
+        given += [v[row] if type(v) is _ndarray else v for v in far]
+        for values, value in zip(into, body(*given, *turns), strict=True):
+            values[row] = value
+
+
+def _flight_alone(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Do `flight` for one shot."""
+    return x + (t * vx), y + (t * vy), z + (t * (vz - ((0.5 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)
+
+
+def _crossing_alone(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[Any, ...]:
+    """Do `crossing` for one shot."""
+    _s0 = -(rate + rate_margin)
+    _s1 = 0.0 < _s0
+    return ((_s0 * _s0) - ((6.0 * ceiling) * margin)) if _s1 else _s0, ((6.0 * margin) / _s0) if _s1 else _inf
+
+
+def _allowance_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Do `allowance` for one shot."""
+    _s0 = speed + (p_gravity * horizon)
+    _s1 = share * (extent + (horizon * _s0))
+    _s2 = share * _s0
+    _s3 = position_error - _s1
+    _s4 = velocity_error - _s2
+    return _s1, _s2, _s4 if _s3 < _s4 else _s3
+
+
+def _left_alone(index: Any, last: Any) -> tuple[Any, ...]:
+    """Do `left` for one shot."""
+    return 1.0 if (last == index) else 0.0,
+
+
+def _questioned_alone(doubt: Any, time: Any, unsure: Any) -> tuple[Any, ...]:
+    """Do `questioned` for one shot."""
+    return time if (unsure and (time < doubt)) else doubt,
+
+
+def _tied_alone(arrives: Any, delay: Any, doubt: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
+    """Do `tied` for one shot."""
+    _s0 = time < when
+    _s1 = time if _s0 else when
+    _s2 = _s1 if ((arrives and (abs((time - when)) <= (delay + late))) and (_s1 < doubt)) else doubt
+    return _s2, delay if (arrives and _s0) else late
+
+
+def _sooner_alone(arrives: Any, index: Any, time: Any, when: Any, which: Any) -> tuple[Any, ...]:
+    """Do `sooner` for one shot."""
+    _s0 = arrives and (time < when)
+    return time if _s0 else when, index if _s0 else which
+
+
+def _beginning_alone() -> tuple[Any, ...]:
+    """Do `beginning` for one shot."""
+    return 2.9802322387695312e-08, _inf, False
+
+
+def _beyond_alone(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
+    """Do `beyond` for one shot."""
+    return 0.0 if (((0.0 < excess) or (0.0 < lost)) or (pad < late)) else doubt,
+
+
+def _nearby_alone(flat: Any, index: Any, last: Any, t: Any, tilt: Any) -> tuple[Any, ...]:
+    """Do `nearby` for one shot."""
+    _s0 = t * tilt
+    _s1 = (last == index) and (_s0 < flat)
+    return 1.0 if _s1 else 0.0, _s0 if _s1 else flat
+
+
+def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
+    """Do `opened` for one shot."""
+    return time, horizon
+
+
+def _coarse_alone(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
+    """Do `coarse` for one shot."""
+    _s0 = (searching and sound) and fits
+    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else 2.9802322387695312e-08
+
+
+def _leapt_alone(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
+    """Do `leapt` for one shot."""
+    _s0 = lasting + since
+    return _s0 if certain else arrival, _s0 if served else 0.0, (searching and (not certain)) and (lasting < _inf)
+
+
+def _struck_alone(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
+    """Do `struck` for one shot."""
+    _s0 = (rate < 0.0) or ((rate <= rate_margin) and (bend < 0.0))
+    _s1 = 0.0 < clearance
+    _s2 = _s0 and (((gap - margin) <= margin) or _s1)
+    _s3 = _s0 and _s1
+    _s4 = (_s2 and (not _s3)) and (0.0 < share)
+    return _s2 and (not _s4), _s3, _s4
+
+
+def _finer_alone(share: Any) -> tuple[Any, ...]:
+    """Do `finer` for one shot."""
+    return (0.03125 * share) if (2.842170943040401e-14 < share) else 0.0,
+
+
+def _exceeded_alone(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
+    """Do `exceeded` for one shot."""
+    return t if ((0.0 < excess) and (t < doubt)) else doubt,
+
+
+def _advanced_alone(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, step: Any, sure: Any, t: Any, vague: Any) -> tuple[Any, ...]:
+    """Do `advanced` for one shot."""
+    _s0 = not hit
+    _s1 = (_s0 and (not vague)) and ((end - t) <= step)
+    return (next if sure else t) if hit else arrival, certain or (hit and sure), _s1, _s0 and (not _s1), t if (hit or vague) else next
+
+
+def _found_alone(arrival: Any) -> tuple[Any, ...]:
+    """Do `found` for one shot."""
+    _s0 = arrival < _inf
+    return _s0, _s0, 0.0
+
+
+def _polished_alone(arrival: Any, ceiling: Any, certain: Any, gap: Any, rate: Any, refined: Any) -> tuple[Any, ...]:
+    """Do `polished` for one shot."""
+    return refined if certain else arrival, certain and ((5.960464477539063e-08 * (rate * rate)) < (ceiling * abs(gap)))
+
+
+def _own_margin_alone(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
+    """Do `own_margin` for one shot."""
+    return (arrival * tilt) if (0.0 < leaving) else flat,
+
+
+def _landed_alone(arrival: Any) -> tuple[Any, ...]:
+    """Do `landed` for one shot."""
+    return 0.0 if (arrival < 0.0) else arrival,
+
+
+def _landed_surely_alone(arrives: Any, certain: Any, clearance: Any, delay: Any, doubt: Any, time: Any) -> tuple[Any, ...]:
+    """Do `landed_surely` for one shot."""
+    _s0 = certain and (0.0 < clearance)
+    return delay if _s0 else 0.0, time if ((arrives and (not _s0)) and (time < doubt)) else doubt
+
+
+def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Do `ring_prepare` for one shot."""
+    _s0 = vz * vz
+    _s1 = (vx * vx) + (vy * vy)
+    _s2 = ((2.0 * _s0) + ((4.0 * p_gravity) * z)) + (2.0 * _s1)
+    _s3 = (vy * x) - (vx * y)
+    _s4 = _s3 * _s3
+    _s5 = (2.0 * p_ring_radius) * _s4
+    _s6 = (x * x) + (y * y)
+    _s7 = p_ball_radius + p_wire_radius
+    _s8 = 1.00006103515625 * _s7
+    _s9 = 2.0 * p_gravity
+    _s10 = 8.881784197001252e-16 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
+    _s12 = 1.0 / p_gravity
+    _s13 = _root(_s11)
+    _s14 = 1.7763568394002505e-15 * (abs(vz) + _s13)
+    _s15 = 0.0 <= _s11
+    _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _inf
+    _s17 = p_ring_radius + _s8
+    _s18 = _s17 * _s17
+    _s19 = (1.7763568394002505e-15 * _s1) * (_s18 + _s6)
+    _s20 = ((_s18 * _s1) + _s19) - _s4
+    _s21 = (vx * x) + (vy * y)
+    _s22 = _root(_s20)
+    _s23 = 1.7763568394002505e-15 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s24 = 1.0 / _s1
+    _s25 = 0.0 <= _s20
+    _s26 = 2.409919865102884e-181 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _inf) if _s26 else (-_inf)
+    _s28 = _s27 if _s16 < _s27 else _s16
+    _s29 = p_ring_radius - _s8
+    _s30 = 0.0001220703125 * p_ring_radius
+    _s31 = _s30 if _s29 < _s30 else _s29
+    _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
+    _s33 = _root((0.0 if _s32 < 0.0 else _s32))
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else (-_inf)) if _s26 else _inf
+    _s35 = 0.0 < (_s32 if _s26 else 0.0)
+    _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
+    _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
+    _s38 = _root((0.0 if _s37 < 0.0 else _s37))
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else (-_inf)
+    _s40 = 0.0 < _s37
+    _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
+    _s42 = _s36 if _s36 < _s41 else _s41
+    _s43 = (((_s33 - _s21) - _s23) * _s24) if _s35 else _inf
+    _s44 = _s36 if _s43 < _s36 else _s43
+    _s45 = _s44 if _s16 < _s44 else _s16
+    _s46 = _s34 if _s34 < _s41 else _s41
+    _s47 = (_s12 * ((vz + _s38) - _s14)) if _s40 else _inf
+    _s48 = _s41 if _s47 < _s41 else _s47
+    _s49 = _s45 <= _s46
+    _s50 = _s45 if _s49 else (_s27 if _s48 < _s27 else _s48)
+    _s51 = _s46 if _s49 else (_s36 if _s36 < _s39 else _s39)
+    _s52 = _s44 if _s48 < _s44 else _s48
+    _s53 = _s34 if _s34 < _s39 else _s39
+    _s54 = 1.0 / _s31
+    _s55 = _s42 if 0.0 < _s42 else 0.0
+    _s56 = _s51 if _s55 < _s51 else _s55
+    _s57 = _s53 if _s56 < _s53 else _s56
+    _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
+    _s59 = ((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if 0.0 < _s28 else 0.0, _s42 if _s42 < horizon else horizon, _s50 if 0.0 < _s50 else 0.0, _s51 if _s51 < horizon else horizon, _s52 if 0.0 < _s52 else 0.0, _s53 if _s53 < horizon else horizon, (((6.0003662109375 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s59 if _s58 < _s59 else _s58
+
+
+def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Do `ring_margins` for one shot."""
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = speed + (p_gravity * horizon)
+    _s2 = 1.00006103515625 * _s0
+    _s3 = _s2 * _s1
+    _s4 = p_ring_radius + _s2
+    _s5 = extent + (horizon * _s1)
+    _s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s5)
+    _s7 = p_ring_radius - _s2
+    _s8 = 0.0001220703125 * p_ring_radius
+    _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
+    _s10 = _s9 if 1.0 < _s9 else 1.0
+    _s11 = 5.0 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (2.220446049250313e-16 * _s1))))
+    _s12 = 1.0009765625 * ((((3.552713678800501e-15 * _s1) * ((_s5 * _s10) + _s4)) + (4.440892098500626e-16 * _s3)) + _s11)
+    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * _s3) + ((1.3323489447131243e-15 * _s0) * _s4)) + ((5.00030517578125 * _s0) * _s6)), _s12, 1.0009765625 * ((3.552713678800501e-15 * (_s4 * _s1)) + _s11)
+
+
+def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Do `ring_refine` for one shot."""
+    _s0 = x + (t * vx)
+    _s1 = y + (t * vy)
+    _s2 = _root(((_s0 * _s0) + (_s1 * _s1)))
+    _s3 = rho_start + _s2
+    _s4 = 1.0 / (_s3 * _s2)
+    _s5 = _s2 - p_ring_radius
+    _s6 = vz - ((0.5 * p_gravity) * t)
+    _s7 = z + (t * _s6)
+    _s8 = 2.0 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
+    _s9 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _s10 = p_ball_radius + p_wire_radius
+    _s11 = (t * (_s9 + ((z + _s7) * _s6))) if (0.0 < leaving) else (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))
+    return t - (_s11 / _s8), _s11, _s8
+
+
+def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Do `ring_advance` for one shot."""
+    _s0 = x + (t * vx)
+    _s1 = y + (t * vy)
+    _s2 = _root(((_s0 * _s0) + (_s1 * _s1)))
+    _s3 = _s2 - p_ring_radius
+    _s4 = rho_start + _s2
+    _s5 = 1.0 / (_s4 * _s2)
+    _s6 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
+    _s7 = vz - ((0.5 * p_gravity) * t)
+    _s8 = z + (t * _s7)
+    _s9 = p_ball_radius + p_wire_radius
+    _s10 = (t * (_s6 + ((z + _s8) * _s7))) if (0.0 < leaving) else (((_s3 * _s3) + (_s8 * _s8)) - (_s9 * _s9))
+    _s11 = _s4 * _s5
+    _s12 = _s11 * ((vx * _s0) + (vy * _s1))
+    _s13 = vz - (p_gravity * t)
+    _s14 = 2.0 * ((_s12 * _s3) + (_s13 * _s8))
+    _s15 = 6.0 * p_gravity
+    _s16 = _s15 * _s8
+    _s17 = swing * (_s11 * (_s11 * _s11))
+    _s18 = 1.00006103515625 * _s9
+    _s19 = 9.094947017729282e-13 * (p_ring_radius + _s18)
+    _s20 = _s14 - rate_margin
+    _s21 = _s10 - margin
+    _s22 = 0.0 if _s21 < 0.0 else _s21
+    _s23 = (_s16 + _s17) - steady
+    _s24 = _s20 < 0.0
+    _s25 = 2.0 * _s22
+    _s26 = _inf if (0.0 < (_s22 if (0.0 <= _s20) else 0.0)) else ((_s25 if _s24 else (4.0 * _s20)) / ((-_s20) if _s24 else (_s23 if 0.0 < _s23 else 0.0)))
+    _s27 = end - t
+    _s28 = _s26 if _s26 < _s27 else _s27
+    _s29 = _s19 + ((_s28 * (0.0 if _s13 < 0.0 else _s13)) + _s8)
+    _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
+    _s31 = ((_s28 * (0.0 if 0.0 < _s12 else _s12)) + _s2) - _s19
+    _s32 = p_ring_radius - _s18
+    _s33 = 0.0001220703125 * p_ring_radius
+    _s34 = _s33 if _s32 < _s33 else _s32
+    _s35 = 1.0 / (_s34 if _s31 < _s34 else _s31)
+    _s36 = swing * (_s35 * (_s35 * _s35))
+    _s37 = ((_s30 + _s36) + (9.094947017729282e-13 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
+    _s38 = ((2.0 * _s37) * _s22) + (_s20 * _s20)
+    _s39 = _root(_s38)
+    _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if 0.0 < _s37 else 0.0))) if (0.0 <= _s38) else _inf
+    _s41 = _s40 if _s40 < _s28 else _s28
+    _s42 = -(rate_margin + _s14)
+    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((8.0 * ceiling) * (margin + _s25))) if (0.0 < _s42) else _s42
+
+
+def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Do `ring_opened` for one shot."""
+    _s0 = vz * vz
+    _s1 = _k28 * (p_ball_radius + p_wire_radius)
+    _s2 = _k29 * p_gravity
+    _s3 = _k45 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
+    _s5 = _k31 / p_gravity
+    _s6 = _root(_s4)
+    _s7 = _k46 * (abs(vz) + _s6)
+    _s8 = _k44 <= _s4
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k47
+    _s10 = (vx * vx) + (vy * vy)
+    _s11 = p_ring_radius + _s1
+    _s12 = _s11 * _s11
+    _s13 = (_k46 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s14 = (vy * x) - (vx * y)
+    _s15 = _s14 * _s14
+    _s16 = ((_s12 * _s10) + _s13) - _s15
+    _s17 = (vx * x) + (vy * y)
+    _s18 = _root(_s16)
+    _s19 = _k46 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k31 / _s10
+    _s21 = _k44 <= _s16
+    _s22 = _k48 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k47) if _s22 else _k49
+    _s24 = _s23 if _s9 < _s23 else _s9
+    _s25 = _s24 if _k44 < _s24 else _k44
+    _s26 = _s25 if _k44 < _s25 else _k44
+    _s27 = p_ring_radius - _s1
+    _s28 = _k38 * p_ring_radius
+    _s29 = _s28 if _s27 < _s28 else _s27
+    _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
+    _s31 = _root((_k44 if _s30 < _k44 else _s30))
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k49) if _s22 else _k47
+    _s33 = _k44 < (_s30 if _s22 else _k44)
+    _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
+    _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
+    _s36 = _root((_k44 if _s35 < _k44 else _s35))
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k49
+    _s38 = _k44 < _s35
+    _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
+    _s40 = _s34 if _s34 < _s39 else _s39
+    _s41 = _k50 * horizon
+    _s42 = _s40 if _s40 < _s41 else _s41
+    _s43 = _s26 < _s42
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k47
+    _s45 = _s34 if _s44 < _s34 else _s44
+    _s46 = _s45 if _s9 < _s45 else _s9
+    _s47 = _s32 if _s32 < _s39 else _s39
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k47
+    _s49 = _s39 if _s48 < _s39 else _s48
+    _s50 = _s46 <= _s47
+    _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
+    _s52 = _s51 if _k44 < _s51 else _k44
+    _s53 = _s52 if _k44 < _s52 else _k44
+    _s54 = _s47 if _s50 else (_s34 if _s34 < _s37 else _s37)
+    _s55 = _s54 if _s54 < _s41 else _s41
+    _s56 = _s53 < _s55
+    _s57 = _s45 if _s49 < _s45 else _s49
+    _s58 = _s57 if _k44 < _s57 else _k44
+    _s59 = _s58 if _k44 < _s58 else _k44
+    _s60 = _s32 if _s32 < _s37 else _s37
+    _s61 = _s60 if _s60 < _s41 else _s41
+    _s62 = _s59 < _s61
+    _s63 = _s40 if _k44 < _s40 else _k44
+    _s64 = _s54 if _s63 < _s54 else _s63
+    _s65 = _s60 if _s64 < _s60 else _s64
+    _s66 = (((_s11 <= (_k40 * _s29)) and (_s11 <= ((_k40 * p_ball_radius) + (_k40 * p_wire_radius)))) and (_s11 <= _k41)) and (_k42 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k44)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k44)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k41)) and (_k42 <= p_gravity)) and (extent <= _k41)) and (speed <= _k41)
+
+
+def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Do `ring_grain` for one shot."""
+    _s0 = _k44 < leaving
+    _s1 = speed + (p_gravity * horizon)
+    _s2 = p_ball_radius + p_wire_radius
+    _s3 = _k28 * _s2
+    _s4 = p_ring_radius - _s3
+    _s5 = _k38 * p_ring_radius
+    _s6 = _s5 if _s4 < _s5 else _s4
+    _s7 = _s2 / _s6
+    _s8 = _s7 if _k31 < _s7 else _k31
+    _s9 = _s1 * _s8
+    _s10 = extent + (horizon * _s1)
+    _s11 = _k67 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k66 * parting) / _s11
+    _s13 = _s12 if _s12 < _k68 else _k68
+    _s14 = (_s13 if _k65 < _s13 else _k65) if _s0 else _k68
+    _s15 = ((_k29 * (vz * vz)) + ((_k56 * p_gravity) * z)) + (_k29 * ((vx * vx) + (vy * vy)))
+    _s16 = (vy * x) - (vx * y)
+    _s17 = (_k29 * p_ring_radius) * (_s16 * _s16)
+    _s18 = _k31 / _s6
+    _s19 = _s18 * (_s18 * _s18)
+    _s20 = (((_k57 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s21 = horizon - t
+    _s22 = p_gravity * (_s21 * _s21)
+    _s23 = p_ring_radius + _s3
+    _s24 = (_s10 * _s14) + (_k46 * (_s22 + _s23))
+    _s25 = (_k71 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k44, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k69 * _s20, (_k60 * _s2) * _s24, (_k69 * ((_k45 * abs(parting)) + ((_k70 + _s14) * _s11))) if _s0 else _k47, _k69 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k62 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k67 * (((_k69 * _s9) * _s24) + (((_k72 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k64 * p_ball_radius) + (_k64 * p_wire_radius))) and ((leaving * t) <= _k44)
+
+
+def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Do `ring_leap` for one shot."""
+    _s0 = tilt + (grit * t)
+    _s1 = t * _s0
+    _s2 = _s1 < flat
+    _s3 = jerk * (t * t)
+    _s4 = _s2 and (_s3 < rate_margin)
+    _s5 = (vx * vx) + (vy * vy)
+    _s6 = x + (t * vx)
+    _s7 = y + (t * vy)
+    _s8 = _root(((_s6 * _s6) + (_s7 * _s7)))
+    _s9 = rho_start + _s8
+    _s10 = _k31 / (_s9 * _s8)
+    _s11 = _s8 * _s10
+    _s12 = _s11 * ((t * _s5) + (_k29 * ((vx * x) + (vy * y))))
+    _s13 = vz - ((_k71 * p_gravity) * t)
+    _s14 = ((((_k29 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
+    _s15 = parting + (t * (_s14 - (p_gravity * z)))
+    _s16 = _s9 * _s10
+    _s17 = _s16 * ((vx * _s6) + (vy * _s7))
+    _s18 = _s8 - p_ring_radius
+    _s19 = vz - (p_gravity * t)
+    _s20 = z + (t * _s13)
+    _s21 = ((_k29 * _s15) - parting) if _s4 else (_k29 * ((_s17 * _s18) + (_s19 * _s20)))
+    _s22 = (_s3 + (_k29 * _s0)) if _s4 else rate_margin
+    _s23 = -(_s21 + _s22)
+    _s24 = _s1 if _s2 else flat
+    _s25 = p_ball_radius + p_wire_radius
+    _s26 = ((t * _s15) if _s2 else (((_s18 * _s18) + (_s20 * _s20)) - (_s25 * _s25))) - _s24
+    _s27 = _k44 if _s26 < _k44 else _s26
+    _s28 = _k29 * ((_k29 * _s24) + _s27)
+    _s29 = _s21 - _s22
+    _s30 = _k73 * p_gravity
+    _s31 = _s30 * _s20
+    _s32 = swing * (_s16 * (_s16 * _s16))
+    _s33 = (_s31 + _s32) - steady
+    _s34 = _s29 < _k44
+    _s35 = _k29 * _s27
+    _s36 = _k47 if (_k44 < (_s27 if (_k44 <= _s29) else _k44)) else ((((_k80 * _s24) + _s35) if _s34 else (_k56 * _s29)) / ((-_s29) if _s34 else (_s33 if _k44 < _s33 else _k44)))
+    _s37 = end - t
+    _s38 = _s36 if _s36 < _s37 else _s37
+    _s39 = _k28 * _s25
+    _s40 = ((_k38 * p_ball_radius) + (_k38 * p_wire_radius)) + ((_s38 * (_k44 if _s19 < _k44 else _s19)) + _s20)
+    _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
+    _s42 = (abs(vx) + abs(vy)) * _s38
+    _s43 = (((_s38 * (_k44 if _k44 < _s17 else _s17)) + _s8) - (_k38 * _s42)) - (_k46 * (p_ring_radius + _s39))
+    _s44 = p_ring_radius - _s39
+    _s45 = _k38 * p_ring_radius
+    _s46 = _s45 if _s44 < _s45 else _s44
+    _s47 = _k31 / (_s46 if _s43 < _s46 else _s43)
+    _s48 = swing * (_s47 * (_s47 * _s47))
+    _s49 = abs(steady)
+    _s50 = ((_s41 + _s48) + (_k81 * ((_s48 + _s49) + abs(_s41)))) - steady
+    _s51 = -_s19
+    _s52 = (_s30 * (((_k42 * p_ball_radius) + (_k42 * p_wire_radius)) + (((p_gravity * _s38) + (_k44 if _s51 < _k44 else _s51)) * _s38))) + ((_k82 * (_s32 * _s16)) * _s42)
+    _s53 = steady + (_s52 + (_k42 * ((_s49 + abs(_s31)) + _s32)))
+    _s54 = (_s53 - _s31) - _s32
+    _s55 = (_s23 * _s23) - ((_k80 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
+    _s56 = _k44 < (_s55 if (_k44 < _s23) else _s23)
+    _s57 = ((_k29 * _s50) * _s27) + (_s29 * _s29)
+    _s58 = _root(_s57)
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k44 < _s50 else _k44))) if (_k44 <= _s57) else _k47
+    _s60 = _s59 if _s59 < _s38 else _s38
+    _s61 = t + _s60
+    _s62 = (not _s56) and (((_s21 < _k44) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
+    _s63 = not (_s56 or _s62)
+    _s64 = _s63 and (_s37 <= _s60)
+    _s65 = low1 if end < low1 else end
+    _s66 = _s65 < high1
+    _s67 = low2 if end < low2 else end
+    _s68 = _s67 < high2
+    return (_s65 if _s66 else (_s67 if _s68 else _k47)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+
+
+def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
+    """Do `ring_started` for one shot."""
+    _s0 = _root(((x * x) + (y * y)))
+    _s1 = ((vx * x) + (vy * y)) / _s0
+    return _s0, 2.0 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
+
+
+def _ring_lost_alone(horizon: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+    """Do `ring_lost` for one shot."""
+    _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s1 = ((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
+    return _s1 if _s0 < _s1 else _s0,
+
+
+def _ring_enter_alone(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
+    """Do `ring_enter` for one shot."""
+    _s0 = low0 if after < low0 else after
+    _s1 = _s0 < high0
+    _s2 = low1 if after < low1 else after
+    _s3 = _s2 < high1
+    _s4 = low2 if after < low2 else after
+    _s5 = _s4 < high2
+    return _s0 if _s1 else (_s2 if _s3 else (_s4 if _s5 else t)), high0 if _s1 else (high1 if _s3 else (high2 if _s5 else end)), ((False or _s5) or _s3) or _s1
+
+
+def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _speed_: Any, _until_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+    """Do the body of `open` for one shot."""
+    _share_, _arrival_, _certain_, = _beginning_alone()
+    _leaving_, = _left_alone(_k85, _last_)
+    _onset_, _wide_end_, _searching_, _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _lapsed_, _sound_, = _ring_opened_alone(_float32(_until_), _float32(_x_), _float32(_y_), _float32(_z_), _float32(_vx_), _float32(_vy_), _float32(_vz_), _float32(_extent_), _float32(_speed_), _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _since_, _, = _opened_alone(_float64(_lapsed_), _float64(_onset_))
+    _rho_start_, _parting_, _drift_, = _ring_started_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ring_radius_)
+    _near_x_, _near_y_, _near_z_, _, _, _near_vz_, = _flight_alone(_since_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_gravity_)
+    _short_share_, _short_t_, _short_end_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_ceiling_, _short_flat_, _short_tilt_, _short_jerk_, _short_grit_, _short_parting_, _short_drift_, _short_rate_margin_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _fits_, = _ring_grain_alone(_onset_, _wide_end_, _float32(_leaving_), _lapsed_, _float32(_near_x_), _float32(_near_y_), _float32(_near_z_), _float32(_vx_), _float32(_vy_), _float32(_near_vz_), _float32(_extent_), _float32(_speed_), _float32(_parting_), _float32(_drift_), _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _leaping_, _searching_, _served_, _ceiling_, _flat_, _tilt_, _, = _coarse_alone(_float64(_short_ceiling_), _fits_, _float64(_short_flat_), _float64(_short_rate_margin_), _searching_, _float64(_short_share_), _sound_)
+    if _leaping_:
+        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    for _ in range(24):
+        if not _leaping_:
+            break
+        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _arrival_, _t_, _searching_, = _leapt_alone(_arrival_, _certain_, _float64(_short_t_), _searching_, _served_, _since_)
+    if _searching_:
+        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _k85, _k85, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k85, _k85, _p_gravity_)
+        _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k85, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+        for _ in range(201):
+            if not _searching_:
+                break
+            _leaving_, _margin_, = _nearby_alone(_flat_, _k85, _last_, _t_, _tilt_)
+            _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
+            if _vague_:
+                _share_, = _finer_alone(_share_)
+                _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k85, _k85, _p_gravity_)
+                _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+            if _exhausted_:
+                _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    _arrives_, _refining_, _, = _found_alone(_arrival_)
+    _leaving_, _, = _nearby_alone(_flat_, _k85, _last_, _arrival_, _tilt_)
+    if _refining_:
+        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+    if _refining_:
+        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+    for _ in range(8):
+        if not _refining_:
+            break
+        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+    _time_, = _landed_alone(_arrival_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k85, _time_, _when_, _which_)
+    return (_when_, _which_,)
+
+
+def _alone1(_certain_: Any, _leaping_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _short_ceiling_: Any, _short_drift_: Any, _short_end_: Any, _short_flat_: Any, _short_grit_: Any, _short_high1_: Any, _short_high2_: Any, _short_jerk_: Any, _short_low1_: Any, _short_low2_: Any, _short_parting_: Any, _short_rate_margin_: Any, _short_rho_start_: Any, _short_steady_: Any, _short_swing_: Any, _short_t_: Any, _short_tilt_: Any, _short_vx_: Any, _short_vy_: Any, _short_vz_: Any, _short_x_: Any, _short_y_: Any, _short_z_: Any, _turns: Any) -> tuple[Any, ...]:
+    """Do the body of `leaping` for one shot."""
+    for _ in range(_turns):
+        if not _leaping_:
+            break
+        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    return (_certain_, _short_t_,)
+
+
+def _alone2(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _share_: Any, _speed_: Any, _t_: Any, _until_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+    """Do the body of `searching` for one shot."""
+    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _k85, _k85, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k85, _k85, _p_gravity_)
+    _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k85, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    for _ in range(201):
+        if not _searching_:
+            break
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k85, _last_, _t_, _tilt_)
+        _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
+        if _vague_:
+            _share_, = _finer_alone(_share_)
+            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k85, _k85, _p_gravity_)
+            _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+        if _exhausted_:
+            _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    return (_arrival_, _ceiling_, _certain_, _flat_, _rho_start_, _tilt_,)
+
+
+def _alone3(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _steady_: Any, _swing_: Any, _t_: Any, _tilt_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _speed_: Any, _turns: Any) -> tuple[Any, ...]:
+    """Do the body of `searching` for one shot."""
+    for _ in range(_turns):
+        if not _searching_:
+            break
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k85, _last_, _t_, _tilt_)
+        _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
+        if _vague_:
+            _share_, = _finer_alone(_share_)
+            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k85, _k85, _p_gravity_)
+            _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+        if _exhausted_:
+            _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    return (_arrival_, _certain_, _flat_, _tilt_,)
+
+
+def _alone4(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _refining_: Any, _rho_start_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _turns: Any) -> tuple[Any, ...]:
+    """Do the body of `refining` for one shot."""
+    for _ in range(_turns):
+        if not _refining_:
+            break
+        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+    return (_arrival_,)
+
+
+def _alone5(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _pad_: Any, _position_error_: Any, _speed_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+    """Do the body of `open` for one shot."""
+    _share_, _arrival_, _certain_, = _beginning_alone()
+    _leaving_, = _left_alone(_k85, _last_)
+    _onset_, _wide_end_, _searching_, _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _lapsed_, _sound_, = _ring_opened_alone(_float32(_until_), _float32(_x_), _float32(_y_), _float32(_z_), _float32(_vx_), _float32(_vy_), _float32(_vz_), _float32(_extent_), _float32(_speed_), _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _since_, _latest_, = _opened_alone(_float64(_lapsed_), _float64(_onset_))
+    _rho_start_, _parting_, _drift_, = _ring_started_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ring_radius_)
+    _near_x_, _near_y_, _near_z_, _, _, _near_vz_, = _flight_alone(_since_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_gravity_)
+    _short_share_, _short_t_, _short_end_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_ceiling_, _short_flat_, _short_tilt_, _short_jerk_, _short_grit_, _short_parting_, _short_drift_, _short_rate_margin_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _fits_, = _ring_grain_alone(_onset_, _wide_end_, _float32(_leaving_), _lapsed_, _float32(_near_x_), _float32(_near_y_), _float32(_near_z_), _float32(_vx_), _float32(_vy_), _float32(_near_vz_), _float32(_extent_), _float32(_speed_), _float32(_parting_), _float32(_drift_), _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _leaping_, _searching_, _served_, _ceiling_, _flat_, _tilt_, _allowing_, = _coarse_alone(_float64(_short_ceiling_), _fits_, _float64(_short_flat_), _float64(_short_rate_margin_), _searching_, _float64(_short_share_), _sound_)
+    _, _, _excess_, = _allowance_alone(_allowing_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+    _lost_, = _ring_lost_alone(_until_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_)
+    _doubt_, = _beyond_alone(_doubt_, _excess_, _late_, _lost_, _pad_)
+    if _leaping_:
+        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    for _ in range(24):
+        if not _leaping_:
+            break
+        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _arrival_, _t_, _searching_, = _leapt_alone(_arrival_, _certain_, _float64(_short_t_), _searching_, _served_, _since_)
+    if _searching_:
+        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+        _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k85, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+        for _ in range(201):
+            if not _searching_:
+                break
+            _leaving_, _margin_, = _nearby_alone(_flat_, _k85, _last_, _t_, _tilt_)
+            _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
+            if _vague_:
+                _share_, = _finer_alone(_share_)
+                _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+                _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+                _doubt_, = _exceeded_alone(_doubt_, _excess_, _t_)
+            _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+            if _exhausted_:
+                _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+        _doubt_, = _questioned_alone(_doubt_, _t_, _searching_)
+    _arrives_, _refining_, _rate_, = _found_alone(_arrival_)
+    _leaving_, _, = _nearby_alone(_flat_, _k85, _last_, _arrival_, _tilt_)
+    if _refining_:
+        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+    if _refining_:
+        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+    for _ in range(8):
+        if not _refining_:
+            break
+        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+    _flat_, _tilt_, _rate_margin_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _margin_, = _own_margin_alone(_arrival_, _flat_, _leaving_, _tilt_)
+    _clearance_, _delay_, = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
+    _time_, = _landed_alone(_arrival_)
+    _delay_, _doubt_, = _landed_surely_alone(_arrives_, _certain_, _clearance_, _delay_, _doubt_, _time_)
+    _doubt_, _late_, = _tied_alone(_arrives_, _delay_, _doubt_, _late_, _time_, _when_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k85, _time_, _when_, _which_)
+    return (_doubt_, _late_, _when_, _which_,)
+
+
+def _alone6(_certain_: Any, _leaping_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _short_ceiling_: Any, _short_drift_: Any, _short_end_: Any, _short_flat_: Any, _short_grit_: Any, _short_high1_: Any, _short_high2_: Any, _short_jerk_: Any, _short_low1_: Any, _short_low2_: Any, _short_parting_: Any, _short_rate_margin_: Any, _short_rho_start_: Any, _short_steady_: Any, _short_swing_: Any, _short_t_: Any, _short_tilt_: Any, _short_vx_: Any, _short_vy_: Any, _short_vz_: Any, _short_x_: Any, _short_y_: Any, _short_z_: Any, _turns: Any) -> tuple[Any, ...]:
+    """Do the body of `leaping` for one shot."""
+    for _ in range(_turns):
+        if not _leaping_:
+            break
+        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    return (_certain_, _short_t_,)
+
+
+def _alone7(_arrival_: Any, _certain_: Any, _doubt_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _share_: Any, _speed_: Any, _t_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+    """Do the body of `searching` for one shot."""
+    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+    _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k85, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    for _ in range(201):
+        if not _searching_:
+            break
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k85, _last_, _t_, _tilt_)
+        _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
+        if _vague_:
+            _share_, = _finer_alone(_share_)
+            _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+            _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _doubt_, = _exceeded_alone(_doubt_, _excess_, _t_)
+        _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+        if _exhausted_:
+            _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    _doubt_, = _questioned_alone(_doubt_, _t_, _searching_)
+    return (_arrival_, _ceiling_, _certain_, _doubt_, _flat_, _latest_, _rho_start_, _tilt_,)
+
+
+def _alone8(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_: Any, _flat_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _steady_: Any, _swing_: Any, _t_: Any, _tilt_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
+    """Do the body of `searching` for one shot."""
+    for _ in range(_turns):
+        if not _searching_:
+            break
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k85, _last_, _t_, _tilt_)
+        _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
+        if _vague_:
+            _share_, = _finer_alone(_share_)
+            _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+            _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _doubt_, = _exceeded_alone(_doubt_, _excess_, _t_)
+        _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+        if _exhausted_:
+            _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    return (_arrival_, _certain_, _doubt_, _flat_, _searching_, _t_, _tilt_,)
+
+
+def _alone9(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_: Any, _refining_: Any, _rho_start_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _turns: Any) -> tuple[Any, ...]:
+    """Do the body of `refining` for one shot."""
+    for _ in range(_turns):
+        if not _refining_:
+            break
+        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+    return (_arrival_, _rate_,)
 
 
 def permit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
@@ -2551,7 +3421,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _y_0 = columns["y"]
     _z_0 = columns["z"]
     _room_0 = room(shots)
-    _, _, _, _time_error_0 = error_bounds(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, _room_0)
+    _, _, _, _time_error_0 = _fixed(error_bounds, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _when_0, _which_0, *_ = opening(_excess_0, 0.0, 0.0)
     _limited_0, = limited(_time_limit_0)
@@ -2563,7 +3433,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _when_0 = _choose(_possible_0, _when_1, _when_0)
     _which_0 = _choose(_possible_0, _which_1, _which_0)
     _released_0, _reachable_0 = released(_last_0)
-    _rows1, _count2 = _rows(_released_0, shots)
+    _rows1, _count2 = _most(_released_0, shots)
     if _count2:
         _extent_1 = _take(_extent_0, _rows1)
         _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
@@ -2578,7 +3448,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _room_1 = room(_count2)
         _until_1, *_ = horizon(_when_1, _speed_1, _p_gravity_1)
         _reachable_1, = reachable(_p_ball_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _extent_1, _p_gravity_1, _until_1, 0.0, _p_ring_radius_1, _speed_1, 0.0, _vx_1, _x_1, _room_1)
-        _reachable_0 = _put(_reachable_0, _rows1, _reachable_1, shots)
+        _reachable_0 = _put(_reachable_0, _rows1, _reachable_1, shots, _released_0)
     _rows3, _count4 = _rows(_reachable_0, shots)
     if _count4:
         _last_1 = _take(_last_0, _rows3)
@@ -2614,7 +3484,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _time_1, _rate_1, _bend_1, *_ = bridge_arrival(_leaving_1, _z_1, _vz_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _arrives_1, *_ = meeting_plane(_bend_1, _rate_1, _time_1)
         _possible_1, = timely(_arrives_1, 0.0, 0.0, _time_1, _when_1)
-        _rows5, _count6 = _rows(_possible_1, _count4)
+        _rows5, _count6 = _most(_possible_1, _count4)
         if _count6:
             _p_board_distance_2 = _take(_p_board_distance_1, _rows5)
             _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows5)
@@ -2634,15 +3504,19 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _g0_2, _g1_2, _g2_2, _g3_2, _g4_2 = bridge_bounds(_there_x_2, _there_y_2, _p_ring_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _room_2)
             _arrives_2, = bridge_within(_g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
             _when_2, _which_2 = sooner(_arrives_2, 2.0, _time_2, _when_2, _which_2)
-            _when_1 = _put(_when_1, _rows5, _when_2, _count4)
-            _which_1 = _put(_which_1, _rows5, _which_2, _count4)
+            _when_1 = _put(_when_1, _rows5, _when_2, _count4, _possible_1)
+            _which_1 = _put(_which_1, _rows5, _which_2, _count4, _possible_1)
         _when_0 = _put(_when_0, _rows3, _when_1, shots)
         _which_0 = _put(_which_0, _rows3, _which_1, shots)
     _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens(_clear_0)
     _rows7, _count8 = _rows(_open_0, shots)
-    if _count8:
+    if 0 < _count8 <= ALONE:
+        _when_0 = _copy(_when_0, shots)
+        _which_0 = _copy(_which_0, shots)
+        _one_by_one(_alone0, _rows7, _rows7, (_extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _speed_0, _until_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_when_0, _which_0,))
+    elif _count8:
         _extent_1 = _take(_extent_0, _rows7)
         _last_1 = _take(_last_0, _rows7)
         _p_ball_radius_1 = _take(_p_ball_radius_0, _rows7)
@@ -2668,7 +3542,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _lapsed_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1, *_ = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _double(_short_share_1), _sound_1)
-        _rows9, _count10 = _rows(_leaping_1, _count8)
+        _rows9, _count10 = _most(_leaping_1, _count8)
         if _count10:
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows9)
             _p_gravity_2 = _take(_p_gravity_1, _rows9)
@@ -2699,12 +3573,16 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_z_2 = _take(_short_z_1, _rows9)
             _room_2 = room(_count10)
             _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _certain_1 = _put(_certain_1, _rows9, _certain_2, _count8)
-            _leaping_1 = _put(_leaping_1, _rows9, _leaping_2, _count8)
-            _short_end_1 = _put(_short_end_1, _rows9, _short_end_2, _count8)
-            _short_t_1 = _put(_short_t_1, _rows9, _short_t_2, _count8)
+            _certain_1 = _put(_certain_1, _rows9, _certain_2, _count8, _leaping_1)
+            _short_end_1 = _put(_short_end_1, _rows9, _short_end_2, _count8, _leaping_1)
+            _short_t_1 = _put(_short_t_1, _rows9, _short_t_2, _count8, _leaping_1)
+            _leaping_1 = _put(_leaping_1, _rows9, _leaping_2, _count8, _leaping_1)
         _rows11, _count12 = _rows(_leaping_1, _count8)
-        if _count12:
+        if 0 < _count12 <= ALONE:
+            _certain_1 = _copy(_certain_1, _count8)
+            _short_t_1 = _copy(_short_t_1, _count8)
+            _one_by_one(_alone1, _rows11, _rows11, (_certain_1, _leaping_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_drift_1, _short_end_1, _short_flat_1, _short_grit_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_parting_1, _short_rate_margin_1, _short_rho_start_1, _short_steady_1, _short_swing_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1,), (), (_certain_1, _short_t_1,), 24)
+        elif _count12:
             _leaping_2 = _take(_leaping_1, _rows11)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows11)
             _p_gravity_2 = _take(_p_gravity_1, _rows11)
@@ -2735,218 +3613,216 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_z_2 = _take(_short_z_1, _rows11)
             _certain_1 = _copy(_certain_1, _count8)
             _short_t_1 = _copy(_short_t_1, _count8)
-            for _ in range(24):
+            for _turn13 in range(24):
                 _room_2 = room(_count12)
                 _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _going13 = _where_true(_leaping_2)
-                if len(_going13) == _count12:
+                _going14 = _where_true(_leaping_2)
+                if len(_going14) == _count12:
                     continue
                 _done = _where_true(_logical_not(_leaping_2))
                 _store(_certain_1, _of(_rows11, _done), _certain_2, _done)
                 _store(_short_t_1, _of(_rows11, _done), _short_t_2, _done)
-                _rows11, _count12 = _of(_rows11, _going13), len(_going13)
+                _rows11, _count12 = _of(_rows11, _going14), len(_going14)
                 if not _count12:
                     break
-                _certain_2 = _take(_certain_2, _going13)
-                _leaping_2 = _take(_leaping_2, _going13)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going13)
-                _p_gravity_2 = _take(_p_gravity_2, _going13)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going13)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going13)
-                _short_ceiling_2 = _take(_short_ceiling_2, _going13)
-                _short_drift_2 = _take(_short_drift_2, _going13)
-                _short_end_2 = _take(_short_end_2, _going13)
-                _short_flat_2 = _take(_short_flat_2, _going13)
-                _short_grit_2 = _take(_short_grit_2, _going13)
-                _short_high1_2 = _take(_short_high1_2, _going13)
-                _short_high2_2 = _take(_short_high2_2, _going13)
-                _short_jerk_2 = _take(_short_jerk_2, _going13)
-                _short_low1_2 = _take(_short_low1_2, _going13)
-                _short_low2_2 = _take(_short_low2_2, _going13)
-                _short_parting_2 = _take(_short_parting_2, _going13)
-                _short_rate_margin_2 = _take(_short_rate_margin_2, _going13)
-                _short_rho_start_2 = _take(_short_rho_start_2, _going13)
-                _short_steady_2 = _take(_short_steady_2, _going13)
-                _short_swing_2 = _take(_short_swing_2, _going13)
-                _short_t_2 = _take(_short_t_2, _going13)
-                _short_tilt_2 = _take(_short_tilt_2, _going13)
-                _short_vx_2 = _take(_short_vx_2, _going13)
-                _short_vy_2 = _take(_short_vy_2, _going13)
-                _short_vz_2 = _take(_short_vz_2, _going13)
-                _short_x_2 = _take(_short_x_2, _going13)
-                _short_y_2 = _take(_short_y_2, _going13)
-                _short_z_2 = _take(_short_z_2, _going13)
+                if _count12 <= ALONE:
+                    _one_by_one(_alone1, _rows11, _going14, (_certain_2, _leaping_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_drift_2, _short_end_2, _short_flat_2, _short_grit_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_parting_2, _short_rate_margin_2, _short_rho_start_2, _short_steady_2, _short_swing_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2,), (), (_certain_1, _short_t_1,), 23 - _turn13)
+                    break
+                _certain_2 = _take(_certain_2, _going14)
+                _leaping_2 = _take(_leaping_2, _going14)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going14)
+                _p_gravity_2 = _take(_p_gravity_2, _going14)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going14)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going14)
+                _short_ceiling_2 = _take(_short_ceiling_2, _going14)
+                _short_drift_2 = _take(_short_drift_2, _going14)
+                _short_end_2 = _take(_short_end_2, _going14)
+                _short_flat_2 = _take(_short_flat_2, _going14)
+                _short_grit_2 = _take(_short_grit_2, _going14)
+                _short_high1_2 = _take(_short_high1_2, _going14)
+                _short_high2_2 = _take(_short_high2_2, _going14)
+                _short_jerk_2 = _take(_short_jerk_2, _going14)
+                _short_low1_2 = _take(_short_low1_2, _going14)
+                _short_low2_2 = _take(_short_low2_2, _going14)
+                _short_parting_2 = _take(_short_parting_2, _going14)
+                _short_rate_margin_2 = _take(_short_rate_margin_2, _going14)
+                _short_rho_start_2 = _take(_short_rho_start_2, _going14)
+                _short_steady_2 = _take(_short_steady_2, _going14)
+                _short_swing_2 = _take(_short_swing_2, _going14)
+                _short_t_2 = _take(_short_t_2, _going14)
+                _short_tilt_2 = _take(_short_tilt_2, _going14)
+                _short_vx_2 = _take(_short_vx_2, _going14)
+                _short_vy_2 = _take(_short_vy_2, _going14)
+                _short_vz_2 = _take(_short_vz_2, _going14)
+                _short_x_2 = _take(_short_x_2, _going14)
+                _short_y_2 = _take(_short_y_2, _going14)
+                _short_z_2 = _take(_short_z_2, _going14)
             else:
                 _store(_certain_1, _rows11, _certain_2, None)
                 _store(_short_t_1, _rows11, _short_t_2, None)
         _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
-        _rows14, _count15 = _rows(_searching_1, _count8)
-        if _count15:
-            _arrival_2 = _take(_arrival_1, _rows14)
-            _certain_2 = _take(_certain_1, _rows14)
-            _extent_2 = _take(_extent_1, _rows14)
-            _last_2 = _take(_last_1, _rows14)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows14)
-            _p_gravity_2 = _take(_p_gravity_1, _rows14)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows14)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows14)
-            _share_2 = _take(_share_1, _rows14)
-            _speed_2 = _take(_speed_1, _rows14)
-            _t_2 = _take(_t_1, _rows14)
-            _until_2 = _take(_until_1, _rows14)
-            _vx_2 = _take(_vx_1, _rows14)
-            _vy_2 = _take(_vy_1, _rows14)
-            _vz_2 = _take(_vz_1, _rows14)
-            _x_2 = _take(_x_1, _rows14)
-            _y_2 = _take(_y_1, _rows14)
-            _z_2 = _take(_z_1, _rows14)
-            _room_2 = room(_count15)
+        _rows15, _count16 = _rows(_searching_1, _count8)
+        if 0 < _count16 <= ALONE:
+            _arrival_1 = _copy(_arrival_1, _count8)
+            _ceiling_1 = _copy(_ceiling_1, _count8)
+            _certain_1 = _copy(_certain_1, _count8)
+            _flat_1 = _copy(_flat_1, _count8)
+            _rho_start_1 = _copy(_rho_start_1, _count8)
+            _tilt_1 = _copy(_tilt_1, _count8)
+            _one_by_one(_alone2, _rows15, _rows15, (_arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _share_1, _speed_1, _t_1, _until_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _flat_1, _rho_start_1, _tilt_1,))
+        elif _count16:
+            _arrival_2 = _take(_arrival_1, _rows15)
+            _certain_2 = _take(_certain_1, _rows15)
+            _extent_2 = _take(_extent_1, _rows15)
+            _last_2 = _take(_last_1, _rows15)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows15)
+            _p_gravity_2 = _take(_p_gravity_1, _rows15)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows15)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows15)
+            _share_2 = _take(_share_1, _rows15)
+            _speed_2 = _take(_speed_1, _rows15)
+            _t_2 = _take(_t_1, _rows15)
+            _until_2 = _take(_until_1, _rows15)
+            _vx_2 = _take(_vx_1, _rows15)
+            _vy_2 = _take(_vy_1, _rows15)
+            _vz_2 = _take(_vz_1, _rows15)
+            _x_2 = _take(_x_1, _rows15)
+            _y_2 = _take(_y_1, _rows15)
+            _z_2 = _take(_z_1, _rows15)
+            _room_2 = room(_count16)
             _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, 0.0, 0.0, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, 0.0, 0.0, _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
-            _rows16, _count17 = _rows(_searching_2, _count15)
-            if _count17:
-                _arrival_3 = _take(_arrival_2, _rows16)
-                _ceiling_3 = _take(_ceiling_2, _rows16)
-                _certain_3 = _take(_certain_2, _rows16)
-                _end_3 = _take(_end_2, _rows16)
-                _flat_3 = _take(_flat_2, _rows16)
-                _last_3 = _take(_last_2, _rows16)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows16)
-                _p_gravity_3 = _take(_p_gravity_2, _rows16)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows16)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows16)
-                _rate_slack_3 = _take(_rate_slack_2, _rows16)
-                _rho_start_3 = _take(_rho_start_2, _rows16)
-                _searching_3 = _take(_searching_2, _rows16)
-                _share_3 = _take(_share_2, _rows16)
-                _steady_3 = _take(_steady_2, _rows16)
-                _swing_3 = _take(_swing_2, _rows16)
-                _t_3 = _take(_t_2, _rows16)
-                _tilt_3 = _take(_tilt_2, _rows16)
-                _vx_3 = _take(_vx_2, _rows16)
-                _vy_3 = _take(_vy_2, _rows16)
-                _vz_3 = _take(_vz_2, _rows16)
-                _x_3 = _take(_x_2, _rows16)
-                _y_3 = _take(_y_2, _rows16)
-                _z_3 = _take(_z_2, _rows16)
-                _arrival_2 = _copy(_arrival_2, _count15)
-                _certain_2 = _copy(_certain_2, _count15)
-                _flat_2 = _copy(_flat_2, _count15)
-                _tilt_2 = _copy(_tilt_2, _count15)
-                for _ in range(201):
-                    _room_3 = room(_count17)
+            _rows17, _count18 = _rows(_searching_2, _count16)
+            if 0 < _count18 <= ALONE:
+                _arrival_2 = _copy(_arrival_2, _count16)
+                _certain_2 = _copy(_certain_2, _count16)
+                _flat_2 = _copy(_flat_2, _count16)
+                _tilt_2 = _copy(_tilt_2, _count16)
+                _one_by_one(_alone3, _rows17, _rows17, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _steady_2, _swing_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _speed_2,), (), (_arrival_2, _certain_2, _flat_2, _tilt_2,), 201)
+            elif _count18:
+                _arrival_3 = _take(_arrival_2, _rows17)
+                _ceiling_3 = _take(_ceiling_2, _rows17)
+                _certain_3 = _take(_certain_2, _rows17)
+                _end_3 = _take(_end_2, _rows17)
+                _flat_3 = _take(_flat_2, _rows17)
+                _last_3 = _take(_last_2, _rows17)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows17)
+                _p_gravity_3 = _take(_p_gravity_2, _rows17)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows17)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows17)
+                _rate_slack_3 = _take(_rate_slack_2, _rows17)
+                _rho_start_3 = _take(_rho_start_2, _rows17)
+                _searching_3 = _take(_searching_2, _rows17)
+                _share_3 = _take(_share_2, _rows17)
+                _steady_3 = _take(_steady_2, _rows17)
+                _swing_3 = _take(_swing_2, _rows17)
+                _t_3 = _take(_t_2, _rows17)
+                _tilt_3 = _take(_tilt_2, _rows17)
+                _vx_3 = _take(_vx_2, _rows17)
+                _vy_3 = _take(_vy_2, _rows17)
+                _vz_3 = _take(_vz_2, _rows17)
+                _x_3 = _take(_x_2, _rows17)
+                _y_3 = _take(_y_2, _rows17)
+                _z_3 = _take(_z_2, _rows17)
+                _arrival_2 = _copy(_arrival_2, _count16)
+                _certain_2 = _copy(_certain_2, _count16)
+                _flat_2 = _copy(_flat_2, _count16)
+                _tilt_2 = _copy(_tilt_2, _count16)
+                for _turn19 in range(201):
+                    _room_3 = room(_count18)
                     _leaving_3, _margin_3 = nearby(_flat_3, 0.0, _last_3, _t_3, _tilt_3)
                     _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _steady_3, _swing_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
                     _hit_3, _sure_3, _vague_3 = struck(_bend_3, _clearance_3, _gap_3, _margin_3, _rate_3, _rate_slack_3, _share_3)
-                    _rows18, _count19 = _rows(_vague_3, _count17)
-                    if _count19:
-                        _far = _of(_rows16, _rows18)
+                    _rows20, _count21 = _most(_vague_3, _count18)
+                    if _count21:
+                        _far = _of(_rows17, _rows20)
                         _extent_4 = _take(_extent_2, _far)
                         _latest_4 = _take(_latest_2, _far)
-                        _p_ball_radius_4 = _take(_p_ball_radius_3, _rows18)
-                        _p_gravity_4 = _take(_p_gravity_3, _rows18)
-                        _p_ring_radius_4 = _take(_p_ring_radius_3, _rows18)
-                        _p_wire_radius_4 = _take(_p_wire_radius_3, _rows18)
-                        _share_4 = _take(_share_3, _rows18)
+                        _p_ball_radius_4 = _take(_p_ball_radius_3, _rows20)
+                        _p_gravity_4 = _take(_p_gravity_3, _rows20)
+                        _p_ring_radius_4 = _take(_p_ring_radius_3, _rows20)
+                        _p_wire_radius_4 = _take(_p_wire_radius_3, _rows20)
+                        _share_4 = _take(_share_3, _rows20)
                         _speed_4 = _take(_speed_2, _far)
-                        _room_4 = room(_count19)
+                        _room_4 = room(_count21)
                         _share_4, = finer(_share_4)
                         _position_level_4, _velocity_level_4, *_ = allowance(_share_4, _latest_4, _extent_4, _speed_4, 0.0, 0.0, _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
-                        _flat_3 = _put(_flat_3, _rows18, _flat_4, _count17)
-                        _rate_slack_3 = _put(_rate_slack_3, _rows18, _rate_slack_4, _count17)
-                        _share_3 = _put(_share_3, _rows18, _share_4, _count17)
-                        _tilt_3 = _put(_tilt_3, _rows18, _tilt_4, _count17)
+                        _flat_3 = _put(_flat_3, _rows20, _flat_4, _count18, _vague_3)
+                        _rate_slack_3 = _put(_rate_slack_3, _rows20, _rate_slack_4, _count18, _vague_3)
+                        _share_3 = _put(_share_3, _rows20, _share_4, _count18, _vague_3)
+                        _tilt_3 = _put(_tilt_3, _rows20, _tilt_4, _count18, _vague_3)
                     _arrival_3, _certain_3, _exhausted_3, _searching_3, _t_3 = advanced(_arrival_3, _certain_3, _end_3, _hit_3, _next_3, _step_3, _sure_3, _t_3, _vague_3)
-                    _rows20, _count21 = _rows(_exhausted_3, _count17)
-                    if _count21:
-                        _far = _of(_rows16, _rows20)
-                        _end_4 = _take(_end_3, _rows20)
+                    _rows22, _count23 = _most(_exhausted_3, _count18)
+                    if _count23:
+                        _far = _of(_rows17, _rows22)
+                        _end_4 = _take(_end_3, _rows22)
                         _high0_4 = _take(_high0_2, _far)
                         _high1_4 = _take(_high1_2, _far)
                         _high2_4 = _take(_high2_2, _far)
                         _low0_4 = _take(_low0_2, _far)
                         _low1_4 = _take(_low1_2, _far)
                         _low2_4 = _take(_low2_2, _far)
-                        _t_4 = _take(_t_3, _rows20)
-                        _room_4 = room(_count21)
+                        _t_4 = _take(_t_3, _rows22)
+                        _room_4 = room(_count23)
                         _t_4, _end_4, _searching_4 = ring_enter(_end_4, _end_4, _high0_4, _high1_4, _high2_4, _low0_4, _low1_4, _low2_4, _t_4, _room_4)
-                        _end_3 = _put(_end_3, _rows20, _end_4, _count17)
-                        _searching_3 = _put(_searching_3, _rows20, _searching_4, _count17)
-                        _t_3 = _put(_t_3, _rows20, _t_4, _count17)
-                    _going22 = _where_true(_searching_3)
-                    if len(_going22) == _count17:
+                        _end_3 = _put(_end_3, _rows22, _end_4, _count18, _exhausted_3)
+                        _searching_3 = _put(_searching_3, _rows22, _searching_4, _count18, _exhausted_3)
+                        _t_3 = _put(_t_3, _rows22, _t_4, _count18, _exhausted_3)
+                    _going24 = _where_true(_searching_3)
+                    if len(_going24) == _count18:
                         continue
                     _done = _where_true(_logical_not(_searching_3))
-                    _store(_arrival_2, _of(_rows16, _done), _arrival_3, _done)
-                    _store(_certain_2, _of(_rows16, _done), _certain_3, _done)
-                    _store(_flat_2, _of(_rows16, _done), _flat_3, _done)
-                    _store(_tilt_2, _of(_rows16, _done), _tilt_3, _done)
-                    _rows16, _count17 = _of(_rows16, _going22), len(_going22)
-                    if not _count17:
+                    _store(_arrival_2, _of(_rows17, _done), _arrival_3, _done)
+                    _store(_certain_2, _of(_rows17, _done), _certain_3, _done)
+                    _store(_flat_2, _of(_rows17, _done), _flat_3, _done)
+                    _store(_tilt_2, _of(_rows17, _done), _tilt_3, _done)
+                    _rows17, _count18 = _of(_rows17, _going24), len(_going24)
+                    if not _count18:
                         break
-                    _arrival_3 = _take(_arrival_3, _going22)
-                    _ceiling_3 = _take(_ceiling_3, _going22)
-                    _certain_3 = _take(_certain_3, _going22)
-                    _end_3 = _take(_end_3, _going22)
-                    _flat_3 = _take(_flat_3, _going22)
-                    _last_3 = _take(_last_3, _going22)
-                    _p_ball_radius_3 = _take(_p_ball_radius_3, _going22)
-                    _p_gravity_3 = _take(_p_gravity_3, _going22)
-                    _p_ring_radius_3 = _take(_p_ring_radius_3, _going22)
-                    _p_wire_radius_3 = _take(_p_wire_radius_3, _going22)
-                    _rate_slack_3 = _take(_rate_slack_3, _going22)
-                    _rho_start_3 = _take(_rho_start_3, _going22)
-                    _searching_3 = _take(_searching_3, _going22)
-                    _share_3 = _take(_share_3, _going22)
-                    _steady_3 = _take(_steady_3, _going22)
-                    _swing_3 = _take(_swing_3, _going22)
-                    _t_3 = _take(_t_3, _going22)
-                    _tilt_3 = _take(_tilt_3, _going22)
-                    _vx_3 = _take(_vx_3, _going22)
-                    _vy_3 = _take(_vy_3, _going22)
-                    _vz_3 = _take(_vz_3, _going22)
-                    _x_3 = _take(_x_3, _going22)
-                    _y_3 = _take(_y_3, _going22)
-                    _z_3 = _take(_z_3, _going22)
+                    if _count18 <= ALONE:
+                        _one_by_one(_alone3, _rows17, _going24, (_arrival_3, _ceiling_3, _certain_3, _end_3, _flat_3, _last_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _steady_3, _swing_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3,), (_extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _speed_2,), (_arrival_2, _certain_2, _flat_2, _tilt_2,), 200 - _turn19)
+                        break
+                    _arrival_3 = _take(_arrival_3, _going24)
+                    _ceiling_3 = _take(_ceiling_3, _going24)
+                    _certain_3 = _take(_certain_3, _going24)
+                    _end_3 = _take(_end_3, _going24)
+                    _flat_3 = _take(_flat_3, _going24)
+                    _last_3 = _take(_last_3, _going24)
+                    _p_ball_radius_3 = _take(_p_ball_radius_3, _going24)
+                    _p_gravity_3 = _take(_p_gravity_3, _going24)
+                    _p_ring_radius_3 = _take(_p_ring_radius_3, _going24)
+                    _p_wire_radius_3 = _take(_p_wire_radius_3, _going24)
+                    _rate_slack_3 = _take(_rate_slack_3, _going24)
+                    _rho_start_3 = _take(_rho_start_3, _going24)
+                    _searching_3 = _take(_searching_3, _going24)
+                    _share_3 = _take(_share_3, _going24)
+                    _steady_3 = _take(_steady_3, _going24)
+                    _swing_3 = _take(_swing_3, _going24)
+                    _t_3 = _take(_t_3, _going24)
+                    _tilt_3 = _take(_tilt_3, _going24)
+                    _vx_3 = _take(_vx_3, _going24)
+                    _vy_3 = _take(_vy_3, _going24)
+                    _vz_3 = _take(_vz_3, _going24)
+                    _x_3 = _take(_x_3, _going24)
+                    _y_3 = _take(_y_3, _going24)
+                    _z_3 = _take(_z_3, _going24)
                 else:
-                    _store(_arrival_2, _rows16, _arrival_3, None)
-                    _store(_certain_2, _rows16, _certain_3, None)
-                    _store(_flat_2, _rows16, _flat_3, None)
-                    _store(_tilt_2, _rows16, _tilt_3, None)
-            _arrival_1 = _put(_arrival_1, _rows14, _arrival_2, _count8)
-            _ceiling_1 = _put(_ceiling_1, _rows14, _ceiling_2, _count8)
-            _certain_1 = _put(_certain_1, _rows14, _certain_2, _count8)
-            _flat_1 = _put(_flat_1, _rows14, _flat_2, _count8)
-            _rho_start_1 = _put(_rho_start_1, _rows14, _rho_start_2, _count8)
-            _tilt_1 = _put(_tilt_1, _rows14, _tilt_2, _count8)
+                    _store(_arrival_2, _rows17, _arrival_3, None)
+                    _store(_certain_2, _rows17, _certain_3, None)
+                    _store(_flat_2, _rows17, _flat_3, None)
+                    _store(_tilt_2, _rows17, _tilt_3, None)
+            _arrival_1 = _put(_arrival_1, _rows15, _arrival_2, _count8)
+            _ceiling_1 = _put(_ceiling_1, _rows15, _ceiling_2, _count8)
+            _certain_1 = _put(_certain_1, _rows15, _certain_2, _count8)
+            _flat_1 = _put(_flat_1, _rows15, _flat_2, _count8)
+            _rho_start_1 = _put(_rho_start_1, _rows15, _rho_start_2, _count8)
+            _tilt_1 = _put(_tilt_1, _rows15, _tilt_2, _count8)
         _arrives_1, _refining_1, *_ = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
-        _rows23, _count24 = _rows(_refining_1, _count8)
-        if _count24:
-            _arrival_2 = _take(_arrival_1, _rows23)
-            _ceiling_2 = _take(_ceiling_1, _rows23)
-            _certain_2 = _take(_certain_1, _rows23)
-            _leaving_2 = _take(_leaving_1, _rows23)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows23)
-            _p_gravity_2 = _take(_p_gravity_1, _rows23)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows23)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows23)
-            _rho_start_2 = _take(_rho_start_1, _rows23)
-            _vx_2 = _take(_vx_1, _rows23)
-            _vy_2 = _take(_vy_1, _rows23)
-            _vz_2 = _take(_vz_1, _rows23)
-            _x_2 = _take(_x_1, _rows23)
-            _y_2 = _take(_y_1, _rows23)
-            _z_2 = _take(_z_1, _rows23)
-            _room_2 = room(_count24)
-            _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
-            _arrival_1 = _put(_arrival_1, _rows23, _arrival_2, _count8)
-            _refining_1 = _put(_refining_1, _rows23, _refining_2, _count8)
-        _rows25, _count26 = _rows(_refining_1, _count8)
+        _rows25, _count26 = _most(_refining_1, _count8)
         if _count26:
             _arrival_2 = _take(_arrival_1, _rows25)
             _ceiling_2 = _take(_ceiling_1, _rows25)
@@ -2966,9 +3842,9 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count26)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
-            _arrival_1 = _put(_arrival_1, _rows25, _arrival_2, _count8)
-            _refining_1 = _put(_refining_1, _rows25, _refining_2, _count8)
-        _rows27, _count28 = _rows(_refining_1, _count8)
+            _arrival_1 = _put(_arrival_1, _rows25, _arrival_2, _count8, _refining_1)
+            _refining_1 = _put(_refining_1, _rows25, _refining_2, _count8, _refining_1)
+        _rows27, _count28 = _most(_refining_1, _count8)
         if _count28:
             _arrival_2 = _take(_arrival_1, _rows27)
             _ceiling_2 = _take(_ceiling_1, _rows27)
@@ -2978,7 +3854,6 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _p_gravity_2 = _take(_p_gravity_1, _rows27)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows27)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows27)
-            _refining_2 = _take(_refining_1, _rows27)
             _rho_start_2 = _take(_rho_start_1, _rows27)
             _vx_2 = _take(_vx_1, _rows27)
             _vy_2 = _take(_vy_1, _rows27)
@@ -2986,52 +3861,81 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_2 = _take(_x_1, _rows27)
             _y_2 = _take(_y_1, _rows27)
             _z_2 = _take(_z_1, _rows27)
+            _room_2 = room(_count28)
+            _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
+            _arrival_1 = _put(_arrival_1, _rows27, _arrival_2, _count8, _refining_1)
+            _refining_1 = _put(_refining_1, _rows27, _refining_2, _count8, _refining_1)
+        _rows29, _count30 = _rows(_refining_1, _count8)
+        if 0 < _count30 <= ALONE:
             _arrival_1 = _copy(_arrival_1, _count8)
-            for _ in range(8):
-                _room_2 = room(_count28)
+            _one_by_one(_alone4, _rows29, _rows29, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _refining_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1,), 8)
+        elif _count30:
+            _arrival_2 = _take(_arrival_1, _rows29)
+            _ceiling_2 = _take(_ceiling_1, _rows29)
+            _certain_2 = _take(_certain_1, _rows29)
+            _leaving_2 = _take(_leaving_1, _rows29)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows29)
+            _p_gravity_2 = _take(_p_gravity_1, _rows29)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows29)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows29)
+            _refining_2 = _take(_refining_1, _rows29)
+            _rho_start_2 = _take(_rho_start_1, _rows29)
+            _vx_2 = _take(_vx_1, _rows29)
+            _vy_2 = _take(_vy_1, _rows29)
+            _vz_2 = _take(_vz_1, _rows29)
+            _x_2 = _take(_x_1, _rows29)
+            _y_2 = _take(_y_1, _rows29)
+            _z_2 = _take(_z_1, _rows29)
+            _arrival_1 = _copy(_arrival_1, _count8)
+            for _turn31 in range(8):
+                _room_2 = room(_count30)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
                 _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
-                _going29 = _where_true(_refining_2)
-                if len(_going29) == _count28:
+                _going32 = _where_true(_refining_2)
+                if len(_going32) == _count30:
                     continue
                 _done = _where_true(_logical_not(_refining_2))
-                _store(_arrival_1, _of(_rows27, _done), _arrival_2, _done)
-                _rows27, _count28 = _of(_rows27, _going29), len(_going29)
-                if not _count28:
+                _store(_arrival_1, _of(_rows29, _done), _arrival_2, _done)
+                _rows29, _count30 = _of(_rows29, _going32), len(_going32)
+                if not _count30:
                     break
-                _arrival_2 = _take(_arrival_2, _going29)
-                _ceiling_2 = _take(_ceiling_2, _going29)
-                _certain_2 = _take(_certain_2, _going29)
-                _leaving_2 = _take(_leaving_2, _going29)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going29)
-                _p_gravity_2 = _take(_p_gravity_2, _going29)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going29)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going29)
-                _refining_2 = _take(_refining_2, _going29)
-                _rho_start_2 = _take(_rho_start_2, _going29)
-                _vx_2 = _take(_vx_2, _going29)
-                _vy_2 = _take(_vy_2, _going29)
-                _vz_2 = _take(_vz_2, _going29)
-                _x_2 = _take(_x_2, _going29)
-                _y_2 = _take(_y_2, _going29)
-                _z_2 = _take(_z_2, _going29)
+                if _count30 <= ALONE:
+                    _one_by_one(_alone4, _rows29, _going32, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1,), 7 - _turn31)
+                    break
+                _arrival_2 = _take(_arrival_2, _going32)
+                _ceiling_2 = _take(_ceiling_2, _going32)
+                _certain_2 = _take(_certain_2, _going32)
+                _leaving_2 = _take(_leaving_2, _going32)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going32)
+                _p_gravity_2 = _take(_p_gravity_2, _going32)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going32)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going32)
+                _refining_2 = _take(_refining_2, _going32)
+                _rho_start_2 = _take(_rho_start_2, _going32)
+                _vx_2 = _take(_vx_2, _going32)
+                _vy_2 = _take(_vy_2, _going32)
+                _vz_2 = _take(_vz_2, _going32)
+                _x_2 = _take(_x_2, _going32)
+                _y_2 = _take(_y_2, _going32)
+                _z_2 = _take(_z_2, _going32)
             else:
-                _store(_arrival_1, _rows27, _arrival_2, None)
+                _store(_arrival_1, _rows29, _arrival_2, None)
         _time_1, = landed(_arrival_1)
         _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
         _when_0 = _put(_when_0, _rows7, _when_1, shots)
         _which_0 = _put(_which_0, _rows7, _which_1, shots)
-    _rows30, _count31 = _rows(_limited_0, shots)
-    if _count31:
-        _clock_1 = _take(_clock_0, _rows30)
-        _time_error_1 = _take(_time_error_0, _rows30)
-        _time_limit_1 = _take(_time_limit_0, _rows30)
-        _when_1 = _take(_when_0, _rows30)
-        _which_1 = _take(_which_0, _rows30)
+    _rows33, _count34 = _most(_limited_0, shots)
+    if _count34:
+        _clock_1 = _take(_clock_0, _rows33)
+        _time_error_1 = _take(_time_error_0, _rows33)
+        _time_limit_1 = _take(_time_limit_0, _rows33)
+        _when_1 = _take(_when_0, _rows33)
+        _which_1 = _take(_which_0, _rows33)
         _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _time_error_1, _time_limit_1, _when_1, _which_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _when_0 = _put(_when_0, _rows30, _when_1, shots)
-        _which_0 = _put(_which_0, _rows30, _which_1, shots)
+        _when_0 = _put(_when_0, _rows33, _when_1, shots, _limited_0)
+        _which_0 = _put(_which_0, _rows33, _which_1, shots, _limited_0)
     _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
@@ -3043,19 +3947,19 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = _choose(_moves_0, _x_1, _x_0)
     _y_0 = _choose(_moves_0, _y_1, _y_0)
     _z_0 = _choose(_moves_0, _z_1, _z_0)
-    _rows32, _count33 = _rows(_limited_0, shots)
-    if _count33:
-        _body_1 = _take(_body_0, _rows32)
-        _clock_1 = _take(_clock_0, _rows32)
-        _ends_1 = _take(_ends_0, _rows32)
-        _reached_1 = _take(_reached_0, _rows32)
-        _time_limit_1 = _take(_time_limit_0, _rows32)
-        _which_1 = _take(_which_0, _rows32)
+    _rows35, _count36 = _most(_limited_0, shots)
+    if _count36:
+        _body_1 = _take(_body_0, _rows35)
+        _clock_1 = _take(_clock_0, _rows35)
+        _ends_1 = _take(_ends_0, _rows35)
+        _reached_1 = _take(_reached_0, _rows35)
+        _time_limit_1 = _take(_time_limit_0, _rows35)
+        _which_1 = _take(_which_0, _rows35)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows32, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows32, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows32, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows32, _reached_1, shots)
+        _body_0 = _put(_body_0, _rows35, _body_1, shots, _limited_0)
+        _clock_0 = _put(_clock_0, _rows35, _clock_1, shots, _limited_0)
+        _ends_0 = _put(_ends_0, _rows35, _ends_1, shots, _limited_0)
+        _reached_0 = _put(_reached_0, _rows35, _reached_1, shots, _limited_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1)
@@ -3149,7 +4053,7 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _nx_1 = _choose(_here_1, _nx_2, _nx_1)
         _ny_1 = _choose(_here_1, _ny_2, _ny_1)
         _nz_1 = _choose(_here_1, _nz_2, _nz_1)
-        _rows3, _count4 = _rows(_touches_1, _count2)
+        _rows3, _count4 = _most(_touches_1, _count2)
         if _count4:
             _nx_2 = _take(_nx_1, _rows3)
             _ny_2 = _take(_ny_1, _rows3)
@@ -3164,12 +4068,12 @@ def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _wz_2 = _take(_wz_1, _rows3)
             _room_2 = room(_count4)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _room_2)
-            _vx_1 = _put(_vx_1, _rows3, _vx_2, _count2)
-            _vy_1 = _put(_vy_1, _rows3, _vy_2, _count2)
-            _vz_1 = _put(_vz_1, _rows3, _vz_2, _count2)
-            _wx_1 = _put(_wx_1, _rows3, _wx_2, _count2)
-            _wy_1 = _put(_wy_1, _rows3, _wy_2, _count2)
-            _wz_1 = _put(_wz_1, _rows3, _wz_2, _count2)
+            _vx_1 = _put(_vx_1, _rows3, _vx_2, _count2, _touches_1)
+            _vy_1 = _put(_vy_1, _rows3, _vy_2, _count2, _touches_1)
+            _vz_1 = _put(_vz_1, _rows3, _vz_2, _count2, _touches_1)
+            _wx_1 = _put(_wx_1, _rows3, _wx_2, _count2, _touches_1)
+            _wy_1 = _put(_wy_1, _rows3, _wy_2, _count2, _touches_1)
+            _wz_1 = _put(_wz_1, _rows3, _wz_2, _count2, _touches_1)
         _here_1, = here(1.0, _which_1)
         _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
         _x_1 = _choose(_here_1, _x_2, _x_1)
@@ -3316,7 +4220,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _when_0 = _choose(_possible_0, _when_1, _when_0)
     _which_0 = _choose(_possible_0, _which_1, _which_0)
     _released_0, _reachable_0 = released(_last_0)
-    _rows1, _count2 = _rows(_released_0, shots)
+    _rows1, _count2 = _most(_released_0, shots)
     if _count2:
         _extent_1 = _take(_extent_0, _rows1)
         _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
@@ -3333,7 +4237,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _room_1 = room(_count2)
         _until_1, *_ = horizon(_when_1, _speed_1, _p_gravity_1)
         _reachable_1, = reachable(_p_ball_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _extent_1, _p_gravity_1, _until_1, _position_error_1, _p_ring_radius_1, _speed_1, _velocity_error_1, _vx_1, _x_1, _room_1)
-        _reachable_0 = _put(_reachable_0, _rows1, _reachable_1, shots)
+        _reachable_0 = _put(_reachable_0, _rows1, _reachable_1, shots, _released_0)
     _rows3, _count4 = _rows(_reachable_0, shots)
     if _count4:
         _doubt_1 = _take(_doubt_0, _rows3)
@@ -3370,7 +4274,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _possible_1, = timely(_arrives_1, _delay_1, _late_1, _time_1, _when_1)
         _margin_1, = backboard_margin(_apex_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _room_1)
         _doubt_1, = grazed(_apex_1, _doubt_1, _height_1, _margin_1)
-        _rows5, _count6 = _rows(_possible_1, _count4)
+        _rows5, _count6 = _most(_possible_1, _count4)
         if _count6:
             _clearance_2 = _take(_clearance_1, _rows5)
             _delay_2 = _take(_delay_1, _rows5)
@@ -3408,10 +4312,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrives_2, = backboard_within(_g0_2, _g1_2, _g2_2, _g3_2)
             _doubt_2, _late_2 = tied(_arrives_2, _delay_2, _doubt_2, _late_2, _time_2, _when_2)
             _when_2, _which_2 = sooner(_arrives_2, 1.0, _time_2, _when_2, _which_2)
-            _doubt_1 = _put(_doubt_1, _rows5, _doubt_2, _count4)
-            _late_1 = _put(_late_1, _rows5, _late_2, _count4)
-            _when_1 = _put(_when_1, _rows5, _when_2, _count4)
-            _which_1 = _put(_which_1, _rows5, _which_2, _count4)
+            _doubt_1 = _put(_doubt_1, _rows5, _doubt_2, _count4, _possible_1)
+            _late_1 = _put(_late_1, _rows5, _late_2, _count4, _possible_1)
+            _when_1 = _put(_when_1, _rows5, _when_2, _count4, _possible_1)
+            _which_1 = _put(_which_1, _rows5, _which_2, _count4, _possible_1)
         _leaving_1, = left(2.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, _height_1 = bridge_arrival(_leaving_1, _z_1, _vz_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _arrives_1, _ceiling_1 = meeting_plane(_bend_1, _rate_1, _time_1)
@@ -3420,7 +4324,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _possible_1, = timely(_arrives_1, _delay_1, _late_1, _time_1, _when_1)
         _margin_1, = bridge_margin(_apex_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _doubt_1, = grazed(_apex_1, _doubt_1, _height_1, _margin_1)
-        _rows7, _count8 = _rows(_possible_1, _count4)
+        _rows7, _count8 = _most(_possible_1, _count4)
         if _count8:
             _clearance_2 = _take(_clearance_1, _rows7)
             _delay_2 = _take(_delay_1, _rows7)
@@ -3458,10 +4362,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrives_2, = bridge_within(_g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
             _doubt_2, _late_2 = tied(_arrives_2, _delay_2, _doubt_2, _late_2, _time_2, _when_2)
             _when_2, _which_2 = sooner(_arrives_2, 2.0, _time_2, _when_2, _which_2)
-            _doubt_1 = _put(_doubt_1, _rows7, _doubt_2, _count4)
-            _late_1 = _put(_late_1, _rows7, _late_2, _count4)
-            _when_1 = _put(_when_1, _rows7, _when_2, _count4)
-            _which_1 = _put(_which_1, _rows7, _which_2, _count4)
+            _doubt_1 = _put(_doubt_1, _rows7, _doubt_2, _count4, _possible_1)
+            _late_1 = _put(_late_1, _rows7, _late_2, _count4, _possible_1)
+            _when_1 = _put(_when_1, _rows7, _when_2, _count4, _possible_1)
+            _which_1 = _put(_which_1, _rows7, _which_2, _count4, _possible_1)
         _doubt_0 = _put(_doubt_0, _rows3, _doubt_1, shots)
         _late_0 = _put(_late_0, _rows3, _late_1, shots)
         _when_0 = _put(_when_0, _rows3, _when_1, shots)
@@ -3470,7 +4374,13 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens(_clear_0)
     _rows9, _count10 = _rows(_open_0, shots)
-    if _count10:
+    if 0 < _count10 <= ALONE:
+        _doubt_0 = _copy(_doubt_0, shots)
+        _late_0 = _copy(_late_0, shots)
+        _when_0 = _copy(_when_0, shots)
+        _which_0 = _copy(_which_0, shots)
+        _one_by_one(_alone5, _rows9, _rows9, (_doubt_0, _extent_0, _last_0, _late_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_doubt_0, _late_0, _when_0, _which_0,))
+    elif _count10:
         _doubt_1 = _take(_doubt_0, _rows9)
         _extent_1 = _take(_extent_0, _rows9)
         _last_1 = _take(_last_0, _rows9)
@@ -3504,7 +4414,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
         _lost_1, = ring_lost(_until_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
         _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
-        _rows11, _count12 = _rows(_leaping_1, _count10)
+        _rows11, _count12 = _most(_leaping_1, _count10)
         if _count12:
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows11)
             _p_gravity_2 = _take(_p_gravity_1, _rows11)
@@ -3535,12 +4445,16 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_z_2 = _take(_short_z_1, _rows11)
             _room_2 = room(_count12)
             _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _certain_1 = _put(_certain_1, _rows11, _certain_2, _count10)
-            _leaping_1 = _put(_leaping_1, _rows11, _leaping_2, _count10)
-            _short_end_1 = _put(_short_end_1, _rows11, _short_end_2, _count10)
-            _short_t_1 = _put(_short_t_1, _rows11, _short_t_2, _count10)
+            _certain_1 = _put(_certain_1, _rows11, _certain_2, _count10, _leaping_1)
+            _short_end_1 = _put(_short_end_1, _rows11, _short_end_2, _count10, _leaping_1)
+            _short_t_1 = _put(_short_t_1, _rows11, _short_t_2, _count10, _leaping_1)
+            _leaping_1 = _put(_leaping_1, _rows11, _leaping_2, _count10, _leaping_1)
         _rows13, _count14 = _rows(_leaping_1, _count10)
-        if _count14:
+        if 0 < _count14 <= ALONE:
+            _certain_1 = _copy(_certain_1, _count10)
+            _short_t_1 = _copy(_short_t_1, _count10)
+            _one_by_one(_alone6, _rows13, _rows13, (_certain_1, _leaping_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_drift_1, _short_end_1, _short_flat_1, _short_grit_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_parting_1, _short_rate_margin_1, _short_rho_start_1, _short_steady_1, _short_swing_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1,), (), (_certain_1, _short_t_1,), 24)
+        elif _count14:
             _leaping_2 = _take(_leaping_1, _rows13)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows13)
             _p_gravity_2 = _take(_p_gravity_1, _rows13)
@@ -3571,242 +4485,244 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _short_z_2 = _take(_short_z_1, _rows13)
             _certain_1 = _copy(_certain_1, _count10)
             _short_t_1 = _copy(_short_t_1, _count10)
-            for _ in range(24):
+            for _turn15 in range(24):
                 _room_2 = room(_count14)
                 _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _going15 = _where_true(_leaping_2)
-                if len(_going15) == _count14:
+                _going16 = _where_true(_leaping_2)
+                if len(_going16) == _count14:
                     continue
                 _done = _where_true(_logical_not(_leaping_2))
                 _store(_certain_1, _of(_rows13, _done), _certain_2, _done)
                 _store(_short_t_1, _of(_rows13, _done), _short_t_2, _done)
-                _rows13, _count14 = _of(_rows13, _going15), len(_going15)
+                _rows13, _count14 = _of(_rows13, _going16), len(_going16)
                 if not _count14:
                     break
-                _certain_2 = _take(_certain_2, _going15)
-                _leaping_2 = _take(_leaping_2, _going15)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going15)
-                _p_gravity_2 = _take(_p_gravity_2, _going15)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going15)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going15)
-                _short_ceiling_2 = _take(_short_ceiling_2, _going15)
-                _short_drift_2 = _take(_short_drift_2, _going15)
-                _short_end_2 = _take(_short_end_2, _going15)
-                _short_flat_2 = _take(_short_flat_2, _going15)
-                _short_grit_2 = _take(_short_grit_2, _going15)
-                _short_high1_2 = _take(_short_high1_2, _going15)
-                _short_high2_2 = _take(_short_high2_2, _going15)
-                _short_jerk_2 = _take(_short_jerk_2, _going15)
-                _short_low1_2 = _take(_short_low1_2, _going15)
-                _short_low2_2 = _take(_short_low2_2, _going15)
-                _short_parting_2 = _take(_short_parting_2, _going15)
-                _short_rate_margin_2 = _take(_short_rate_margin_2, _going15)
-                _short_rho_start_2 = _take(_short_rho_start_2, _going15)
-                _short_steady_2 = _take(_short_steady_2, _going15)
-                _short_swing_2 = _take(_short_swing_2, _going15)
-                _short_t_2 = _take(_short_t_2, _going15)
-                _short_tilt_2 = _take(_short_tilt_2, _going15)
-                _short_vx_2 = _take(_short_vx_2, _going15)
-                _short_vy_2 = _take(_short_vy_2, _going15)
-                _short_vz_2 = _take(_short_vz_2, _going15)
-                _short_x_2 = _take(_short_x_2, _going15)
-                _short_y_2 = _take(_short_y_2, _going15)
-                _short_z_2 = _take(_short_z_2, _going15)
+                if _count14 <= ALONE:
+                    _one_by_one(_alone6, _rows13, _going16, (_certain_2, _leaping_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_drift_2, _short_end_2, _short_flat_2, _short_grit_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_parting_2, _short_rate_margin_2, _short_rho_start_2, _short_steady_2, _short_swing_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2,), (), (_certain_1, _short_t_1,), 23 - _turn15)
+                    break
+                _certain_2 = _take(_certain_2, _going16)
+                _leaping_2 = _take(_leaping_2, _going16)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going16)
+                _p_gravity_2 = _take(_p_gravity_2, _going16)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going16)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going16)
+                _short_ceiling_2 = _take(_short_ceiling_2, _going16)
+                _short_drift_2 = _take(_short_drift_2, _going16)
+                _short_end_2 = _take(_short_end_2, _going16)
+                _short_flat_2 = _take(_short_flat_2, _going16)
+                _short_grit_2 = _take(_short_grit_2, _going16)
+                _short_high1_2 = _take(_short_high1_2, _going16)
+                _short_high2_2 = _take(_short_high2_2, _going16)
+                _short_jerk_2 = _take(_short_jerk_2, _going16)
+                _short_low1_2 = _take(_short_low1_2, _going16)
+                _short_low2_2 = _take(_short_low2_2, _going16)
+                _short_parting_2 = _take(_short_parting_2, _going16)
+                _short_rate_margin_2 = _take(_short_rate_margin_2, _going16)
+                _short_rho_start_2 = _take(_short_rho_start_2, _going16)
+                _short_steady_2 = _take(_short_steady_2, _going16)
+                _short_swing_2 = _take(_short_swing_2, _going16)
+                _short_t_2 = _take(_short_t_2, _going16)
+                _short_tilt_2 = _take(_short_tilt_2, _going16)
+                _short_vx_2 = _take(_short_vx_2, _going16)
+                _short_vy_2 = _take(_short_vy_2, _going16)
+                _short_vz_2 = _take(_short_vz_2, _going16)
+                _short_x_2 = _take(_short_x_2, _going16)
+                _short_y_2 = _take(_short_y_2, _going16)
+                _short_z_2 = _take(_short_z_2, _going16)
             else:
                 _store(_certain_1, _rows13, _certain_2, None)
                 _store(_short_t_1, _rows13, _short_t_2, None)
         _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
-        _rows16, _count17 = _rows(_searching_1, _count10)
-        if _count17:
-            _arrival_2 = _take(_arrival_1, _rows16)
-            _certain_2 = _take(_certain_1, _rows16)
-            _doubt_2 = _take(_doubt_1, _rows16)
-            _extent_2 = _take(_extent_1, _rows16)
-            _last_2 = _take(_last_1, _rows16)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows16)
-            _p_gravity_2 = _take(_p_gravity_1, _rows16)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows16)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows16)
-            _position_error_2 = _take(_position_error_1, _rows16)
-            _share_2 = _take(_share_1, _rows16)
-            _speed_2 = _take(_speed_1, _rows16)
-            _t_2 = _take(_t_1, _rows16)
-            _until_2 = _take(_until_1, _rows16)
-            _velocity_error_2 = _take(_velocity_error_1, _rows16)
-            _vx_2 = _take(_vx_1, _rows16)
-            _vy_2 = _take(_vy_1, _rows16)
-            _vz_2 = _take(_vz_1, _rows16)
-            _x_2 = _take(_x_1, _rows16)
-            _y_2 = _take(_y_1, _rows16)
-            _z_2 = _take(_z_1, _rows16)
-            _room_2 = room(_count17)
+        _rows17, _count18 = _rows(_searching_1, _count10)
+        if 0 < _count18 <= ALONE:
+            _arrival_1 = _copy(_arrival_1, _count10)
+            _ceiling_1 = _copy(_ceiling_1, _count10)
+            _certain_1 = _copy(_certain_1, _count10)
+            _doubt_1 = _copy(_doubt_1, _count10)
+            _flat_1 = _copy(_flat_1, _count10)
+            _latest_1 = _copy(_latest_1, _count10)
+            _rho_start_1 = _copy(_rho_start_1, _count10)
+            _tilt_1 = _copy(_tilt_1, _count10)
+            _one_by_one(_alone7, _rows17, _rows17, (_arrival_1, _certain_1, _doubt_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1,))
+        elif _count18:
+            _arrival_2 = _take(_arrival_1, _rows17)
+            _certain_2 = _take(_certain_1, _rows17)
+            _doubt_2 = _take(_doubt_1, _rows17)
+            _extent_2 = _take(_extent_1, _rows17)
+            _last_2 = _take(_last_1, _rows17)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows17)
+            _p_gravity_2 = _take(_p_gravity_1, _rows17)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows17)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows17)
+            _position_error_2 = _take(_position_error_1, _rows17)
+            _share_2 = _take(_share_1, _rows17)
+            _speed_2 = _take(_speed_1, _rows17)
+            _t_2 = _take(_t_1, _rows17)
+            _until_2 = _take(_until_1, _rows17)
+            _velocity_error_2 = _take(_velocity_error_1, _rows17)
+            _vx_2 = _take(_vx_1, _rows17)
+            _vy_2 = _take(_vy_1, _rows17)
+            _vz_2 = _take(_vz_1, _rows17)
+            _x_2 = _take(_x_1, _rows17)
+            _y_2 = _take(_y_1, _rows17)
+            _z_2 = _take(_z_1, _rows17)
+            _room_2 = room(_count18)
             _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _position_error_2, _velocity_error_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
-            _rows18, _count19 = _rows(_searching_2, _count17)
-            if _count19:
-                _arrival_3 = _take(_arrival_2, _rows18)
-                _ceiling_3 = _take(_ceiling_2, _rows18)
-                _certain_3 = _take(_certain_2, _rows18)
-                _doubt_3 = _take(_doubt_2, _rows18)
-                _end_3 = _take(_end_2, _rows18)
-                _flat_3 = _take(_flat_2, _rows18)
-                _last_3 = _take(_last_2, _rows18)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows18)
-                _p_gravity_3 = _take(_p_gravity_2, _rows18)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows18)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows18)
-                _rate_slack_3 = _take(_rate_slack_2, _rows18)
-                _rho_start_3 = _take(_rho_start_2, _rows18)
-                _searching_3 = _take(_searching_2, _rows18)
-                _share_3 = _take(_share_2, _rows18)
-                _steady_3 = _take(_steady_2, _rows18)
-                _swing_3 = _take(_swing_2, _rows18)
-                _t_3 = _take(_t_2, _rows18)
-                _tilt_3 = _take(_tilt_2, _rows18)
-                _vx_3 = _take(_vx_2, _rows18)
-                _vy_3 = _take(_vy_2, _rows18)
-                _vz_3 = _take(_vz_2, _rows18)
-                _x_3 = _take(_x_2, _rows18)
-                _y_3 = _take(_y_2, _rows18)
-                _z_3 = _take(_z_2, _rows18)
-                _arrival_2 = _copy(_arrival_2, _count17)
-                _certain_2 = _copy(_certain_2, _count17)
-                _doubt_2 = _copy(_doubt_2, _count17)
-                _flat_2 = _copy(_flat_2, _count17)
-                _searching_2 = _copy(_searching_2, _count17)
-                _t_2 = _copy(_t_2, _count17)
-                _tilt_2 = _copy(_tilt_2, _count17)
-                for _ in range(201):
-                    _room_3 = room(_count19)
+            _rows19, _count20 = _rows(_searching_2, _count18)
+            if 0 < _count20 <= ALONE:
+                _arrival_2 = _copy(_arrival_2, _count18)
+                _certain_2 = _copy(_certain_2, _count18)
+                _doubt_2 = _copy(_doubt_2, _count18)
+                _flat_2 = _copy(_flat_2, _count18)
+                _searching_2 = _copy(_searching_2, _count18)
+                _t_2 = _copy(_t_2, _count18)
+                _tilt_2 = _copy(_tilt_2, _count18)
+                _one_by_one(_alone8, _rows19, _rows19, (_arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _steady_2, _swing_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), 201)
+            elif _count20:
+                _arrival_3 = _take(_arrival_2, _rows19)
+                _ceiling_3 = _take(_ceiling_2, _rows19)
+                _certain_3 = _take(_certain_2, _rows19)
+                _doubt_3 = _take(_doubt_2, _rows19)
+                _end_3 = _take(_end_2, _rows19)
+                _flat_3 = _take(_flat_2, _rows19)
+                _last_3 = _take(_last_2, _rows19)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows19)
+                _p_gravity_3 = _take(_p_gravity_2, _rows19)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows19)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows19)
+                _rate_slack_3 = _take(_rate_slack_2, _rows19)
+                _rho_start_3 = _take(_rho_start_2, _rows19)
+                _searching_3 = _take(_searching_2, _rows19)
+                _share_3 = _take(_share_2, _rows19)
+                _steady_3 = _take(_steady_2, _rows19)
+                _swing_3 = _take(_swing_2, _rows19)
+                _t_3 = _take(_t_2, _rows19)
+                _tilt_3 = _take(_tilt_2, _rows19)
+                _vx_3 = _take(_vx_2, _rows19)
+                _vy_3 = _take(_vy_2, _rows19)
+                _vz_3 = _take(_vz_2, _rows19)
+                _x_3 = _take(_x_2, _rows19)
+                _y_3 = _take(_y_2, _rows19)
+                _z_3 = _take(_z_2, _rows19)
+                _arrival_2 = _copy(_arrival_2, _count18)
+                _certain_2 = _copy(_certain_2, _count18)
+                _doubt_2 = _copy(_doubt_2, _count18)
+                _flat_2 = _copy(_flat_2, _count18)
+                _searching_2 = _copy(_searching_2, _count18)
+                _t_2 = _copy(_t_2, _count18)
+                _tilt_2 = _copy(_tilt_2, _count18)
+                for _turn21 in range(201):
+                    _room_3 = room(_count20)
                     _leaving_3, _margin_3 = nearby(_flat_3, 0.0, _last_3, _t_3, _tilt_3)
                     _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _steady_3, _swing_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
                     _hit_3, _sure_3, _vague_3 = struck(_bend_3, _clearance_3, _gap_3, _margin_3, _rate_3, _rate_slack_3, _share_3)
-                    _rows20, _count21 = _rows(_vague_3, _count19)
-                    if _count21:
-                        _far = _of(_rows18, _rows20)
-                        _doubt_4 = _take(_doubt_3, _rows20)
+                    _rows22, _count23 = _most(_vague_3, _count20)
+                    if _count23:
+                        _far = _of(_rows19, _rows22)
+                        _doubt_4 = _take(_doubt_3, _rows22)
                         _extent_4 = _take(_extent_2, _far)
                         _latest_4 = _take(_latest_2, _far)
-                        _p_ball_radius_4 = _take(_p_ball_radius_3, _rows20)
-                        _p_gravity_4 = _take(_p_gravity_3, _rows20)
-                        _p_ring_radius_4 = _take(_p_ring_radius_3, _rows20)
-                        _p_wire_radius_4 = _take(_p_wire_radius_3, _rows20)
+                        _p_ball_radius_4 = _take(_p_ball_radius_3, _rows22)
+                        _p_gravity_4 = _take(_p_gravity_3, _rows22)
+                        _p_ring_radius_4 = _take(_p_ring_radius_3, _rows22)
+                        _p_wire_radius_4 = _take(_p_wire_radius_3, _rows22)
                         _position_error_4 = _take(_position_error_2, _far)
-                        _share_4 = _take(_share_3, _rows20)
+                        _share_4 = _take(_share_3, _rows22)
                         _speed_4 = _take(_speed_2, _far)
-                        _t_4 = _take(_t_3, _rows20)
+                        _t_4 = _take(_t_3, _rows22)
                         _velocity_error_4 = _take(_velocity_error_2, _far)
-                        _room_4 = room(_count21)
+                        _room_4 = room(_count23)
                         _share_4, = finer(_share_4)
                         _position_level_4, _velocity_level_4, _excess_4 = allowance(_share_4, _latest_4, _extent_4, _speed_4, _position_error_4, _velocity_error_4, _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
                         _doubt_4, = exceeded(_doubt_4, _excess_4, _t_4)
-                        _doubt_3 = _put(_doubt_3, _rows20, _doubt_4, _count19)
-                        _flat_3 = _put(_flat_3, _rows20, _flat_4, _count19)
-                        _rate_slack_3 = _put(_rate_slack_3, _rows20, _rate_slack_4, _count19)
-                        _share_3 = _put(_share_3, _rows20, _share_4, _count19)
-                        _tilt_3 = _put(_tilt_3, _rows20, _tilt_4, _count19)
+                        _doubt_3 = _put(_doubt_3, _rows22, _doubt_4, _count20, _vague_3)
+                        _flat_3 = _put(_flat_3, _rows22, _flat_4, _count20, _vague_3)
+                        _rate_slack_3 = _put(_rate_slack_3, _rows22, _rate_slack_4, _count20, _vague_3)
+                        _share_3 = _put(_share_3, _rows22, _share_4, _count20, _vague_3)
+                        _tilt_3 = _put(_tilt_3, _rows22, _tilt_4, _count20, _vague_3)
                     _arrival_3, _certain_3, _exhausted_3, _searching_3, _t_3 = advanced(_arrival_3, _certain_3, _end_3, _hit_3, _next_3, _step_3, _sure_3, _t_3, _vague_3)
-                    _rows22, _count23 = _rows(_exhausted_3, _count19)
-                    if _count23:
-                        _far = _of(_rows18, _rows22)
-                        _end_4 = _take(_end_3, _rows22)
+                    _rows24, _count25 = _most(_exhausted_3, _count20)
+                    if _count25:
+                        _far = _of(_rows19, _rows24)
+                        _end_4 = _take(_end_3, _rows24)
                         _high0_4 = _take(_high0_2, _far)
                         _high1_4 = _take(_high1_2, _far)
                         _high2_4 = _take(_high2_2, _far)
                         _low0_4 = _take(_low0_2, _far)
                         _low1_4 = _take(_low1_2, _far)
                         _low2_4 = _take(_low2_2, _far)
-                        _t_4 = _take(_t_3, _rows22)
-                        _room_4 = room(_count23)
+                        _t_4 = _take(_t_3, _rows24)
+                        _room_4 = room(_count25)
                         _t_4, _end_4, _searching_4 = ring_enter(_end_4, _end_4, _high0_4, _high1_4, _high2_4, _low0_4, _low1_4, _low2_4, _t_4, _room_4)
-                        _end_3 = _put(_end_3, _rows22, _end_4, _count19)
-                        _searching_3 = _put(_searching_3, _rows22, _searching_4, _count19)
-                        _t_3 = _put(_t_3, _rows22, _t_4, _count19)
-                    _going24 = _where_true(_searching_3)
-                    if len(_going24) == _count19:
+                        _end_3 = _put(_end_3, _rows24, _end_4, _count20, _exhausted_3)
+                        _searching_3 = _put(_searching_3, _rows24, _searching_4, _count20, _exhausted_3)
+                        _t_3 = _put(_t_3, _rows24, _t_4, _count20, _exhausted_3)
+                    _going26 = _where_true(_searching_3)
+                    if len(_going26) == _count20:
                         continue
                     _done = _where_true(_logical_not(_searching_3))
-                    _store(_arrival_2, _of(_rows18, _done), _arrival_3, _done)
-                    _store(_certain_2, _of(_rows18, _done), _certain_3, _done)
-                    _store(_doubt_2, _of(_rows18, _done), _doubt_3, _done)
-                    _store(_flat_2, _of(_rows18, _done), _flat_3, _done)
-                    _store(_searching_2, _of(_rows18, _done), _searching_3, _done)
-                    _store(_t_2, _of(_rows18, _done), _t_3, _done)
-                    _store(_tilt_2, _of(_rows18, _done), _tilt_3, _done)
-                    _rows18, _count19 = _of(_rows18, _going24), len(_going24)
-                    if not _count19:
+                    _store(_arrival_2, _of(_rows19, _done), _arrival_3, _done)
+                    _store(_certain_2, _of(_rows19, _done), _certain_3, _done)
+                    _store(_doubt_2, _of(_rows19, _done), _doubt_3, _done)
+                    _store(_flat_2, _of(_rows19, _done), _flat_3, _done)
+                    _store(_searching_2, _of(_rows19, _done), _searching_3, _done)
+                    _store(_t_2, _of(_rows19, _done), _t_3, _done)
+                    _store(_tilt_2, _of(_rows19, _done), _tilt_3, _done)
+                    _rows19, _count20 = _of(_rows19, _going26), len(_going26)
+                    if not _count20:
                         break
-                    _arrival_3 = _take(_arrival_3, _going24)
-                    _ceiling_3 = _take(_ceiling_3, _going24)
-                    _certain_3 = _take(_certain_3, _going24)
-                    _doubt_3 = _take(_doubt_3, _going24)
-                    _end_3 = _take(_end_3, _going24)
-                    _flat_3 = _take(_flat_3, _going24)
-                    _last_3 = _take(_last_3, _going24)
-                    _p_ball_radius_3 = _take(_p_ball_radius_3, _going24)
-                    _p_gravity_3 = _take(_p_gravity_3, _going24)
-                    _p_ring_radius_3 = _take(_p_ring_radius_3, _going24)
-                    _p_wire_radius_3 = _take(_p_wire_radius_3, _going24)
-                    _rate_slack_3 = _take(_rate_slack_3, _going24)
-                    _rho_start_3 = _take(_rho_start_3, _going24)
-                    _searching_3 = _take(_searching_3, _going24)
-                    _share_3 = _take(_share_3, _going24)
-                    _steady_3 = _take(_steady_3, _going24)
-                    _swing_3 = _take(_swing_3, _going24)
-                    _t_3 = _take(_t_3, _going24)
-                    _tilt_3 = _take(_tilt_3, _going24)
-                    _vx_3 = _take(_vx_3, _going24)
-                    _vy_3 = _take(_vy_3, _going24)
-                    _vz_3 = _take(_vz_3, _going24)
-                    _x_3 = _take(_x_3, _going24)
-                    _y_3 = _take(_y_3, _going24)
-                    _z_3 = _take(_z_3, _going24)
+                    if _count20 <= ALONE:
+                        _one_by_one(_alone8, _rows19, _going26, (_arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _flat_3, _last_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _steady_3, _swing_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3,), (_extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), 200 - _turn21)
+                        break
+                    _arrival_3 = _take(_arrival_3, _going26)
+                    _ceiling_3 = _take(_ceiling_3, _going26)
+                    _certain_3 = _take(_certain_3, _going26)
+                    _doubt_3 = _take(_doubt_3, _going26)
+                    _end_3 = _take(_end_3, _going26)
+                    _flat_3 = _take(_flat_3, _going26)
+                    _last_3 = _take(_last_3, _going26)
+                    _p_ball_radius_3 = _take(_p_ball_radius_3, _going26)
+                    _p_gravity_3 = _take(_p_gravity_3, _going26)
+                    _p_ring_radius_3 = _take(_p_ring_radius_3, _going26)
+                    _p_wire_radius_3 = _take(_p_wire_radius_3, _going26)
+                    _rate_slack_3 = _take(_rate_slack_3, _going26)
+                    _rho_start_3 = _take(_rho_start_3, _going26)
+                    _searching_3 = _take(_searching_3, _going26)
+                    _share_3 = _take(_share_3, _going26)
+                    _steady_3 = _take(_steady_3, _going26)
+                    _swing_3 = _take(_swing_3, _going26)
+                    _t_3 = _take(_t_3, _going26)
+                    _tilt_3 = _take(_tilt_3, _going26)
+                    _vx_3 = _take(_vx_3, _going26)
+                    _vy_3 = _take(_vy_3, _going26)
+                    _vz_3 = _take(_vz_3, _going26)
+                    _x_3 = _take(_x_3, _going26)
+                    _y_3 = _take(_y_3, _going26)
+                    _z_3 = _take(_z_3, _going26)
                 else:
-                    _store(_arrival_2, _rows18, _arrival_3, None)
-                    _store(_certain_2, _rows18, _certain_3, None)
-                    _store(_doubt_2, _rows18, _doubt_3, None)
-                    _store(_flat_2, _rows18, _flat_3, None)
-                    _store(_searching_2, _rows18, _searching_3, None)
-                    _store(_t_2, _rows18, _t_3, None)
-                    _store(_tilt_2, _rows18, _tilt_3, None)
+                    _store(_arrival_2, _rows19, _arrival_3, None)
+                    _store(_certain_2, _rows19, _certain_3, None)
+                    _store(_doubt_2, _rows19, _doubt_3, None)
+                    _store(_flat_2, _rows19, _flat_3, None)
+                    _store(_searching_2, _rows19, _searching_3, None)
+                    _store(_t_2, _rows19, _t_3, None)
+                    _store(_tilt_2, _rows19, _tilt_3, None)
             _doubt_2, = questioned(_doubt_2, _t_2, _searching_2)
-            _arrival_1 = _put(_arrival_1, _rows16, _arrival_2, _count10)
-            _ceiling_1 = _put(_ceiling_1, _rows16, _ceiling_2, _count10)
-            _certain_1 = _put(_certain_1, _rows16, _certain_2, _count10)
-            _doubt_1 = _put(_doubt_1, _rows16, _doubt_2, _count10)
-            _flat_1 = _put(_flat_1, _rows16, _flat_2, _count10)
-            _latest_1 = _put(_latest_1, _rows16, _latest_2, _count10)
-            _rho_start_1 = _put(_rho_start_1, _rows16, _rho_start_2, _count10)
-            _tilt_1 = _put(_tilt_1, _rows16, _tilt_2, _count10)
+            _arrival_1 = _put(_arrival_1, _rows17, _arrival_2, _count10)
+            _ceiling_1 = _put(_ceiling_1, _rows17, _ceiling_2, _count10)
+            _certain_1 = _put(_certain_1, _rows17, _certain_2, _count10)
+            _doubt_1 = _put(_doubt_1, _rows17, _doubt_2, _count10)
+            _flat_1 = _put(_flat_1, _rows17, _flat_2, _count10)
+            _latest_1 = _put(_latest_1, _rows17, _latest_2, _count10)
+            _rho_start_1 = _put(_rho_start_1, _rows17, _rho_start_2, _count10)
+            _tilt_1 = _put(_tilt_1, _rows17, _tilt_2, _count10)
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
-        _rows25, _count26 = _rows(_refining_1, _count10)
-        if _count26:
-            _arrival_2 = _take(_arrival_1, _rows25)
-            _ceiling_2 = _take(_ceiling_1, _rows25)
-            _certain_2 = _take(_certain_1, _rows25)
-            _leaving_2 = _take(_leaving_1, _rows25)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows25)
-            _p_gravity_2 = _take(_p_gravity_1, _rows25)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows25)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows25)
-            _rho_start_2 = _take(_rho_start_1, _rows25)
-            _vx_2 = _take(_vx_1, _rows25)
-            _vy_2 = _take(_vy_1, _rows25)
-            _vz_2 = _take(_vz_1, _rows25)
-            _x_2 = _take(_x_1, _rows25)
-            _y_2 = _take(_y_1, _rows25)
-            _z_2 = _take(_z_1, _rows25)
-            _room_2 = room(_count26)
-            _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
-            _arrival_1 = _put(_arrival_1, _rows25, _arrival_2, _count10)
-            _rate_1 = _put(_rate_1, _rows25, _rate_2, _count10)
-            _refining_1 = _put(_refining_1, _rows25, _refining_2, _count10)
-        _rows27, _count28 = _rows(_refining_1, _count10)
+        _rows27, _count28 = _most(_refining_1, _count10)
         if _count28:
             _arrival_2 = _take(_arrival_1, _rows27)
             _ceiling_2 = _take(_ceiling_1, _rows27)
@@ -3826,10 +4742,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count28)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
-            _arrival_1 = _put(_arrival_1, _rows27, _arrival_2, _count10)
-            _rate_1 = _put(_rate_1, _rows27, _rate_2, _count10)
-            _refining_1 = _put(_refining_1, _rows27, _refining_2, _count10)
-        _rows29, _count30 = _rows(_refining_1, _count10)
+            _arrival_1 = _put(_arrival_1, _rows27, _arrival_2, _count10, _refining_1)
+            _rate_1 = _put(_rate_1, _rows27, _rate_2, _count10, _refining_1)
+            _refining_1 = _put(_refining_1, _rows27, _refining_2, _count10, _refining_1)
+        _rows29, _count30 = _most(_refining_1, _count10)
         if _count30:
             _arrival_2 = _take(_arrival_1, _rows29)
             _ceiling_2 = _take(_ceiling_1, _rows29)
@@ -3839,7 +4755,6 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _p_gravity_2 = _take(_p_gravity_1, _rows29)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows29)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows29)
-            _refining_2 = _take(_refining_1, _rows29)
             _rho_start_2 = _take(_rho_start_1, _rows29)
             _vx_2 = _take(_vx_1, _rows29)
             _vy_2 = _take(_vy_1, _rows29)
@@ -3847,41 +4762,72 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_2 = _take(_x_1, _rows29)
             _y_2 = _take(_y_1, _rows29)
             _z_2 = _take(_z_1, _rows29)
+            _room_2 = room(_count30)
+            _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
+            _arrival_1 = _put(_arrival_1, _rows29, _arrival_2, _count10, _refining_1)
+            _rate_1 = _put(_rate_1, _rows29, _rate_2, _count10, _refining_1)
+            _refining_1 = _put(_refining_1, _rows29, _refining_2, _count10, _refining_1)
+        _rows31, _count32 = _rows(_refining_1, _count10)
+        if 0 < _count32 <= ALONE:
             _arrival_1 = _copy(_arrival_1, _count10)
             _rate_1 = _copy(_rate_1, _count10)
-            for _ in range(8):
-                _room_2 = room(_count30)
+            _one_by_one(_alone9, _rows31, _rows31, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_1, _refining_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _rate_1,), 8)
+        elif _count32:
+            _arrival_2 = _take(_arrival_1, _rows31)
+            _ceiling_2 = _take(_ceiling_1, _rows31)
+            _certain_2 = _take(_certain_1, _rows31)
+            _leaving_2 = _take(_leaving_1, _rows31)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows31)
+            _p_gravity_2 = _take(_p_gravity_1, _rows31)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows31)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows31)
+            _refining_2 = _take(_refining_1, _rows31)
+            _rho_start_2 = _take(_rho_start_1, _rows31)
+            _vx_2 = _take(_vx_1, _rows31)
+            _vy_2 = _take(_vy_1, _rows31)
+            _vz_2 = _take(_vz_1, _rows31)
+            _x_2 = _take(_x_1, _rows31)
+            _y_2 = _take(_y_1, _rows31)
+            _z_2 = _take(_z_1, _rows31)
+            _arrival_1 = _copy(_arrival_1, _count10)
+            _rate_1 = _copy(_rate_1, _count10)
+            for _turn33 in range(8):
+                _room_2 = room(_count32)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
                 _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
-                _going31 = _where_true(_refining_2)
-                if len(_going31) == _count30:
+                _going34 = _where_true(_refining_2)
+                if len(_going34) == _count32:
                     continue
                 _done = _where_true(_logical_not(_refining_2))
-                _store(_arrival_1, _of(_rows29, _done), _arrival_2, _done)
-                _store(_rate_1, _of(_rows29, _done), _rate_2, _done)
-                _rows29, _count30 = _of(_rows29, _going31), len(_going31)
-                if not _count30:
+                _store(_arrival_1, _of(_rows31, _done), _arrival_2, _done)
+                _store(_rate_1, _of(_rows31, _done), _rate_2, _done)
+                _rows31, _count32 = _of(_rows31, _going34), len(_going34)
+                if not _count32:
                     break
-                _arrival_2 = _take(_arrival_2, _going31)
-                _ceiling_2 = _take(_ceiling_2, _going31)
-                _certain_2 = _take(_certain_2, _going31)
-                _leaving_2 = _take(_leaving_2, _going31)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going31)
-                _p_gravity_2 = _take(_p_gravity_2, _going31)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going31)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going31)
-                _rate_2 = _take(_rate_2, _going31)
-                _refining_2 = _take(_refining_2, _going31)
-                _rho_start_2 = _take(_rho_start_2, _going31)
-                _vx_2 = _take(_vx_2, _going31)
-                _vy_2 = _take(_vy_2, _going31)
-                _vz_2 = _take(_vz_2, _going31)
-                _x_2 = _take(_x_2, _going31)
-                _y_2 = _take(_y_2, _going31)
-                _z_2 = _take(_z_2, _going31)
+                if _count32 <= ALONE:
+                    _one_by_one(_alone9, _rows31, _going34, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1, _rate_1,), 7 - _turn33)
+                    break
+                _arrival_2 = _take(_arrival_2, _going34)
+                _ceiling_2 = _take(_ceiling_2, _going34)
+                _certain_2 = _take(_certain_2, _going34)
+                _leaving_2 = _take(_leaving_2, _going34)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going34)
+                _p_gravity_2 = _take(_p_gravity_2, _going34)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going34)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going34)
+                _rate_2 = _take(_rate_2, _going34)
+                _refining_2 = _take(_refining_2, _going34)
+                _rho_start_2 = _take(_rho_start_2, _going34)
+                _vx_2 = _take(_vx_2, _going34)
+                _vy_2 = _take(_vy_2, _going34)
+                _vz_2 = _take(_vz_2, _going34)
+                _x_2 = _take(_x_2, _going34)
+                _y_2 = _take(_y_2, _going34)
+                _z_2 = _take(_z_2, _going34)
             else:
-                _store(_arrival_1, _rows29, _arrival_2, None)
-                _store(_rate_1, _rows29, _rate_2, None)
+                _store(_arrival_1, _rows31, _arrival_2, None)
+                _store(_rate_1, _rows31, _rate_2, None)
         _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _margin_1, = own_margin(_arrival_1, _flat_1, _leaving_1, _tilt_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
@@ -3893,22 +4839,22 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _late_0 = _put(_late_0, _rows9, _late_1, shots)
         _when_0 = _put(_when_0, _rows9, _when_1, shots)
         _which_0 = _put(_which_0, _rows9, _which_1, shots)
-    _rows32, _count33 = _rows(_limited_0, shots)
-    if _count33:
-        _clock_1 = _take(_clock_0, _rows32)
-        _doubt_1 = _take(_doubt_0, _rows32)
-        _late_1 = _take(_late_0, _rows32)
-        _time_error_1 = _take(_time_error_0, _rows32)
-        _time_limit_1 = _take(_time_limit_0, _rows32)
-        _when_1 = _take(_when_0, _rows32)
-        _which_1 = _take(_which_0, _rows32)
+    _rows35, _count36 = _most(_limited_0, shots)
+    if _count36:
+        _clock_1 = _take(_clock_0, _rows35)
+        _doubt_1 = _take(_doubt_0, _rows35)
+        _late_1 = _take(_late_0, _rows35)
+        _time_error_1 = _take(_time_error_0, _rows35)
+        _time_limit_1 = _take(_time_limit_0, _rows35)
+        _when_1 = _take(_when_0, _rows35)
+        _which_1 = _take(_which_0, _rows35)
         _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_clock_1, _doubt_1, _late_1, _time_error_1, _time_limit_1, _when_1, _which_1)
         _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _doubt_0 = _put(_doubt_0, _rows32, _doubt_1, shots)
-        _late_0 = _put(_late_0, _rows32, _late_1, shots)
-        _when_0 = _put(_when_0, _rows32, _when_1, shots)
-        _which_0 = _put(_which_0, _rows32, _which_1, shots)
+        _doubt_0 = _put(_doubt_0, _rows35, _doubt_1, shots, _limited_0)
+        _late_0 = _put(_late_0, _rows35, _late_1, shots, _limited_0)
+        _when_0 = _put(_when_0, _rows35, _when_1, shots, _limited_0)
+        _which_0 = _put(_which_0, _rows35, _which_1, shots, _limited_0)
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
@@ -3920,19 +4866,19 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = _choose(_moves_0, _x_1, _x_0)
     _y_0 = _choose(_moves_0, _y_1, _y_0)
     _z_0 = _choose(_moves_0, _z_1, _z_0)
-    _rows34, _count35 = _rows(_limited_0, shots)
-    if _count35:
-        _body_1 = _take(_body_0, _rows34)
-        _clock_1 = _take(_clock_0, _rows34)
-        _ends_1 = _take(_ends_0, _rows34)
-        _reached_1 = _take(_reached_0, _rows34)
-        _time_limit_1 = _take(_time_limit_0, _rows34)
-        _which_1 = _take(_which_0, _rows34)
+    _rows37, _count38 = _most(_limited_0, shots)
+    if _count38:
+        _body_1 = _take(_body_0, _rows37)
+        _clock_1 = _take(_clock_0, _rows37)
+        _ends_1 = _take(_ends_0, _rows37)
+        _reached_1 = _take(_reached_0, _rows37)
+        _time_limit_1 = _take(_time_limit_0, _rows37)
+        _which_1 = _take(_which_0, _rows37)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows34, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows34, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows34, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows34, _reached_1, shots)
+        _body_0 = _put(_body_0, _rows37, _body_1, shots, _limited_0)
+        _clock_0 = _put(_clock_0, _rows37, _clock_1, shots, _limited_0)
+        _ends_0 = _put(_ends_0, _rows37, _ends_1, shots, _limited_0)
+        _reached_0 = _put(_reached_0, _rows37, _reached_1, shots, _limited_0)
     _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
@@ -4091,7 +5037,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _dz_1 = _choose(_ends_1, _dz_2, _dz_1)
         _dnx_1, _dny_1, _dnz_1, _turn_1 = unturned()
         _here_1, = here(0.0, _which_1)
-        _rows3, _count4 = _rows(_here_1, _count2)
+        _rows3, _count4 = _most(_here_1, _count2)
         if _count4:
             _dx_2 = _take(_dx_1, _rows3)
             _dy_2 = _take(_dy_1, _rows3)
@@ -4104,11 +5050,11 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _y_2 = _take(_y_1, _rows3)
             _room_2 = room(_count4)
             _dnx_2, _dny_2, _dnz_2, _turn_2 = ring_carry_normal(_x_2, _y_2, _dx_2, _dy_2, _dz_2, _shift_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
-            _dnx_1 = _put(_dnx_1, _rows3, _dnx_2, _count2)
-            _dny_1 = _put(_dny_1, _rows3, _dny_2, _count2)
-            _dnz_1 = _put(_dnz_1, _rows3, _dnz_2, _count2)
-            _turn_1 = _put(_turn_1, _rows3, _turn_2, _count2)
-        _rows5, _count6 = _rows(_touches_1, _count2)
+            _dnx_1 = _put(_dnx_1, _rows3, _dnx_2, _count2, _here_1)
+            _dny_1 = _put(_dny_1, _rows3, _dny_2, _count2, _here_1)
+            _dnz_1 = _put(_dnz_1, _rows3, _dnz_2, _count2, _here_1)
+            _turn_1 = _put(_turn_1, _rows3, _turn_2, _count2, _here_1)
+        _rows5, _count6 = _most(_touches_1, _count2)
         if _count6:
             _contacts_2 = _take(_contacts_1, _rows5)
             _dnx_2 = _take(_dnx_1, _rows5)
@@ -4135,18 +5081,18 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count6)
             _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _p_restitution_2, _room_2)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _room_2)
-            _dvx_1 = _put(_dvx_1, _rows5, _dvx_2, _count2)
-            _dvy_1 = _put(_dvy_1, _rows5, _dvy_2, _count2)
-            _dvz_1 = _put(_dvz_1, _rows5, _dvz_2, _count2)
-            _dwx_1 = _put(_dwx_1, _rows5, _dwx_2, _count2)
-            _dwy_1 = _put(_dwy_1, _rows5, _dwy_2, _count2)
-            _dwz_1 = _put(_dwz_1, _rows5, _dwz_2, _count2)
-            _vx_1 = _put(_vx_1, _rows5, _vx_2, _count2)
-            _vy_1 = _put(_vy_1, _rows5, _vy_2, _count2)
-            _vz_1 = _put(_vz_1, _rows5, _vz_2, _count2)
-            _wx_1 = _put(_wx_1, _rows5, _wx_2, _count2)
-            _wy_1 = _put(_wy_1, _rows5, _wy_2, _count2)
-            _wz_1 = _put(_wz_1, _rows5, _wz_2, _count2)
+            _dvx_1 = _put(_dvx_1, _rows5, _dvx_2, _count2, _touches_1)
+            _dvy_1 = _put(_dvy_1, _rows5, _dvy_2, _count2, _touches_1)
+            _dvz_1 = _put(_dvz_1, _rows5, _dvz_2, _count2, _touches_1)
+            _dwx_1 = _put(_dwx_1, _rows5, _dwx_2, _count2, _touches_1)
+            _dwy_1 = _put(_dwy_1, _rows5, _dwy_2, _count2, _touches_1)
+            _dwz_1 = _put(_dwz_1, _rows5, _dwz_2, _count2, _touches_1)
+            _vx_1 = _put(_vx_1, _rows5, _vx_2, _count2, _touches_1)
+            _vy_1 = _put(_vy_1, _rows5, _vy_2, _count2, _touches_1)
+            _vz_1 = _put(_vz_1, _rows5, _vz_2, _count2, _touches_1)
+            _wx_1 = _put(_wx_1, _rows5, _wx_2, _count2, _touches_1)
+            _wy_1 = _put(_wy_1, _rows5, _wy_2, _count2, _touches_1)
+            _wz_1 = _put(_wz_1, _rows5, _wz_2, _count2, _touches_1)
         _here_1, = here(1.0, _which_1)
         _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
         _x_1 = _choose(_here_1, _x_2, _x_1)
@@ -4205,7 +5151,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _y_1 = _take(_y_0, _rows7)
         _z_1 = _take(_z_0, _rows7)
         _timed_1, = timed(_claims_1, 4.0, _which_1)
-        _rows9, _count10 = _rows(_timed_1, _count8)
+        _rows9, _count10 = _most(_timed_1, _count8)
         if _count10:
             _clock_2 = _take(_clock_1, _rows9)
             _clock_error_2 = _take(_clock_error_1, _rows9)
@@ -4225,13 +5171,13 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _z_2 = _take(_z_1, _rows9)
             _room_2 = room(_count10)
             _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
-            _clock_error_1 = _put(_clock_error_1, _rows9, _clock_error_2, _count8)
-            _dvx_1 = _put(_dvx_1, _rows9, _dvx_2, _count8)
-            _dvy_1 = _put(_dvy_1, _rows9, _dvy_2, _count8)
-            _dvz_1 = _put(_dvz_1, _rows9, _dvz_2, _count8)
-            _dx_1 = _put(_dx_1, _rows9, _dx_2, _count8)
-            _dy_1 = _put(_dy_1, _rows9, _dy_2, _count8)
-            _dz_1 = _put(_dz_1, _rows9, _dz_2, _count8)
+            _clock_error_1 = _put(_clock_error_1, _rows9, _clock_error_2, _count8, _timed_1)
+            _dvx_1 = _put(_dvx_1, _rows9, _dvx_2, _count8, _timed_1)
+            _dvy_1 = _put(_dvy_1, _rows9, _dvy_2, _count8, _timed_1)
+            _dvz_1 = _put(_dvz_1, _rows9, _dvz_2, _count8, _timed_1)
+            _dx_1 = _put(_dx_1, _rows9, _dx_2, _count8, _timed_1)
+            _dy_1 = _put(_dy_1, _rows9, _dy_2, _count8, _timed_1)
+            _dz_1 = _put(_dz_1, _rows9, _dz_2, _count8, _timed_1)
         _clock_error_0 = _put(_clock_error_0, _rows7, _clock_error_1, shots)
         _dvx_0 = _put(_dvx_0, _rows7, _dvx_1, shots)
         _dvy_0 = _put(_dvy_0, _rows7, _dvy_1, shots)

@@ -18,8 +18,9 @@ from hoopgen.derive.ground.tree import (
     writes,
 )
 
+from .alone import Alone, repeats
 from .loop import CHEAP, CHEAP_IN_TURNS, Printer, Scope, carried, scope
-from .printers import NUMPY, constant
+from .printers import NUMPY, Constants, constant
 
 
 @dataclass
@@ -30,6 +31,8 @@ class NumPyLoop(Printer):
     ----------
     rows
         The kernels that are given rows to write into: as many shots long as their arguments.
+    alone
+        The functions for one shot.
     far
         Within a body that repeats, what only some of its shots need, never changed by it: its names
         outside. It is taken from there, rather than by all shots in each turn.
@@ -38,6 +41,7 @@ class NumPyLoop(Printer):
     """
 
     rows: Collection[str] = ()
+    alone: Alone = field(default_factory=lambda: Alone(Constants()))
     far: dict[str, str] = field(default_factory=dict)
     short: set[str] = field(default_factory=set)
     turning: str = ""
@@ -108,8 +112,11 @@ class NumPyLoop(Printer):
         self, node: Do, names: dict[str, str], indent: str, depth: int, shots_depth: int
     ) -> None:
         given = ", ".join(self._given(v, names, node.kernel.single) for v in node.arguments)
+        call = f"{node.kernel.name}({given})"
         if node.kernel.name in self.rows:
-            given += f", {_room(shots_depth)}"
+            call = f"{node.kernel.name}({given}, {_room(shots_depth)})"
+            if not any(isinstance(value, str) for value in node.arguments):
+                call = f"_fixed({node.kernel.name}, {given})"
         for variable in node.assigned.values():
             names[variable] = local(variable, depth)
         if node.kernel.single:
@@ -122,9 +129,7 @@ class NumPyLoop(Printer):
             targets.pop()
         if targets[-1] == "_":
             targets[-1] = "*_"
-        self.lines.append(
-            f"{indent}{', '.join(targets)}{',' * (len(targets) == 1)} = {node.kernel.name}({given})"
-        )
+        self.lines.append(f"{indent}{', '.join(targets)}{',' * (len(targets) == 1)} = {call}")
 
     def _given(self, value: Value, names: Mapping[str, str], single: bool) -> str:
         """Return what a kernel is given; one in single precision rounds it itself."""
@@ -213,21 +218,38 @@ class NumPyLoop(Printer):
         own = scope(node, later)
         rows, own_count = self.fresh("rows"), self.fresh("count")
         line, deeper = self.lines.append, indent + "    "
-        line(f"{indent}{rows}, {own_count} = _rows({names[node.truth]}, {count})")
-        line(f"{indent}if {own_count}:")
+        plain = all(isinstance(n, Do) for n in node.body) and isinstance(node, Guard)
+        taken = "_most" if plain else "_rows"
+        line(f"{indent}{rows}, {own_count} = {taken}({names[node.truth]}, {count})")
+        far = self._far(node, own, later, rows) if isinstance(node, Repeat) else []
+        one = ""
+        if repeats(node) and own.gives and not set(own.takes) - set(names):
+            takes = {*own.takes, *own.gives} if isinstance(node, Repeat) else {*own.takes}
+            near = sorted(takes - set(far))
+            one = self.alone.function(node, near + far, own.gives, self.short)
+            line(f"{indent}if 0 < {own_count} <= ALONE:")
+            for name in own.gives:
+                line(f"{deeper}{local(name, depth)} = _copy({names[name]}, {count})")
+            into = _tuple(local(name, depth) for name in own.gives)
+            of = f"{rows}, {rows}, {_tuple(names[name] for name in near + far)}, (), {into}"
+            turns = f", {node.limit}" if isinstance(node, Repeat) else ""
+            line(f"{deeper}_one_by_one({one}, {of}{turns})")
+        line(f"{indent}{'elif' if one else 'if'} {own_count}:")
         if isinstance(node, Repeat):
-            self._turns(node, names, own, (rows, own_count), count, deeper, later, depth)
+            self._turns(node, names, own, (rows, own_count), count, deeper, later, depth, far, one)
         else:
-            far = set(own.takes) - set(names)
-            if far:
+            outside = set(own.takes) - set(names)
+            if outside:
                 line(f"{deeper}_far = _of({self.turning}, {rows})")
             inside = {name: local(name, depth + 1) for name in own.takes}
             for name in inside:
-                of = f"{self.far[name]}, _far" if name in far else f"{names[name]}, {rows}"
+                of = f"{self.far[name]}, _far" if name in outside else f"{names[name]}, {rows}"
                 line(f"{deeper}{inside[name]} = _take({of})")
             self._body(node.body, inside, own_count, deeper, later, depth + 1)
-            for name in own.gives:
+            # The body may assign its own truth: that goes last.
+            for name in sorted(own.gives, key=lambda name: name == node.truth):
                 given = f"{names[name]}, {rows}, {inside[name]}, {count}"
+                given += f", {names[node.truth]}" * plain
                 line(f"{deeper}{local(name, depth)} = _put({given})")
         missing = [name for name in own.gives if names[name] != local(name, depth)]
         if missing:
@@ -247,20 +269,22 @@ class NumPyLoop(Printer):
         deeper: str,
         later: set[str],
         depth: int,
+        far: Sequence[str],
+        one: str,
     ) -> None:
         """Print a body that repeats; rows that are done are stored, the others taken anew."""
         (rows, own_count), outer = own_rows, (self.far, self.turning)
         line, turning = self.lines.append, deeper + "    "
         wanted = later | set(own.takes) | {node.truth}
         self.turning = rows
-        far = set(own.takes) - set(writes(node.body)) - self._near(node.body, wanted) - {node.truth}
         self.far = {name: names[name] for name in far}
         inside = {name: local(name, depth + 1) for name in own.takes if name not in far}
         for name in inside:
             line(f"{deeper}{inside[name]} = _take({names[name]}, {rows})")
         for name in own.gives:
             line(f"{deeper}{local(name, depth)} = _copy({names[name]}, {count})")
-        line(f"{deeper}for _ in range({node.limit}):")
+        turn = self.fresh("turn") if one else "_"
+        line(f"{deeper}for {turn} in range({node.limit}):")
         start = dict(inside)
         self._body(node.body, inside, own_count, turning, wanted, depth + 1)
         assert all(inside[name] == value for name, value in start.items()), "a name changed"
@@ -275,13 +299,35 @@ class NumPyLoop(Printer):
         line(f"{turning}{rows}, {own_count} = _of({rows}, {going}), len({going})")
         line(f"{turning}if not {own_count}:")
         line(f"{turning}    break")
-        for name in sorted({*own.takes, *own.gives} - far):
+        near = sorted({*own.takes, *own.gives} - set(far))
+        if one:
+            line(f"{turning}if {own_count} <= ALONE:")
+            given = f"{_tuple(inside[name] for name in near)}, {_tuple(names[n] for n in far)}"
+            into = _tuple(local(name, depth) for name in own.gives)
+            left = f"{node.limit - 1} - {turn}"
+            of = f"{rows}, {going}, {given}, {into}, {left}"
+            line(f"{turning}    _one_by_one({one}, {of})")
+            line(f"{turning}    break")
+        for name in near:
             line(f"{turning}{inside[name]} = _take({inside[name]}, {going})")
         if own.gives:
             line(f"{deeper}else:")
         for name in own.gives:
             line(f"{turning}_store({local(name, depth)}, {rows}, {inside[name]}, None)")
         self.far, self.turning = outer
+
+    def _far(self, node: Repeat, own: Scope, later: set[str], rows: str) -> list[str]:
+        """Return what only some of the shots of a body that repeats need, and it never changes."""
+        outer, self.turning = self.turning, rows
+        wanted = later | set(own.takes) | {node.truth}
+        near = self._near(node.body, wanted) | set(writes(node.body)) | {node.truth}
+        self.turning = outer
+        return sorted(set(own.takes) - near)
+
+
+def _tuple(names: Iterable[str]) -> str:
+    """Return names as a tuple."""
+    return f"({''.join(f'{name}, ' for name in names).removesuffix(' ')})"
 
 
 def _room(depth: int) -> str:

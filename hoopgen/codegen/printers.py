@@ -61,6 +61,22 @@ NUMPY = Spelling(
 NUMPY_SINGLE = replace(NUMPY, constant="_float32({0})", infinity="_float32(_inf)")
 """Before NumPy 2 one number of single precision and one of Python's make a double."""
 
+ALONE = replace(
+    NUMPY,
+    operations=NUMPY.operations
+    | {
+        "sqrt": "_root({0})",
+        "abs": "abs({0})",
+        "max": "({1} if {0} < {1} else {0})",
+        "min": "({0} if {0} < {1} else {1})",
+        "both": "({0} and {1})",
+        "either": "({0} or {1})",
+        "not": "(not {0})",
+        "select": "({1} if {0} else {2})",
+    },
+)
+"""NumPy for one shot: operations of numbers."""
+
 C = Spelling(
     operations={
         "add": "lanes_add({0}, {1})",
@@ -143,7 +159,38 @@ def _negative(spelling: Spelling) -> str:
     return f"{opening}(-{rest}" if bracket else f"(-{spelling.infinity})"
 
 
-def print_program(program: Program, spelling: Spelling) -> Body:
+class Constants:
+    """The numbers in a module's kernels, each made once: to make one costs as much as its use.
+
+    What meets rows is an array of no dimension, which NumPy need not turn into one; what meets
+    numbers alone is a number, with which NumPy is quickest.
+    """
+
+    def __init__(self) -> None:
+        self._names: dict[str, str] = {}
+
+    def of(self, program: Program, value: float, meets_rows: bool) -> str:
+        """Return the name of a number of a program, or how it is written."""
+        if program.kernel.single:
+            return self.name(value, *["_scalar"] * meets_rows, "_float32")
+        return self.name(value, *["_scalar"] * meets_rows)
+
+    def name(self, value: float, *makers: str) -> str:
+        """Return the name of what some functions make of a number, the last one first."""
+        made = constant(value, NUMPY)
+        if not makers:
+            return made
+        for maker in reversed(makers):
+            made = f"{maker}({bare(made)})"
+        return self._names.setdefault(made, f"_k{len(self._names)}")
+
+    @property
+    def lines(self) -> list[str]:
+        """The lines that make them."""
+        return [f"{name} = {made}" for made, name in self._names.items()]
+
+
+def print_program(program: Program, spelling: Spelling, constants: Constants | None = None) -> Body:
     """Return the statements and output expressions of a program in one target's spelling."""
     named = program.named()
     text: list[str] = []
@@ -152,7 +199,9 @@ def print_program(program: Program, spelling: Spelling) -> Body:
         if operation.name in ("argument", "truth"):
             text.append(operation.symbol)
         elif operation.name == "constant":
-            text.append(constant(operation.value, spelling))
+            number = operation.value
+            made = constants.of(program, number, False) if constants else ""
+            text.append(made or constant(number, spelling))
         else:
             operands = (text[operand] for operand in operation.operands)
             value = spelling.operations[operation.name].format(*operands)

@@ -23,11 +23,23 @@ from hoopgen.derive.scenes.ends import meanings
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.outputs import write
 
+from .alone import Alone
 from .derivation import derivation_context
 from .loop import TYPES, weighted
 from .names import FILTERS, identifier
 from .numpy_loop import local
-from .printers import C_SINGLE, JS, NUMPY, NUMPY_SINGLE, Body, C, constant, print_program
+from .printers import (
+    ALONE,
+    C_SINGLE,
+    JS,
+    NUMPY,
+    NUMPY_SINGLE,
+    Body,
+    C,
+    Constants,
+    constant,
+    print_program,
+)
 from .program import Program, lower
 from .rows import print_in_rows
 from .view import loop_view
@@ -78,6 +90,7 @@ class KernelView:
     cost: str
     single: bool
     numpy: Body
+    alone: Body
     c: Body
     js: Body
     c_arguments: list[str]
@@ -142,7 +155,7 @@ def describe_cost(program: Program) -> str:
     return f"{total} operation{'s' * (total > 1)}: {', '.join(parts)}."
 
 
-def _kernel_view(program: Program, in_loop: bool) -> KernelView:
+def _kernel_view(program: Program, in_loop: bool, constants: Constants) -> KernelView:
     kernel: Kernel = program.kernel
     spelling, numpy = (C_SINGLE, NUMPY_SINGLE) if kernel.single else (C, NUMPY)
     return KernelView(
@@ -153,7 +166,8 @@ def _kernel_view(program: Program, in_loop: bool) -> KernelView:
         kernel.equation,
         describe_cost(program),
         kernel.single,
-        (print_in_rows(program) if in_loop else None) or print_program(program, numpy),
+        (print_in_rows(program, constants) if in_loop else None) or print_program(program, numpy),
+        print_program(program, ALONE, constants),
         print_program(program, spelling),
         print_program(program, JS),
         [
@@ -225,13 +239,15 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
     model: Model = build(scene)
     programs = [lower(kernel) for kernel in model.kernels]
     called = model.loop.called
-    views = {p.kernel.name: _kernel_view(p, p.kernel.name in called) for p in programs}
+    constants = Constants()
+    views = {p.kernel.name: _kernel_view(p, p.kernel.name in called, constants) for p in programs}
     rows = {name: view.numpy.rows for name, view in views.items() if view.numpy.rows}
     derivation = derivation_hash(programs)
     costs = {p.kernel.name: weighted(p.cost) for p in programs}
+    alone = Alone(constants)
     loops = [
-        loop_view(scene.name, costs, rows, model.loop.plain(), bounds=False),
-        loop_view(scene.name, costs, rows, model.loop, bounds=True),
+        loop_view(scene.name, costs, rows, alone, model.loop.plain(), bounds=False),
+        loop_view(scene.name, costs, rows, alone, model.loop, bounds=True),
     ]
     environment = _environment()
     context: dict[str, Any] = {
@@ -242,6 +258,8 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
         "grouped": any(e.groups for e in model.loop.tables),
+        "constants": constants.lines,
+        "alone": alone,
         "rows": max(rows.values(), default=1),
         "outcomes": meanings(scene.ends),
         "events": EVENTS,

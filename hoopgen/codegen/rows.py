@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from .printers import NUMPY, NUMPY_SINGLE, Body, bare, constant
+from .printers import NUMPY, Body, Constants, bare
 from .program import Operation, Program
 
 INTO = {
@@ -35,15 +35,17 @@ MANY = 6
 """A kernel with fewer of them on the way to its results is printed without rows."""
 
 
-def print_in_rows(program: Program) -> Body | None:
+def print_in_rows(program: Program, constants: Constants) -> Body | None:
     """Return a kernel printed with rows; None if it has not many operations to put there."""
-    own = _own(program)
+    of_shot = _of_shot(program)
+    into = INTO.keys() | SELECT.keys()
+    own = {k for k in of_shot if program.operations[k].name in into}
     if len(own - set(program.outputs)) < MANY:
         return None
-    return _Printer(program, own, program.named()).body()
+    return _Printer(program, own, of_shot, program.named(), constants).body()
 
 
-def _own(program: Program) -> set[int]:
+def _of_shot(program: Program) -> set[int]:
     """Return the operations that have a value for each shot."""
     of_shot: list[bool] = []
     for operation in program.operations:
@@ -52,8 +54,7 @@ def _own(program: Program) -> set[int]:
             of_shot.append(not operation.symbol.startswith("p_"))
         else:
             of_shot.append(any(of_shot[operand] for operand in operation.operands))
-    into = INTO.keys() | SELECT.keys()
-    return {k for k, o in enumerate(program.operations) if of_shot[k] and o.name in into}
+    return {k for k, each in enumerate(of_shot) if each}
 
 
 @dataclass
@@ -62,7 +63,9 @@ class _Printer:
 
     program: Program
     own: set[int]
+    of_shot: set[int]
     named: set[int]
+    constants: Constants
     text: dict[int, str] = field(default_factory=dict)
     row: dict[int, int] = field(default_factory=dict)
 
@@ -76,17 +79,16 @@ class _Printer:
         outputs = [bare(self._value(output)) for output in self.program.outputs]
         return Body(statements, outputs, rows)
 
-    def _value(self, index: int) -> str:
-        """Return an operation as it is written where it is used."""
+    def _value(self, index: int, user: int = -1) -> str:
+        """Return an operation as it is written where another uses it, or the caller (-1)."""
         if index in self.text:
             return self.text[index]
         operation = self.program.operations[index]
         if operation.name in ("argument", "truth"):
             return operation.symbol
         if operation.name == "constant":
-            spelling = NUMPY_SINGLE if self.program.kernel.single else NUMPY
-            return constant(operation.value, spelling)
-        operands = [self._value(operand) for operand in operation.operands]
+            return self.constants.of(self.program, operation.value, user in self.of_shot)
+        operands = [self._value(operand, index) for operand in operation.operands]
         if index in self.own and operation.name in SELECT:
             select, row = "_select", self.row.get(index)
             if row is None:

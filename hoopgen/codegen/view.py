@@ -11,6 +11,7 @@ from hoopgen.derive.ground.kernel import Kind
 from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.ground.tree import Do, Node, live_before, needed, reads, writes
 
+from .alone import Alone
 from .groups import Frame
 from .lists import CLists, Note
 from .loop import Apart, CLoop
@@ -53,9 +54,18 @@ class LoopView:
 
 
 def loop_view(
-    prefix: str, costs: Mapping[str, int], rows: Collection[str], loop: Loop, bounds: bool
+    prefix: str,
+    costs: Mapping[str, int],
+    rows: Collection[str],
+    alone: Alone,
+    loop: Loop,
+    bounds: bool,
 ) -> LoopView:
-    """Return the loop, printed; `rows` are the kernels that NumPy gives rows to write into."""
+    """Return the loop, printed.
+
+    `rows` are the kernels that NumPy gives rows to write into; `alone` has its functions for one
+    shot, and is given more.
+    """
     names = [field.name for field in loop.fields]
     available = {*names, *loop.parameters, *loop.job}
     stages = _after(loop, names)
@@ -69,7 +79,7 @@ def loop_view(
         {},
     )
     for stage, (nodes, after) in stages.items():
-        numpy = NumPyLoop(prefix, costs, NUMPY, rows=rows)
+        numpy = NumPyLoop(prefix, costs, NUMPY, rows=rows, alone=alone)
         touched = reads(nodes) | set(writes(nodes))
         read = sorted(live_before(nodes, after) & available & touched)
         names_after = numpy.stage(nodes, {name: local(name, 0) for name in read}, after)

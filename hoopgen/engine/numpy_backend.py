@@ -34,12 +34,13 @@ class Room:
         rows, width = kernels.ROWS, -(-shots // LINE) * LINE
         room = np.empty(rows * width + LINE)
         first = -(room.ctypes.data // room.itemsize) % LINE
-        self._rows = room[first:][: rows * width].reshape(rows, width)
+        # A list, of which each row is cut anew: an array of them takes five times as long.
+        self._rows = list(room[first:][: rows * width].reshape(rows, width))
         self._few, self._none = kernels.FEW, kernels.NO_ROWS
 
     def __call__(self, shots: int) -> tuple[Floats | None, ...]:
         """Return rows of so many shots, or that a kernel is to make arrays of its own."""
-        return self._none if shots < self._few else tuple(self._rows[:, :shots])
+        return self._none if shots < self._few else tuple([row[:shots] for row in self._rows])
 
 
 class Flights:
