@@ -42,7 +42,7 @@ from .search import events, far, groups, search
 from .search.decisions import pad
 from .search.search import Formula, Search
 from .studies import ARGUMENTS, study_kernels
-from .surfaces import Surface
+from .surfaces import Box, Surface
 
 LARGEST = sp.Integer(2) ** 450
 """Squares of larger coordinates and velocities come near to overflow: no result is certain."""
@@ -51,6 +51,8 @@ FRAME = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"n{i + 1}{j + 1}", real=True))
 """The contact frame's components, R of Eq. 10."""
 
 MOTION = (*VELOCITY, *SPIN)
+
+_NEAR = "Where a flight may reach the box of a surface at all."
 
 RESTITUTION = sp.Symbol("restitution", nonnegative=True)
 """That of the impact through the frame, which no scene has a law for."""
@@ -362,10 +364,11 @@ def _surface_kernels(
         sizes = [symbol for symbol in scene.symbols if symbol in differing]
         formulas["taken"] = (of_kinds.taken(sizes), "The sizes of one surface of a kind.", "data")
         if not found.closed and (near := far.near(surface)):
-            said = "Where a flight may reach the box of a surface at all."
-            formulas["near"] = (near, said, "boxes that do not meet")
+            formulas["near"] = (near, _NEAR, "boxes that do not meet")
             if alike >= groups.FEWEST:
                 formulas |= _of_groups(surface)
+    elif isinstance(surface, Box):
+        formulas["near"] = (far.near_box(surface), _NEAR, "boxes that do not meet")
     kernels = {
         part: kernel(
             f"{surface.name}_{part}", outputs, order, summary, equation, part in found.single

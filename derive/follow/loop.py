@@ -155,11 +155,14 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
         yield Do(common["kept"])
     if not gates:
         yield expiry
-    # End planes first: what certainly comes after them needs no further look.
+    # End planes first: what certainly comes after them needs no further look. Of bodies that are
+    # alone one box of the flight serves for all; it is longer than it need be for the later ones.
+    swept = False
     for kind in of_one_kind(sorted((*gates, *contacts), key=lambda s: not s.search.closed)):
-        if "near" in kind.first.parts:
+        if "near" in kind.first.parts and (kind.several or not swept):
             yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
             yield Do(common["swept"], {"horizon": "until"})
+            swept = True
         yield from each(kind.contacts, lambda s, index: _arriving(common, s, index), {})
     if gates:
         yield expiry
@@ -195,8 +198,10 @@ def _arriving(common: Parts, surface: Contact, index: Value) -> Iterator[Node]:
     if "near" not in surface.parts:
         yield from nodes
         return
-    yield Do(surface.parts["near"])
-    yield Guard("near", tuple(nodes))
+    yield Do(surface.parts["near"], {}, {"near": "reachable"})
+    if "kept" in common:
+        yield Do(common["reachable_in_flight"])
+    yield Guard("reachable", tuple(nodes))
 
 
 def _meet(
@@ -204,7 +209,11 @@ def _meet(
 ) -> Iterator[Node]:
     """Give the ball its motion after the contact (Eqs. 7-17), and its errors theirs."""
     yield Do(common["meeting"])
+    if "kept" in common:
+        yield Do(common["unslowed"])
     yield Guard("meeting", tuple(_contact(common, contacts, gates, fields)))
+    if "kept" in common:
+        yield from staying.settled(common, contacts, gates)
     timed = Do(common["timed"], {"index": len(contacts) + len(gates)})
     carried = Guard("timed", (Do(common["carry_time"], {"t": "when"}),), rare=True)
     yield Guard("limited", (timed, carried), rare=True)
@@ -248,9 +257,8 @@ def _contact(
     yield from _laws(common, contacts)
     for kind in kinds:
         yield from kind.on(common, "place")
-    yield Guard("touches", (Do(common["touched"]),))
-    if "kept" in common:
-        yield Guard("touches", tuple(staying.settled(common, contacts, gates)))
+    slowed = (Do(common["slowed"]),) if "kept" in common else ()
+    yield Guard("touches", (Do(common["touched"]), *slowed))
 
 
 def _counted(common: Parts, surface: Contact, fields: Set[str]) -> list[Do]:

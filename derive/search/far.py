@@ -16,6 +16,13 @@ With the smallest and the largest of their c, and the largest of their h, it is 
 
 Whatever is rounded is no smaller for what is larger. So where this holds as computed, what is above
 holds as computed, for each of the bodies: to leave them out changes nothing.
+
+Of a box that the ball meets all around, with half sides s, what can be touched is round: a flight
+is apart from it, too, where its box is further from that one than the ball's radius, for
+
+    d = |c - m| - (1 + W) (s + r)   along each axis, or zero if that is less,
+
+where Σ d² > (1 + W) R_B².
 """
 
 from __future__ import annotations
@@ -27,7 +34,7 @@ from ..flight.parabola import Parabola
 from ..ground.choice import IfLess, Less, Not, hold, largest, size, smallest, some
 from ..ground.rounding import position_error, velocity_error
 from ..ground.symbols import POSITION, VELOCITY
-from ..surfaces import Surface
+from ..surfaces import Box, Surface
 from .decisions import pad
 from .events import horizon
 
@@ -83,6 +90,16 @@ def near(surface: Surface) -> dict[str, sp.Basic]:
         Less(wide + REACHES[k], size(centre - MIDDLES[k])) for k, centre, wide in _sides(surface)
     ]
     return {"near": Not(some(*apart))} if apart else {}
+
+
+def near_box(box: Box) -> dict[str, sp.Basic]:
+    """Return where a flight may reach a box, whose edges and corners are round to the ball."""
+    square: sp.Expr = sp.Integer(0)
+    for k, (low, high) in enumerate(zip(box.low, box.high, strict=True)):
+        side = hold((1 + SHARE) * hold((high - low) / 2))
+        between = hold(size(hold(hold((low + high) / 2) - MIDDLES[k])) - hold(side + REACHES[k]))
+        square = hold(square + hold(largest(between, 0)) ** 2)
+    return {"near": Not(Less((1 + SHARE) * hold(box.radius**2), square))}
 
 
 def box(surface: Surface) -> dict[str, sp.Expr]:

@@ -152,6 +152,7 @@ LOOP = {
     "sure": Letter(r"\text{sure}", "and that root is certain"),
     "met": Letter(r"\text{met}", "it is a root at which the ball comes in"),
     "searching": Letter(r"\text{searching}", "there is a window to search"),
+    "reachable": Letter(r"\text{reachable}", "the flight comes near the surface"),
     "since": Letter(r"t_0", "when a search in single precision began"),
     "sound": Letter(r"\text{sound}", "nothing of it over- or underflows"),
     "served": Letter(r"\text{served}", "a search in single precision began"),
