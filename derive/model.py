@@ -109,7 +109,8 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     searching = (t, events.end, events.leaving, events.margin, events.rate_margin)
     crossing = (events.rate, events.ceiling, events.delay, events.share, events.horizon)
     sizes = (extent, speed, position_error, velocity_error)
-    boxes = (validity.lengths, pad, *far.MIDDLES, *far.REACHES, *far.LEASTS, *far.MOSTS, *far.WIDES)
+    halves = (*far.MIDDLES, *far.REACHES, *far.LATER_MIDDLES, *far.LATER_REACHES)
+    boxes = (validity.lengths, pad, *halves, *far.LEASTS, *far.MOSTS, *far.WIDES)
     own = (s for surface in scene.surfaces for s in search(surface, scene.flight).constants)
     return (
         *(*searching, *crossing, *STATE, *NORMAL, *FRAME, *sizes),
@@ -476,8 +477,15 @@ def build(scene: Scene) -> Model:
         "A box that the ball is within until the horizon: its middle, and its half sizes.",
         "Eq. 3, its ends and its apex",
     )
+    halved = kernel(
+        "halved",
+        far.halved(scene.flight),
+        order,
+        "The same of its first and its second half.",
+        "Eq. 3, the chords of both and what it is off them",
+    )
     choices = (
-        {"swept": swept}
+        {"swept": swept, "halved": halved}
         | of_kinds.KERNELS
         | decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
     )

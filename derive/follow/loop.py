@@ -155,14 +155,11 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
         yield Do(common["kept"])
     if not gates:
         yield expiry
-    # End planes first: what certainly comes after them needs no further look. Of bodies that are
-    # alone one box of the flight serves for all; it is longer than it need be for the later ones.
-    swept = False
+    # End planes first: what certainly comes after them needs no further look.
     for kind in of_one_kind(sorted((*gates, *contacts), key=lambda s: not s.search.closed)):
-        if "near" in kind.first.parts and (kind.several or not swept):
+        if "near" in kind.first.parts:
             yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
-            yield Do(common["swept"], {"horizon": "until"})
-            swept = True
+            yield Do(common["swept" if kind.several else "halved"], {"horizon": "until"})
         yield from each(kind.contacts, lambda s, index: _arriving(common, s, index), {})
     if gates:
         yield expiry

@@ -71,6 +71,16 @@ FLIGHTS = {
         for axis in AXES
     },
     **{
+        f"later_middle_{axis}": Letter(
+            rf"\mu'_{axis}", f"the same of the box of a flight's second half, along {axis}"
+        )
+        for axis in AXES
+    },
+    **{
+        f"later_reach_{axis}": Letter(rf"\varrho'_{axis}", f"half its size along {axis}")
+        for axis in AXES
+    },
+    **{
         f"least_{axis}": Letter(
             rf"\ell_{axis}",
             f"largest coordinate of a group's bodies against {axis}",
