@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation b518d3b1118d80e6,
+   Generated from templates/c/engine.h.j2, scene court, derivation 17608efa79d077d6,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -275,12 +275,6 @@ typedef struct {
     LANES(court_column) open_refining_x;
     LANES(court_column) open_refining_y;
     LANES(court_column) open_refining_z;
-    LANES(court_column) middle_x;
-    LANES(court_column) middle_y;
-    LANES(court_column) middle_z;
-    LANES(court_column) reach_x;
-    LANES(court_column) reach_y;
-    LANES(court_column) reach_z;
     LANES(court_column) reachable_row;
     LANES(court_column) reachable_extent;
     LANES(court_column) reachable_last;
@@ -905,221 +899,221 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
         V x = lanes_load(lists->kept_leaves_x + i);
         V y = lanes_load(lists->kept_leaves_y + i);
         V z = lanes_load(lists->kept_leaves_z + i);
-        const LANES(court_holding_out) _o288 =
+        const LANES(court_holding_out) _o290 =
             LANES(court_holding)(held, K(0.0));
-        M here = _o288.here;
-        const M _m289 = lanes_both(rows, here);
-        if (lanes_any(_m289)) {
-            const LANES(court_ring_tube_out) _o290 =
+        M here = _o290.here;
+        const M _m291 = lanes_both(rows, here);
+        if (lanes_any(_m291)) {
+            const LANES(court_ring_tube_out) _o292 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            per_reach = lanes_select(_m289, _o290.per_reach, per_reach);
-            const LANES(court_ring_parting_out) _o291 =
+            per_reach = lanes_select(_m291, _o292.per_reach, per_reach);
+            const LANES(court_ring_parting_out) _o293 =
                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-            lift = lanes_select(_m289, _o291.lift, lift);
-            surge = lanes_select(_m289, _o291.surge, surge);
-            snap = lanes_select(_m289, _o291.snap, snap);
+            lift = lanes_select(_m291, _o293.lift, lift);
+            surge = lanes_select(_m291, _o293.surge, surge);
+            snap = lanes_select(_m291, _o293.snap, snap);
         }
-        const LANES(court_holding_out) _o292 =
+        const LANES(court_holding_out) _o294 =
             LANES(court_holding)(held, K(1.0));
-        here = _o292.here;
-        const M _m293 = lanes_both(rows, here);
-        if (lanes_any(_m293)) {
-            const LANES(court_backboard_tube_out) _o294 =
+        here = _o294.here;
+        const M _m295 = lanes_both(rows, here);
+        if (lanes_any(_m295)) {
+            const LANES(court_backboard_tube_out) _o296 =
                 LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            per_reach = lanes_select(_m293, _o294.per_reach, per_reach);
-            const LANES(court_backboard_parting_out) _o295 =
+            per_reach = lanes_select(_m295, _o296.per_reach, per_reach);
+            const LANES(court_backboard_parting_out) _o297 =
                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-            lift = lanes_select(_m293, _o295.lift, lift);
-            surge = lanes_select(_m293, _o295.surge, surge);
-            snap = lanes_select(_m293, _o295.snap, snap);
+            lift = lanes_select(_m295, _o297.lift, lift);
+            surge = lanes_select(_m295, _o297.surge, surge);
+            snap = lanes_select(_m295, _o297.snap, snap);
         }
-        const LANES(court_holding_out) _o296 =
+        const LANES(court_holding_out) _o298 =
             LANES(court_holding)(held, K(2.0));
-        here = _o296.here;
-        const M _m297 = lanes_both(rows, here);
-        if (lanes_any(_m297)) {
-            const LANES(court_bridge_tube_out) _o298 =
+        here = _o298.here;
+        const M _m299 = lanes_both(rows, here);
+        if (lanes_any(_m299)) {
+            const LANES(court_bridge_tube_out) _o300 =
                 LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            per_reach = lanes_select(_m297, _o298.per_reach, per_reach);
-            const LANES(court_bridge_parting_out) _o299 =
+            per_reach = lanes_select(_m299, _o300.per_reach, per_reach);
+            const LANES(court_bridge_parting_out) _o301 =
                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            lift = lanes_select(_m297, _o299.lift, lift);
-            surge = lanes_select(_m297, _o299.surge, surge);
-            snap = lanes_select(_m297, _o299.snap, snap);
+            lift = lanes_select(_m299, _o301.lift, lift);
+            surge = lanes_select(_m299, _o301.surge, surge);
+            snap = lanes_select(_m299, _o301.snap, snap);
         }
-        const LANES(court_unmet_out) _o300 =
+        const LANES(court_unmet_out) _o302 =
             LANES(court_unmet)();
-        V spare = _o300.spare;
-        const LANES(court_beside_out) _o301 =
+        V spare = _o302.spare;
+        const LANES(court_beside_out) _o303 =
             LANES(court_beside)(held, K(0.0));
-        M beside = _o301.beside;
-        const M _m302 = lanes_both(rows, beside);
-        if (lanes_any(_m302)) {
-            const LANES(court_ring_beside_out) _o303 =
+        M beside = _o303.beside;
+        const M _m304 = lanes_both(rows, beside);
+        if (lanes_any(_m304)) {
+            const LANES(court_ring_beside_out) _o305 =
                 LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            V gap = _o303.gap;
-            V nearing = _o303.nearing;
-            V dent = _o303.dent;
-            const LANES(court_spared_out) _o304 =
+            V gap = _o305.gap;
+            V nearing = _o305.nearing;
+            V dent = _o305.dent;
+            const LANES(court_spared_out) _o306 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m302, _o304.spare, spare);
+            spare = lanes_select(_m304, _o306.spare, spare);
         }
-        const LANES(court_beside_out) _o305 =
+        const LANES(court_beside_out) _o307 =
             LANES(court_beside)(held, K(1.0));
-        beside = _o305.beside;
-        const M _m306 = lanes_both(rows, beside);
-        if (lanes_any(_m306)) {
-            const LANES(court_backboard_beside_out) _o307 =
+        beside = _o307.beside;
+        const M _m308 = lanes_both(rows, beside);
+        if (lanes_any(_m308)) {
+            const LANES(court_backboard_beside_out) _o309 =
                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o307.gap;
-            V nearing = _o307.nearing;
-            V dent = _o307.dent;
-            const LANES(court_spared_out) _o308 =
+            V gap = _o309.gap;
+            V nearing = _o309.nearing;
+            V dent = _o309.dent;
+            const LANES(court_spared_out) _o310 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m306, _o308.spare, spare);
+            spare = lanes_select(_m308, _o310.spare, spare);
         }
-        const LANES(court_beside_out) _o309 =
+        const LANES(court_beside_out) _o311 =
             LANES(court_beside)(held, K(2.0));
-        beside = _o309.beside;
-        const M _m310 = lanes_both(rows, beside);
-        if (lanes_any(_m310)) {
-            const LANES(court_bridge_beside_out) _o311 =
+        beside = _o311.beside;
+        const M _m312 = lanes_both(rows, beside);
+        if (lanes_any(_m312)) {
+            const LANES(court_bridge_beside_out) _o313 =
                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            V gap = _o311.gap;
-            V nearing = _o311.nearing;
-            V dent = _o311.dent;
-            const LANES(court_spared_out) _o312 =
+            V gap = _o313.gap;
+            V nearing = _o313.nearing;
+            V dent = _o313.dent;
+            const LANES(court_spared_out) _o314 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m310, _o312.spare, spare);
+            spare = lanes_select(_m312, _o314.spare, spare);
         }
-        const LANES(court_beside_out) _o313 =
+        const LANES(court_beside_out) _o315 =
             LANES(court_beside)(held, K(3.0));
-        beside = _o313.beside;
-        const M _m314 = lanes_both(rows, beside);
-        if (lanes_any(_m314)) {
-            const LANES(court_end_beside_out) _o315 =
+        beside = _o315.beside;
+        const M _m316 = lanes_both(rows, beside);
+        if (lanes_any(_m316)) {
+            const LANES(court_end_beside_out) _o317 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o315.gap;
-            V nearing = _o315.nearing;
-            V dent = _o315.dent;
-            const LANES(court_spared_out) _o316 =
+            V gap = _o317.gap;
+            V nearing = _o317.nearing;
+            V dent = _o317.dent;
+            const LANES(court_spared_out) _o318 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m314, _o316.spare, spare);
+            spare = lanes_select(_m316, _o318.spare, spare);
         }
-        const LANES(court_holding_out) _o317 =
+        const LANES(court_holding_out) _o319 =
             LANES(court_holding)(held, K(1.0));
-        here = _o317.here;
-        const M _m318 = lanes_both(rows, here);
-        if (lanes_any(_m318)) {
-            const LANES(court_backboard_seam0_out) _o319 =
+        here = _o319.here;
+        const M _m320 = lanes_both(rows, here);
+        if (lanes_any(_m320)) {
+            const LANES(court_backboard_seam0_out) _o321 =
                 LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-            V gap = _o319.gap;
-            V nearing = _o319.nearing;
-            V near = _o319.near;
-            const LANES(court_spared_seam_out) _o320 =
-                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m318, _o320.spare, spare);
-            const LANES(court_backboard_seam1_out) _o321 =
-                LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-            gap = _o321.gap;
-            nearing = _o321.nearing;
-            near = _o321.near;
+            V gap = _o321.gap;
+            V nearing = _o321.nearing;
+            V near = _o321.near;
             const LANES(court_spared_seam_out) _o322 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m318, _o322.spare, spare);
-            const LANES(court_backboard_seam2_out) _o323 =
-                LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+            spare = lanes_select(_m320, _o322.spare, spare);
+            const LANES(court_backboard_seam1_out) _o323 =
+                LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
             gap = _o323.gap;
             nearing = _o323.nearing;
             near = _o323.near;
             const LANES(court_spared_seam_out) _o324 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m318, _o324.spare, spare);
-            const LANES(court_backboard_seam3_out) _o325 =
-                LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+            spare = lanes_select(_m320, _o324.spare, spare);
+            const LANES(court_backboard_seam2_out) _o325 =
+                LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
             gap = _o325.gap;
             nearing = _o325.nearing;
             near = _o325.near;
             const LANES(court_spared_seam_out) _o326 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m318, _o326.spare, spare);
-            const LANES(court_backboard_seam4_out) _o327 =
-                LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+            spare = lanes_select(_m320, _o326.spare, spare);
+            const LANES(court_backboard_seam3_out) _o327 =
+                LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
             gap = _o327.gap;
             nearing = _o327.nearing;
             near = _o327.near;
             const LANES(court_spared_seam_out) _o328 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m318, _o328.spare, spare);
-            const LANES(court_backboard_seam5_out) _o329 =
-                LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+            spare = lanes_select(_m320, _o328.spare, spare);
+            const LANES(court_backboard_seam4_out) _o329 =
+                LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
             gap = _o329.gap;
             nearing = _o329.nearing;
             near = _o329.near;
             const LANES(court_spared_seam_out) _o330 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m318, _o330.spare, spare);
-        }
-        const LANES(court_holding_out) _o331 =
-            LANES(court_holding)(held, K(2.0));
-        here = _o331.here;
-        const M _m332 = lanes_both(rows, here);
-        if (lanes_any(_m332)) {
-            const LANES(court_bridge_seam0_out) _o333 =
-                LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-            V gap = _o333.gap;
-            V nearing = _o333.nearing;
-            V near = _o333.near;
-            const LANES(court_spared_seam_out) _o334 =
+            spare = lanes_select(_m320, _o330.spare, spare);
+            const LANES(court_backboard_seam5_out) _o331 =
+                LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+            gap = _o331.gap;
+            nearing = _o331.nearing;
+            near = _o331.near;
+            const LANES(court_spared_seam_out) _o332 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m332, _o334.spare, spare);
-            const LANES(court_bridge_seam1_out) _o335 =
-                LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-            gap = _o335.gap;
-            nearing = _o335.nearing;
-            near = _o335.near;
+            spare = lanes_select(_m320, _o332.spare, spare);
+        }
+        const LANES(court_holding_out) _o333 =
+            LANES(court_holding)(held, K(2.0));
+        here = _o333.here;
+        const M _m334 = lanes_both(rows, here);
+        if (lanes_any(_m334)) {
+            const LANES(court_bridge_seam0_out) _o335 =
+                LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+            V gap = _o335.gap;
+            V nearing = _o335.nearing;
+            V near = _o335.near;
             const LANES(court_spared_seam_out) _o336 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m332, _o336.spare, spare);
-            const LANES(court_bridge_seam2_out) _o337 =
-                LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+            spare = lanes_select(_m334, _o336.spare, spare);
+            const LANES(court_bridge_seam1_out) _o337 =
+                LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
             gap = _o337.gap;
             nearing = _o337.nearing;
             near = _o337.near;
             const LANES(court_spared_seam_out) _o338 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m332, _o338.spare, spare);
-            const LANES(court_bridge_seam3_out) _o339 =
-                LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+            spare = lanes_select(_m334, _o338.spare, spare);
+            const LANES(court_bridge_seam2_out) _o339 =
+                LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
             gap = _o339.gap;
             nearing = _o339.nearing;
             near = _o339.near;
             const LANES(court_spared_seam_out) _o340 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m332, _o340.spare, spare);
-            const LANES(court_bridge_seam4_out) _o341 =
-                LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+            spare = lanes_select(_m334, _o340.spare, spare);
+            const LANES(court_bridge_seam3_out) _o341 =
+                LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
             gap = _o341.gap;
             nearing = _o341.nearing;
             near = _o341.near;
             const LANES(court_spared_seam_out) _o342 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m332, _o342.spare, spare);
-            const LANES(court_bridge_seam5_out) _o343 =
-                LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+            spare = lanes_select(_m334, _o342.spare, spare);
+            const LANES(court_bridge_seam4_out) _o343 =
+                LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
             gap = _o343.gap;
             nearing = _o343.nearing;
             near = _o343.near;
             const LANES(court_spared_seam_out) _o344 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m332, _o344.spare, spare);
+            spare = lanes_select(_m334, _o344.spare, spare);
+            const LANES(court_bridge_seam5_out) _o345 =
+                LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+            gap = _o345.gap;
+            nearing = _o345.nearing;
+            near = _o345.near;
+            const LANES(court_spared_seam_out) _o346 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m334, _o346.spare, spare);
         }
-        const LANES(court_parted_out) _o345 =
+        const LANES(court_parted_out) _o347 =
             LANES(court_parted)(K(INFINITY), p_gravity, lift, per_reach, K(0.0), snap, spare, surge, K(0.0), vx, vy, vz);
-        V when = _o345.when;
-        const LANES(court_hopping_out) _o346 =
+        V when = _o347.when;
+        const LANES(court_hopping_out) _o348 =
             LANES(court_hopping)();
-        V which = _o346.which;
+        V which = _o348.which;
         lanes_store(lists->kept_leaves_when + i, when);
         lanes_store(lists->kept_leaves_which + i, which);
     }
@@ -1161,114 +1155,114 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o144 =
+        const LANES(court_resumed_out) _o146 =
             LANES(court_resumed)(clock, mode, K(0.0), K(0.0));
-        V which = _o144.which;
-        V began = _o144.began;
-        M begins = _o144.begins;
-        M rolling = _o144.rolling;
-        M leaves = _o144.leaves;
-        V nx = _o144.nx;
-        V ny = _o144.ny;
-        V nz = _o144.nz;
-        V gap = _o144.gap;
-        V bent_x = _o144.bent_x;
-        V bent_y = _o144.bent_y;
-        V bent_z = _o144.bent_z;
-        V lift = _o144.lift;
-        V surge = _o144.surge;
-        V snap = _o144.snap;
-        V per_reach = _o144.per_reach;
-        const M _m145 = lanes_both(rows, begins);
-        if (lanes_any(_m145)) {
-            const LANES(court_holding_out) _o146 =
+        V which = _o146.which;
+        V began = _o146.began;
+        M begins = _o146.begins;
+        M rolling = _o146.rolling;
+        M leaves = _o146.leaves;
+        V nx = _o146.nx;
+        V ny = _o146.ny;
+        V nz = _o146.nz;
+        V gap = _o146.gap;
+        V bent_x = _o146.bent_x;
+        V bent_y = _o146.bent_y;
+        V bent_z = _o146.bent_z;
+        V lift = _o146.lift;
+        V surge = _o146.surge;
+        V snap = _o146.snap;
+        V per_reach = _o146.per_reach;
+        const M _m147 = lanes_both(rows, begins);
+        if (lanes_any(_m147)) {
+            const LANES(court_holding_out) _o148 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o146.here;
-            const M _m147 = lanes_both(_m145, here);
+            M here = _o148.here;
+            const M _m149 = lanes_both(_m147, here);
             {
-                const LANES(court_ring_normal_out) _o148 =
+                const LANES(court_ring_normal_out) _o150 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m147, _o148.nx, nx);
-                ny = lanes_select(_m147, _o148.ny, ny);
-                nz = lanes_select(_m147, _o148.nz, nz);
+                nx = lanes_select(_m149, _o150.nx, nx);
+                ny = lanes_select(_m149, _o150.ny, ny);
+                nz = lanes_select(_m149, _o150.nz, nz);
             }
-            const LANES(court_holding_out) _o149 =
+            const LANES(court_holding_out) _o151 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o149.here;
-            const M _m150 = lanes_both(_m145, here);
+            here = _o151.here;
+            const M _m152 = lanes_both(_m147, here);
             {
-                const LANES(court_backboard_normal_out) _o151 =
+                const LANES(court_backboard_normal_out) _o153 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m150, _o151.nx, nx);
-                ny = lanes_select(_m150, _o151.ny, ny);
-                nz = lanes_select(_m150, _o151.nz, nz);
+                nx = lanes_select(_m152, _o153.nx, nx);
+                ny = lanes_select(_m152, _o153.ny, ny);
+                nz = lanes_select(_m152, _o153.nz, nz);
             }
-            const LANES(court_holding_out) _o152 =
+            const LANES(court_holding_out) _o154 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o152.here;
-            const M _m153 = lanes_both(_m145, here);
+            here = _o154.here;
+            const M _m155 = lanes_both(_m147, here);
             {
-                const LANES(court_bridge_normal_out) _o154 =
+                const LANES(court_bridge_normal_out) _o156 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m153, _o154.nx, nx);
-                ny = lanes_select(_m153, _o154.ny, ny);
-                nz = lanes_select(_m153, _o154.nz, nz);
+                nx = lanes_select(_m155, _o156.nx, nx);
+                ny = lanes_select(_m155, _o156.ny, ny);
+                nz = lanes_select(_m155, _o156.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o155 =
+            const LANES(court_roll_turn_rate_out) _o157 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o155.turn_rate;
-            const LANES(court_gripped_out) _o156 =
+            V turn_rate = _o157.turn_rate;
+            const LANES(court_gripped_out) _o158 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o156.rolled_x;
-            V rolled_y = _o156.rolled_y;
-            V rolled_z = _o156.rolled_z;
-            const LANES(court_holding_out) _o157 =
+            V rolled_x = _o158.rolled_x;
+            V rolled_y = _o158.rolled_y;
+            V rolled_z = _o158.rolled_z;
+            const LANES(court_holding_out) _o159 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o157.here;
-            const M _m158 = lanes_both(_m145, here);
+            here = _o159.here;
+            const M _m160 = lanes_both(_m147, here);
             {
-                const LANES(court_ring_off_out) _o159 =
+                const LANES(court_ring_off_out) _o161 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m158, _o159.gap, gap);
+                gap = lanes_select(_m160, _o161.gap, gap);
             }
-            const LANES(court_holding_out) _o160 =
+            const LANES(court_holding_out) _o162 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o160.here;
-            const M _m161 = lanes_both(_m145, here);
+            here = _o162.here;
+            const M _m163 = lanes_both(_m147, here);
             {
-                const LANES(court_backboard_off_out) _o162 =
+                const LANES(court_backboard_off_out) _o164 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m161, _o162.gap, gap);
+                gap = lanes_select(_m163, _o164.gap, gap);
             }
-            const LANES(court_holding_out) _o163 =
+            const LANES(court_holding_out) _o165 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o163.here;
-            const M _m164 = lanes_both(_m145, here);
+            here = _o165.here;
+            const M _m166 = lanes_both(_m147, here);
             {
-                const LANES(court_bridge_off_out) _o165 =
+                const LANES(court_bridge_off_out) _o167 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m164, _o165.gap, gap);
+                gap = lanes_select(_m166, _o167.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o166 =
+            const LANES(court_roll_placed_out) _o168 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m145, _o166.x, x);
-            y = lanes_select(_m145, _o166.y, y);
-            z = lanes_select(_m145, _o166.z, z);
-            vx = lanes_select(_m145, _o166.vx, vx);
-            vy = lanes_select(_m145, _o166.vy, vy);
-            vz = lanes_select(_m145, _o166.vz, vz);
-            wx = lanes_select(_m145, _o166.wx, wx);
-            wy = lanes_select(_m145, _o166.wy, wy);
-            wz = lanes_select(_m145, _o166.wz, wz);
-            const LANES(court_beginning_contact_out) _o167 =
+            x = lanes_select(_m147, _o168.x, x);
+            y = lanes_select(_m147, _o168.y, y);
+            z = lanes_select(_m147, _o168.z, z);
+            vx = lanes_select(_m147, _o168.vx, vx);
+            vy = lanes_select(_m147, _o168.vy, vy);
+            vz = lanes_select(_m147, _o168.vz, vz);
+            wx = lanes_select(_m147, _o168.wx, wx);
+            wy = lanes_select(_m147, _o168.wy, wy);
+            wz = lanes_select(_m147, _o168.wz, wz);
+            const LANES(court_beginning_contact_out) _o169 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m145, _o167.which, which);
-            circled = lanes_select(_m145, _o167.circled, circled);
+            which = lanes_select(_m147, _o169.which, which);
+            circled = lanes_select(_m147, _o169.circled, circled);
         }
-        const LANES(court_circles_out) _o168 =
+        const LANES(court_circles_out) _o170 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o168.circling;
-        rolling = _o168.rolling;
+        M circling = _o170.circling;
+        rolling = _o170.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -1421,388 +1415,388 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_holding_out) _o169 =
+            const LANES(court_holding_out) _o171 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o169.here;
-            const M _m170 = lanes_both(active, here);
-            if (lanes_any(_m170)) {
-                const LANES(court_backboard_normal_out) _o171 =
+            M here = _o171.here;
+            const M _m172 = lanes_both(active, here);
+            if (lanes_any(_m172)) {
+                const LANES(court_backboard_normal_out) _o173 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m170, _o171.nx, nx);
-                ny = lanes_select(_m170, _o171.ny, ny);
-                nz = lanes_select(_m170, _o171.nz, nz);
-                const LANES(court_backboard_tube_out) _o172 =
+                nx = lanes_select(_m172, _o173.nx, nx);
+                ny = lanes_select(_m172, _o173.ny, ny);
+                nz = lanes_select(_m172, _o173.nz, nz);
+                const LANES(court_backboard_tube_out) _o174 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m170, _o172.bent_x, bent_x);
-                bent_y = lanes_select(_m170, _o172.bent_y, bent_y);
-                bent_z = lanes_select(_m170, _o172.bent_z, bent_z);
-                per_reach = lanes_select(_m170, _o172.per_reach, per_reach);
+                bent_x = lanes_select(_m172, _o174.bent_x, bent_x);
+                bent_y = lanes_select(_m172, _o174.bent_y, bent_y);
+                bent_z = lanes_select(_m172, _o174.bent_z, bent_z);
+                per_reach = lanes_select(_m172, _o174.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o173 =
+            const LANES(court_holding_out) _o175 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o173.here;
-            const M _m174 = lanes_both(active, here);
-            if (lanes_any(_m174)) {
-                const LANES(court_bridge_normal_out) _o175 =
+            here = _o175.here;
+            const M _m176 = lanes_both(active, here);
+            if (lanes_any(_m176)) {
+                const LANES(court_bridge_normal_out) _o177 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m174, _o175.nx, nx);
-                ny = lanes_select(_m174, _o175.ny, ny);
-                nz = lanes_select(_m174, _o175.nz, nz);
-                const LANES(court_bridge_tube_out) _o176 =
+                nx = lanes_select(_m176, _o177.nx, nx);
+                ny = lanes_select(_m176, _o177.ny, ny);
+                nz = lanes_select(_m176, _o177.nz, nz);
+                const LANES(court_bridge_tube_out) _o178 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m174, _o176.bent_x, bent_x);
-                bent_y = lanes_select(_m174, _o176.bent_y, bent_y);
-                bent_z = lanes_select(_m174, _o176.bent_z, bent_z);
-                per_reach = lanes_select(_m174, _o176.per_reach, per_reach);
+                bent_x = lanes_select(_m176, _o178.bent_x, bent_x);
+                bent_y = lanes_select(_m176, _o178.bent_y, bent_y);
+                bent_z = lanes_select(_m176, _o178.bent_z, bent_z);
+                per_reach = lanes_select(_m176, _o178.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o177 =
+            const LANES(court_roll_start_out) _o179 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o177.vx_0;
-            V vy_0 = _o177.vy_0;
-            V vz_0 = _o177.vz_0;
-            V nx_0 = _o177.nx_0;
-            V ny_0 = _o177.ny_0;
-            V nz_0 = _o177.nz_0;
-            V turn_rate_0 = _o177.turn_rate_0;
-            const LANES(court_roll_0_out) _o178 =
+            V vx_0 = _o179.vx_0;
+            V vy_0 = _o179.vy_0;
+            V vz_0 = _o179.vz_0;
+            V nx_0 = _o179.nx_0;
+            V ny_0 = _o179.ny_0;
+            V nz_0 = _o179.nz_0;
+            V turn_rate_0 = _o179.turn_rate_0;
+            const LANES(court_roll_0_out) _o180 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o178.lift_0;
-            V tx_0 = _o178.tx_0;
-            V ty_0 = _o178.ty_0;
-            V tz_0 = _o178.tz_0;
-            V vx_1 = _o178.vx_1;
-            V vy_1 = _o178.vy_1;
-            V vz_1 = _o178.vz_1;
-            V nx_1 = _o178.nx_1;
-            V ny_1 = _o178.ny_1;
-            V nz_1 = _o178.nz_1;
-            V turn_rate_1 = _o178.turn_rate_1;
-            const LANES(court_roll_1_out) _o179 =
+            V lift_0 = _o180.lift_0;
+            V tx_0 = _o180.tx_0;
+            V ty_0 = _o180.ty_0;
+            V tz_0 = _o180.tz_0;
+            V vx_1 = _o180.vx_1;
+            V vy_1 = _o180.vy_1;
+            V vz_1 = _o180.vz_1;
+            V nx_1 = _o180.nx_1;
+            V ny_1 = _o180.ny_1;
+            V nz_1 = _o180.nz_1;
+            V turn_rate_1 = _o180.turn_rate_1;
+            const LANES(court_roll_1_out) _o181 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o179.lift_1;
-            V tx_1 = _o179.tx_1;
-            V ty_1 = _o179.ty_1;
-            V tz_1 = _o179.tz_1;
-            V vx_2 = _o179.vx_2;
-            V vy_2 = _o179.vy_2;
-            V vz_2 = _o179.vz_2;
-            V nx_2 = _o179.nx_2;
-            V ny_2 = _o179.ny_2;
-            V nz_2 = _o179.nz_2;
-            V turn_rate_2 = _o179.turn_rate_2;
-            const LANES(court_roll_2_out) _o180 =
+            V lift_1 = _o181.lift_1;
+            V tx_1 = _o181.tx_1;
+            V ty_1 = _o181.ty_1;
+            V tz_1 = _o181.tz_1;
+            V vx_2 = _o181.vx_2;
+            V vy_2 = _o181.vy_2;
+            V vz_2 = _o181.vz_2;
+            V nx_2 = _o181.nx_2;
+            V ny_2 = _o181.ny_2;
+            V nz_2 = _o181.nz_2;
+            V turn_rate_2 = _o181.turn_rate_2;
+            const LANES(court_roll_2_out) _o182 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o180.lift_2;
-            V tx_2 = _o180.tx_2;
-            V ty_2 = _o180.ty_2;
-            V tz_2 = _o180.tz_2;
-            V vx_3 = _o180.vx_3;
-            V vy_3 = _o180.vy_3;
-            V vz_3 = _o180.vz_3;
-            V nx_3 = _o180.nx_3;
-            V ny_3 = _o180.ny_3;
-            V nz_3 = _o180.nz_3;
-            V turn_rate_3 = _o180.turn_rate_3;
-            const LANES(court_roll_3_out) _o181 =
+            V lift_2 = _o182.lift_2;
+            V tx_2 = _o182.tx_2;
+            V ty_2 = _o182.ty_2;
+            V tz_2 = _o182.tz_2;
+            V vx_3 = _o182.vx_3;
+            V vy_3 = _o182.vy_3;
+            V vz_3 = _o182.vz_3;
+            V nx_3 = _o182.nx_3;
+            V ny_3 = _o182.ny_3;
+            V nz_3 = _o182.nz_3;
+            V turn_rate_3 = _o182.turn_rate_3;
+            const LANES(court_roll_3_out) _o183 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o181.lift_3;
-            V tx_3 = _o181.tx_3;
-            V ty_3 = _o181.ty_3;
-            V tz_3 = _o181.tz_3;
-            V vx_4 = _o181.vx_4;
-            V vy_4 = _o181.vy_4;
-            V vz_4 = _o181.vz_4;
-            V nx_4 = _o181.nx_4;
-            V ny_4 = _o181.ny_4;
-            V nz_4 = _o181.nz_4;
-            V turn_rate_4 = _o181.turn_rate_4;
-            const LANES(court_roll_4_out) _o182 =
+            V lift_3 = _o183.lift_3;
+            V tx_3 = _o183.tx_3;
+            V ty_3 = _o183.ty_3;
+            V tz_3 = _o183.tz_3;
+            V vx_4 = _o183.vx_4;
+            V vy_4 = _o183.vy_4;
+            V vz_4 = _o183.vz_4;
+            V nx_4 = _o183.nx_4;
+            V ny_4 = _o183.ny_4;
+            V nz_4 = _o183.nz_4;
+            V turn_rate_4 = _o183.turn_rate_4;
+            const LANES(court_roll_4_out) _o184 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o182.lift_4;
-            V tx_4 = _o182.tx_4;
-            V ty_4 = _o182.ty_4;
-            V tz_4 = _o182.tz_4;
-            V vx_5 = _o182.vx_5;
-            V vy_5 = _o182.vy_5;
-            V vz_5 = _o182.vz_5;
-            V nx_5 = _o182.nx_5;
-            V ny_5 = _o182.ny_5;
-            V nz_5 = _o182.nz_5;
-            V turn_rate_5 = _o182.turn_rate_5;
-            const LANES(court_roll_5_out) _o183 =
+            V lift_4 = _o184.lift_4;
+            V tx_4 = _o184.tx_4;
+            V ty_4 = _o184.ty_4;
+            V tz_4 = _o184.tz_4;
+            V vx_5 = _o184.vx_5;
+            V vy_5 = _o184.vy_5;
+            V vz_5 = _o184.vz_5;
+            V nx_5 = _o184.nx_5;
+            V ny_5 = _o184.ny_5;
+            V nz_5 = _o184.nz_5;
+            V turn_rate_5 = _o184.turn_rate_5;
+            const LANES(court_roll_5_out) _o185 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o183.lift_5;
-            V tx_5 = _o183.tx_5;
-            V ty_5 = _o183.ty_5;
-            V tz_5 = _o183.tz_5;
-            V vx_6 = _o183.vx_6;
-            V vy_6 = _o183.vy_6;
-            V vz_6 = _o183.vz_6;
-            V nx_6 = _o183.nx_6;
-            V ny_6 = _o183.ny_6;
-            V nz_6 = _o183.nz_6;
-            V turn_rate_6 = _o183.turn_rate_6;
-            const LANES(court_roll_6_out) _o184 =
+            V lift_5 = _o185.lift_5;
+            V tx_5 = _o185.tx_5;
+            V ty_5 = _o185.ty_5;
+            V tz_5 = _o185.tz_5;
+            V vx_6 = _o185.vx_6;
+            V vy_6 = _o185.vy_6;
+            V vz_6 = _o185.vz_6;
+            V nx_6 = _o185.nx_6;
+            V ny_6 = _o185.ny_6;
+            V nz_6 = _o185.nz_6;
+            V turn_rate_6 = _o185.turn_rate_6;
+            const LANES(court_roll_6_out) _o186 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o184.lift_6;
-            V tx_6 = _o184.tx_6;
-            V ty_6 = _o184.ty_6;
-            V tz_6 = _o184.tz_6;
-            V vx_7 = _o184.vx_7;
-            V vy_7 = _o184.vy_7;
-            V vz_7 = _o184.vz_7;
-            V nx_7 = _o184.nx_7;
-            V ny_7 = _o184.ny_7;
-            V nz_7 = _o184.nz_7;
-            V turn_rate_7 = _o184.turn_rate_7;
-            const LANES(court_roll_7_out) _o185 =
+            V lift_6 = _o186.lift_6;
+            V tx_6 = _o186.tx_6;
+            V ty_6 = _o186.ty_6;
+            V tz_6 = _o186.tz_6;
+            V vx_7 = _o186.vx_7;
+            V vy_7 = _o186.vy_7;
+            V vz_7 = _o186.vz_7;
+            V nx_7 = _o186.nx_7;
+            V ny_7 = _o186.ny_7;
+            V nz_7 = _o186.nz_7;
+            V turn_rate_7 = _o186.turn_rate_7;
+            const LANES(court_roll_7_out) _o187 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o185.lift_7;
-            V vx_8 = _o185.vx_8;
-            V vy_8 = _o185.vy_8;
-            V vz_8 = _o185.vz_8;
-            V nx_8 = _o185.nx_8;
-            V ny_8 = _o185.ny_8;
-            V nz_8 = _o185.nz_8;
-            V turn_rate_8 = _o185.turn_rate_8;
-            const LANES(court_roll_pace_out) _o186 =
+            V lift_7 = _o187.lift_7;
+            V vx_8 = _o187.vx_8;
+            V vy_8 = _o187.vy_8;
+            V vz_8 = _o187.vz_8;
+            V nx_8 = _o187.nx_8;
+            V ny_8 = _o187.ny_8;
+            V nz_8 = _o187.nz_8;
+            V turn_rate_8 = _o187.turn_rate_8;
+            const LANES(court_roll_pace_out) _o188 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o186.stride;
-            V strongest = _o186.strongest;
-            V fastest = _o186.fastest;
-            V force = _o186.force;
-            V force_rate = _o186.force_rate;
-            V force_bend = _o186.force_bend;
-            V brace = _o186.brace;
-            const LANES(court_leaving_force_out) _o187 =
+            V stride = _o188.stride;
+            V strongest = _o188.strongest;
+            V fastest = _o188.fastest;
+            V force = _o188.force;
+            V force_rate = _o188.force_rate;
+            V force_bend = _o188.force_bend;
+            V brace = _o188.brace;
+            const LANES(court_leaving_force_out) _o189 =
                 LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o187.stride;
-            which = _o187.which;
-            M rests = _o187.rests;
-            const LANES(court_beside_out) _o188 =
+            stride = _o189.stride;
+            which = _o189.which;
+            M rests = _o189.rests;
+            const LANES(court_beside_out) _o190 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o188.beside;
-            const M _m189 = lanes_both(active, beside);
-            if (lanes_any(_m189)) {
-                const LANES(court_ring_beside_out) _o190 =
+            M beside = _o190.beside;
+            const M _m191 = lanes_both(active, beside);
+            if (lanes_any(_m191)) {
+                const LANES(court_ring_beside_out) _o192 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o190.gap;
-                V nearing = _o190.nearing;
-                V dent = _o190.dent;
-                const LANES(court_beside_body_out) _o191 =
+                V gap = _o192.gap;
+                V nearing = _o192.nearing;
+                V dent = _o192.dent;
+                const LANES(court_beside_body_out) _o193 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(0.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m189, _o191.stride, stride);
-                which = lanes_select(_m189, _o191.which, which);
+                stride = lanes_select(_m191, _o193.stride, stride);
+                which = lanes_select(_m191, _o193.which, which);
             }
-            const LANES(court_beside_out) _o192 =
+            const LANES(court_beside_out) _o194 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o192.beside;
-            const M _m193 = lanes_both(active, beside);
-            if (lanes_any(_m193)) {
-                const LANES(court_backboard_beside_out) _o194 =
+            beside = _o194.beside;
+            const M _m195 = lanes_both(active, beside);
+            if (lanes_any(_m195)) {
+                const LANES(court_backboard_beside_out) _o196 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o194.gap;
-                V nearing = _o194.nearing;
-                V dent = _o194.dent;
-                const LANES(court_beside_body_out) _o195 =
+                V gap = _o196.gap;
+                V nearing = _o196.nearing;
+                V dent = _o196.dent;
+                const LANES(court_beside_body_out) _o197 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m193, _o195.stride, stride);
-                which = lanes_select(_m193, _o195.which, which);
+                stride = lanes_select(_m195, _o197.stride, stride);
+                which = lanes_select(_m195, _o197.which, which);
             }
-            const LANES(court_beside_out) _o196 =
+            const LANES(court_beside_out) _o198 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o196.beside;
-            const M _m197 = lanes_both(active, beside);
-            if (lanes_any(_m197)) {
-                const LANES(court_bridge_beside_out) _o198 =
+            beside = _o198.beside;
+            const M _m199 = lanes_both(active, beside);
+            if (lanes_any(_m199)) {
+                const LANES(court_bridge_beside_out) _o200 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o198.gap;
-                V nearing = _o198.nearing;
-                V dent = _o198.dent;
-                const LANES(court_beside_body_out) _o199 =
+                V gap = _o200.gap;
+                V nearing = _o200.nearing;
+                V dent = _o200.dent;
+                const LANES(court_beside_body_out) _o201 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m197, _o199.stride, stride);
-                which = lanes_select(_m197, _o199.which, which);
+                stride = lanes_select(_m199, _o201.stride, stride);
+                which = lanes_select(_m199, _o201.which, which);
             }
-            const LANES(court_end_beside_out) _o200 =
+            const LANES(court_end_beside_out) _o202 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o200.gap;
-            V nearing = _o200.nearing;
-            V dent = _o200.dent;
-            const LANES(court_beside_gate_out) _o201 =
+            V gap = _o202.gap;
+            V nearing = _o202.nearing;
+            V dent = _o202.dent;
+            const LANES(court_beside_gate_out) _o203 =
                 LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o201.stride;
-            which = _o201.which;
-            const LANES(court_holding_out) _o202 =
+            stride = _o203.stride;
+            which = _o203.which;
+            const LANES(court_holding_out) _o204 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o202.here;
-            const M _m203 = lanes_both(active, here);
-            if (lanes_any(_m203)) {
-                const LANES(court_backboard_seam0_out) _o204 =
+            here = _o204.here;
+            const M _m205 = lanes_both(active, here);
+            if (lanes_any(_m205)) {
+                const LANES(court_backboard_seam0_out) _o206 =
                     LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m203, _o204.gap, gap);
-                V nearing = _o204.nearing;
-                V near = _o204.near;
-                const LANES(court_beside_seam_out) _o205 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m203, _o205.stride, stride);
-                const LANES(court_backboard_seam1_out) _o206 =
-                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m203, _o206.gap, gap);
-                nearing = _o206.nearing;
-                near = _o206.near;
+                gap = lanes_select(_m205, _o206.gap, gap);
+                V nearing = _o206.nearing;
+                V near = _o206.near;
                 const LANES(court_beside_seam_out) _o207 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m203, _o207.stride, stride);
-                const LANES(court_backboard_seam2_out) _o208 =
-                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m203, _o208.gap, gap);
+                stride = lanes_select(_m205, _o207.stride, stride);
+                const LANES(court_backboard_seam1_out) _o208 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m205, _o208.gap, gap);
                 nearing = _o208.nearing;
                 near = _o208.near;
                 const LANES(court_beside_seam_out) _o209 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m203, _o209.stride, stride);
-                const LANES(court_backboard_seam3_out) _o210 =
-                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m203, _o210.gap, gap);
+                stride = lanes_select(_m205, _o209.stride, stride);
+                const LANES(court_backboard_seam2_out) _o210 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m205, _o210.gap, gap);
                 nearing = _o210.nearing;
                 near = _o210.near;
                 const LANES(court_beside_seam_out) _o211 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m203, _o211.stride, stride);
-                const LANES(court_backboard_seam4_out) _o212 =
-                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m203, _o212.gap, gap);
+                stride = lanes_select(_m205, _o211.stride, stride);
+                const LANES(court_backboard_seam3_out) _o212 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m205, _o212.gap, gap);
                 nearing = _o212.nearing;
                 near = _o212.near;
                 const LANES(court_beside_seam_out) _o213 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m203, _o213.stride, stride);
-                const LANES(court_backboard_seam5_out) _o214 =
-                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m203, _o214.gap, gap);
+                stride = lanes_select(_m205, _o213.stride, stride);
+                const LANES(court_backboard_seam4_out) _o214 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m205, _o214.gap, gap);
                 nearing = _o214.nearing;
                 near = _o214.near;
                 const LANES(court_beside_seam_out) _o215 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m203, _o215.stride, stride);
-            }
-            const LANES(court_holding_out) _o216 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o216.here;
-            const M _m217 = lanes_both(active, here);
-            if (lanes_any(_m217)) {
-                const LANES(court_bridge_seam0_out) _o218 =
-                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m217, _o218.gap, gap);
-                V nearing = _o218.nearing;
-                V near = _o218.near;
-                const LANES(court_beside_seam_out) _o219 =
+                stride = lanes_select(_m205, _o215.stride, stride);
+                const LANES(court_backboard_seam5_out) _o216 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m205, _o216.gap, gap);
+                nearing = _o216.nearing;
+                near = _o216.near;
+                const LANES(court_beside_seam_out) _o217 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o219.stride, stride);
-                const LANES(court_bridge_seam1_out) _o220 =
-                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m217, _o220.gap, gap);
-                nearing = _o220.nearing;
-                near = _o220.near;
+                stride = lanes_select(_m205, _o217.stride, stride);
+            }
+            const LANES(court_holding_out) _o218 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o218.here;
+            const M _m219 = lanes_both(active, here);
+            if (lanes_any(_m219)) {
+                const LANES(court_bridge_seam0_out) _o220 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m219, _o220.gap, gap);
+                V nearing = _o220.nearing;
+                V near = _o220.near;
                 const LANES(court_beside_seam_out) _o221 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o221.stride, stride);
-                const LANES(court_bridge_seam2_out) _o222 =
-                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m217, _o222.gap, gap);
+                stride = lanes_select(_m219, _o221.stride, stride);
+                const LANES(court_bridge_seam1_out) _o222 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m219, _o222.gap, gap);
                 nearing = _o222.nearing;
                 near = _o222.near;
                 const LANES(court_beside_seam_out) _o223 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o223.stride, stride);
-                const LANES(court_bridge_seam3_out) _o224 =
-                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m217, _o224.gap, gap);
+                stride = lanes_select(_m219, _o223.stride, stride);
+                const LANES(court_bridge_seam2_out) _o224 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m219, _o224.gap, gap);
                 nearing = _o224.nearing;
                 near = _o224.near;
                 const LANES(court_beside_seam_out) _o225 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o225.stride, stride);
-                const LANES(court_bridge_seam4_out) _o226 =
-                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m217, _o226.gap, gap);
+                stride = lanes_select(_m219, _o225.stride, stride);
+                const LANES(court_bridge_seam3_out) _o226 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m219, _o226.gap, gap);
                 nearing = _o226.nearing;
                 near = _o226.near;
                 const LANES(court_beside_seam_out) _o227 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o227.stride, stride);
-                const LANES(court_bridge_seam5_out) _o228 =
-                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m217, _o228.gap, gap);
+                stride = lanes_select(_m219, _o227.stride, stride);
+                const LANES(court_bridge_seam4_out) _o228 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m219, _o228.gap, gap);
                 nearing = _o228.nearing;
                 near = _o228.near;
                 const LANES(court_beside_seam_out) _o229 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m217, _o229.stride, stride);
+                stride = lanes_select(_m219, _o229.stride, stride);
+                const LANES(court_bridge_seam5_out) _o230 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m219, _o230.gap, gap);
+                nearing = _o230.nearing;
+                near = _o230.near;
+                const LANES(court_beside_seam_out) _o231 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m219, _o231.stride, stride);
             }
-            const LANES(court_beside_time_out) _o230 =
+            const LANES(court_beside_time_out) _o232 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o230.stride;
-            which = _o230.which;
-            const LANES(court_passing_from_out) _o231 =
+            stride = _o232.stride;
+            which = _o232.which;
+            const LANES(court_passing_from_out) _o233 =
                 LANES(court_passing_from)(z);
-            M over = _o231.over;
-            const LANES(court_roll_moved_out) _o232 =
+            M over = _o233.over;
+            const LANES(court_roll_moved_out) _o234 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o232.x;
-            vx = _o232.vx;
-            y = _o232.y;
-            vy = _o232.vy;
-            z = _o232.z;
-            vz = _o232.vz;
-            V turn_rate = _o232.turn_rate;
-            const LANES(court_holding_out) _o233 =
+            x = _o234.x;
+            vx = _o234.vx;
+            y = _o234.y;
+            vy = _o234.vy;
+            z = _o234.z;
+            vz = _o234.vz;
+            V turn_rate = _o234.turn_rate;
+            const LANES(court_holding_out) _o235 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o233.here;
-            const M _m234 = lanes_both(active, here);
-            if (lanes_any(_m234)) {
-                const LANES(court_backboard_normal_out) _o235 =
+            here = _o235.here;
+            const M _m236 = lanes_both(active, here);
+            if (lanes_any(_m236)) {
+                const LANES(court_backboard_normal_out) _o237 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m234, _o235.nx, nx);
-                ny = lanes_select(_m234, _o235.ny, ny);
-                nz = lanes_select(_m234, _o235.nz, nz);
-                const LANES(court_backboard_off_out) _o236 =
+                nx = lanes_select(_m236, _o237.nx, nx);
+                ny = lanes_select(_m236, _o237.ny, ny);
+                nz = lanes_select(_m236, _o237.nz, nz);
+                const LANES(court_backboard_off_out) _o238 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m234, _o236.gap, gap);
+                gap = lanes_select(_m236, _o238.gap, gap);
             }
-            const LANES(court_holding_out) _o237 =
+            const LANES(court_holding_out) _o239 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o237.here;
-            const M _m238 = lanes_both(active, here);
-            if (lanes_any(_m238)) {
-                const LANES(court_bridge_normal_out) _o239 =
+            here = _o239.here;
+            const M _m240 = lanes_both(active, here);
+            if (lanes_any(_m240)) {
+                const LANES(court_bridge_normal_out) _o241 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m238, _o239.nx, nx);
-                ny = lanes_select(_m238, _o239.ny, ny);
-                nz = lanes_select(_m238, _o239.nz, nz);
-                const LANES(court_bridge_off_out) _o240 =
+                nx = lanes_select(_m240, _o241.nx, nx);
+                ny = lanes_select(_m240, _o241.ny, ny);
+                nz = lanes_select(_m240, _o241.nz, nz);
+                const LANES(court_bridge_off_out) _o242 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m238, _o240.gap, gap);
+                gap = lanes_select(_m240, _o242.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o241 =
+            const LANES(court_roll_placed_out) _o243 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o241.x;
-            y = _o241.y;
-            z = _o241.z;
-            vx = _o241.vx;
-            vy = _o241.vy;
-            vz = _o241.vz;
-            wx = _o241.wx;
-            wy = _o241.wy;
-            wz = _o241.wz;
-            const LANES(court_passing_in_contact_out) _o242 =
+            x = _o243.x;
+            y = _o243.y;
+            z = _o243.z;
+            vx = _o243.vx;
+            vy = _o243.vy;
+            vz = _o243.vz;
+            wx = _o243.wx;
+            wy = _o243.wy;
+            wz = _o243.wz;
+            const LANES(court_passing_in_contact_out) _o244 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o242.through;
-            const LANES(court_rolled_on_out) _o243 =
+            through = _o244.through;
+            const LANES(court_rolled_on_out) _o245 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o243.clock;
-            rolling = _o243.rolling;
+            clock = _o245.clock;
+            rolling = _o245.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -2005,320 +1999,320 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_ring_tube_out) _o244 =
+            const LANES(court_ring_tube_out) _o246 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o244.per_reach;
-            const LANES(court_ring_round_start_out) _o245 =
+            V per_reach = _o246.per_reach;
+            const LANES(court_ring_round_start_out) _o247 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o245.cosine_0;
-            V sine_0 = _o245.sine_0;
-            V climb_0 = _o245.climb_0;
-            V along_0 = _o245.along_0;
-            V turn_rate_0 = _o245.turn_rate_0;
-            V cos_0 = _o245.cos_0;
-            V sin_0 = _o245.sin_0;
-            V near_0 = _o245.near_0;
-            const LANES(court_ring_round_0_out) _o246 =
+            V cosine_0 = _o247.cosine_0;
+            V sine_0 = _o247.sine_0;
+            V climb_0 = _o247.climb_0;
+            V along_0 = _o247.along_0;
+            V turn_rate_0 = _o247.turn_rate_0;
+            V cos_0 = _o247.cos_0;
+            V sin_0 = _o247.sin_0;
+            V near_0 = _o247.near_0;
+            const LANES(court_ring_round_0_out) _o248 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o246.omega_0;
-            V around_0 = _o246.around_0;
-            V tilted_0 = _o246.tilted_0;
-            V pressed_0 = _o246.pressed_0;
-            V force_0 = _o246.force_0;
-            V cosine_1 = _o246.cosine_1;
-            V sine_1 = _o246.sine_1;
-            V climb_1 = _o246.climb_1;
-            V along_1 = _o246.along_1;
-            V turn_rate_1 = _o246.turn_rate_1;
-            V cos_1 = _o246.cos_1;
-            V sin_1 = _o246.sin_1;
-            const LANES(court_ring_round_1_out) _o247 =
+            V omega_0 = _o248.omega_0;
+            V around_0 = _o248.around_0;
+            V tilted_0 = _o248.tilted_0;
+            V pressed_0 = _o248.pressed_0;
+            V force_0 = _o248.force_0;
+            V cosine_1 = _o248.cosine_1;
+            V sine_1 = _o248.sine_1;
+            V climb_1 = _o248.climb_1;
+            V along_1 = _o248.along_1;
+            V turn_rate_1 = _o248.turn_rate_1;
+            V cos_1 = _o248.cos_1;
+            V sin_1 = _o248.sin_1;
+            const LANES(court_ring_round_1_out) _o249 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o247.near_1;
-            V omega_1 = _o247.omega_1;
-            V around_1 = _o247.around_1;
-            V tilted_1 = _o247.tilted_1;
-            V pressed_1 = _o247.pressed_1;
-            V force_1 = _o247.force_1;
-            V cosine_2 = _o247.cosine_2;
-            V sine_2 = _o247.sine_2;
-            V climb_2 = _o247.climb_2;
-            V along_2 = _o247.along_2;
-            V turn_rate_2 = _o247.turn_rate_2;
-            V cos_2 = _o247.cos_2;
-            V sin_2 = _o247.sin_2;
-            const LANES(court_ring_round_2_out) _o248 =
+            V near_1 = _o249.near_1;
+            V omega_1 = _o249.omega_1;
+            V around_1 = _o249.around_1;
+            V tilted_1 = _o249.tilted_1;
+            V pressed_1 = _o249.pressed_1;
+            V force_1 = _o249.force_1;
+            V cosine_2 = _o249.cosine_2;
+            V sine_2 = _o249.sine_2;
+            V climb_2 = _o249.climb_2;
+            V along_2 = _o249.along_2;
+            V turn_rate_2 = _o249.turn_rate_2;
+            V cos_2 = _o249.cos_2;
+            V sin_2 = _o249.sin_2;
+            const LANES(court_ring_round_2_out) _o250 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o248.near_2;
-            V omega_2 = _o248.omega_2;
-            V around_2 = _o248.around_2;
-            V tilted_2 = _o248.tilted_2;
-            V pressed_2 = _o248.pressed_2;
-            V force_2 = _o248.force_2;
-            V cosine_3 = _o248.cosine_3;
-            V sine_3 = _o248.sine_3;
-            V climb_3 = _o248.climb_3;
-            V along_3 = _o248.along_3;
-            V turn_rate_3 = _o248.turn_rate_3;
-            V cos_3 = _o248.cos_3;
-            V sin_3 = _o248.sin_3;
-            const LANES(court_ring_round_3_out) _o249 =
+            V near_2 = _o250.near_2;
+            V omega_2 = _o250.omega_2;
+            V around_2 = _o250.around_2;
+            V tilted_2 = _o250.tilted_2;
+            V pressed_2 = _o250.pressed_2;
+            V force_2 = _o250.force_2;
+            V cosine_3 = _o250.cosine_3;
+            V sine_3 = _o250.sine_3;
+            V climb_3 = _o250.climb_3;
+            V along_3 = _o250.along_3;
+            V turn_rate_3 = _o250.turn_rate_3;
+            V cos_3 = _o250.cos_3;
+            V sin_3 = _o250.sin_3;
+            const LANES(court_ring_round_3_out) _o251 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o249.near_3;
-            V omega_3 = _o249.omega_3;
-            V around_3 = _o249.around_3;
-            V tilted_3 = _o249.tilted_3;
-            V pressed_3 = _o249.pressed_3;
-            V force_3 = _o249.force_3;
-            V cosine_4 = _o249.cosine_4;
-            V sine_4 = _o249.sine_4;
-            V climb_4 = _o249.climb_4;
-            V along_4 = _o249.along_4;
-            V turn_rate_4 = _o249.turn_rate_4;
-            V cos_4 = _o249.cos_4;
-            V sin_4 = _o249.sin_4;
-            const LANES(court_ring_round_4_out) _o250 =
+            V near_3 = _o251.near_3;
+            V omega_3 = _o251.omega_3;
+            V around_3 = _o251.around_3;
+            V tilted_3 = _o251.tilted_3;
+            V pressed_3 = _o251.pressed_3;
+            V force_3 = _o251.force_3;
+            V cosine_4 = _o251.cosine_4;
+            V sine_4 = _o251.sine_4;
+            V climb_4 = _o251.climb_4;
+            V along_4 = _o251.along_4;
+            V turn_rate_4 = _o251.turn_rate_4;
+            V cos_4 = _o251.cos_4;
+            V sin_4 = _o251.sin_4;
+            const LANES(court_ring_round_4_out) _o252 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o250.near_4;
-            V omega_4 = _o250.omega_4;
-            V around_4 = _o250.around_4;
-            V tilted_4 = _o250.tilted_4;
-            V pressed_4 = _o250.pressed_4;
-            V force_4 = _o250.force_4;
-            V cosine_5 = _o250.cosine_5;
-            V sine_5 = _o250.sine_5;
-            V climb_5 = _o250.climb_5;
-            V along_5 = _o250.along_5;
-            V turn_rate_5 = _o250.turn_rate_5;
-            V cos_5 = _o250.cos_5;
-            V sin_5 = _o250.sin_5;
-            const LANES(court_ring_round_5_out) _o251 =
+            V near_4 = _o252.near_4;
+            V omega_4 = _o252.omega_4;
+            V around_4 = _o252.around_4;
+            V tilted_4 = _o252.tilted_4;
+            V pressed_4 = _o252.pressed_4;
+            V force_4 = _o252.force_4;
+            V cosine_5 = _o252.cosine_5;
+            V sine_5 = _o252.sine_5;
+            V climb_5 = _o252.climb_5;
+            V along_5 = _o252.along_5;
+            V turn_rate_5 = _o252.turn_rate_5;
+            V cos_5 = _o252.cos_5;
+            V sin_5 = _o252.sin_5;
+            const LANES(court_ring_round_5_out) _o253 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o251.near_5;
-            V omega_5 = _o251.omega_5;
-            V around_5 = _o251.around_5;
-            V tilted_5 = _o251.tilted_5;
-            V pressed_5 = _o251.pressed_5;
-            V force_5 = _o251.force_5;
-            V cosine_6 = _o251.cosine_6;
-            V sine_6 = _o251.sine_6;
-            V climb_6 = _o251.climb_6;
-            V along_6 = _o251.along_6;
-            V turn_rate_6 = _o251.turn_rate_6;
-            V cos_6 = _o251.cos_6;
-            V sin_6 = _o251.sin_6;
-            const LANES(court_ring_round_6_out) _o252 =
+            V near_5 = _o253.near_5;
+            V omega_5 = _o253.omega_5;
+            V around_5 = _o253.around_5;
+            V tilted_5 = _o253.tilted_5;
+            V pressed_5 = _o253.pressed_5;
+            V force_5 = _o253.force_5;
+            V cosine_6 = _o253.cosine_6;
+            V sine_6 = _o253.sine_6;
+            V climb_6 = _o253.climb_6;
+            V along_6 = _o253.along_6;
+            V turn_rate_6 = _o253.turn_rate_6;
+            V cos_6 = _o253.cos_6;
+            V sin_6 = _o253.sin_6;
+            const LANES(court_ring_round_6_out) _o254 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o252.near_6;
-            V omega_6 = _o252.omega_6;
-            V around_6 = _o252.around_6;
-            V tilted_6 = _o252.tilted_6;
-            V pressed_6 = _o252.pressed_6;
-            V force_6 = _o252.force_6;
-            V cosine_7 = _o252.cosine_7;
-            V sine_7 = _o252.sine_7;
-            V climb_7 = _o252.climb_7;
-            V along_7 = _o252.along_7;
-            V turn_rate_7 = _o252.turn_rate_7;
-            V cos_7 = _o252.cos_7;
-            V sin_7 = _o252.sin_7;
-            const LANES(court_ring_round_7_out) _o253 =
+            V near_6 = _o254.near_6;
+            V omega_6 = _o254.omega_6;
+            V around_6 = _o254.around_6;
+            V tilted_6 = _o254.tilted_6;
+            V pressed_6 = _o254.pressed_6;
+            V force_6 = _o254.force_6;
+            V cosine_7 = _o254.cosine_7;
+            V sine_7 = _o254.sine_7;
+            V climb_7 = _o254.climb_7;
+            V along_7 = _o254.along_7;
+            V turn_rate_7 = _o254.turn_rate_7;
+            V cos_7 = _o254.cos_7;
+            V sin_7 = _o254.sin_7;
+            const LANES(court_ring_round_7_out) _o255 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o253.near_7;
-            V omega_7 = _o253.omega_7;
-            V around_7 = _o253.around_7;
-            V tilted_7 = _o253.tilted_7;
-            V pressed_7 = _o253.pressed_7;
-            V force_7 = _o253.force_7;
-            V cosine_8 = _o253.cosine_8;
-            V sine_8 = _o253.sine_8;
-            V climb_8 = _o253.climb_8;
-            V along_8 = _o253.along_8;
-            V turn_rate_8 = _o253.turn_rate_8;
-            V cos_8 = _o253.cos_8;
-            V sin_8 = _o253.sin_8;
-            const LANES(court_ring_round_8_out) _o254 =
+            V near_7 = _o255.near_7;
+            V omega_7 = _o255.omega_7;
+            V around_7 = _o255.around_7;
+            V tilted_7 = _o255.tilted_7;
+            V pressed_7 = _o255.pressed_7;
+            V force_7 = _o255.force_7;
+            V cosine_8 = _o255.cosine_8;
+            V sine_8 = _o255.sine_8;
+            V climb_8 = _o255.climb_8;
+            V along_8 = _o255.along_8;
+            V turn_rate_8 = _o255.turn_rate_8;
+            V cos_8 = _o255.cos_8;
+            V sin_8 = _o255.sin_8;
+            const LANES(court_ring_round_8_out) _o256 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o254.near_8;
-            V omega_8 = _o254.omega_8;
-            V around_8 = _o254.around_8;
-            V tilted_8 = _o254.tilted_8;
-            V pressed_8 = _o254.pressed_8;
-            V force_8 = _o254.force_8;
-            V cosine_9 = _o254.cosine_9;
-            V sine_9 = _o254.sine_9;
-            V climb_9 = _o254.climb_9;
-            V along_9 = _o254.along_9;
-            V turn_rate_9 = _o254.turn_rate_9;
-            V cos_9 = _o254.cos_9;
-            V sin_9 = _o254.sin_9;
-            const LANES(court_ring_round_9_out) _o255 =
+            V near_8 = _o256.near_8;
+            V omega_8 = _o256.omega_8;
+            V around_8 = _o256.around_8;
+            V tilted_8 = _o256.tilted_8;
+            V pressed_8 = _o256.pressed_8;
+            V force_8 = _o256.force_8;
+            V cosine_9 = _o256.cosine_9;
+            V sine_9 = _o256.sine_9;
+            V climb_9 = _o256.climb_9;
+            V along_9 = _o256.along_9;
+            V turn_rate_9 = _o256.turn_rate_9;
+            V cos_9 = _o256.cos_9;
+            V sin_9 = _o256.sin_9;
+            const LANES(court_ring_round_9_out) _o257 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o255.near_9;
-            V omega_9 = _o255.omega_9;
-            V around_9 = _o255.around_9;
-            V tilted_9 = _o255.tilted_9;
-            V pressed_9 = _o255.pressed_9;
-            V force_9 = _o255.force_9;
-            V cosine_10 = _o255.cosine_10;
-            V sine_10 = _o255.sine_10;
-            V climb_10 = _o255.climb_10;
-            V along_10 = _o255.along_10;
-            V turn_rate_10 = _o255.turn_rate_10;
-            V cos_10 = _o255.cos_10;
-            V sin_10 = _o255.sin_10;
-            const LANES(court_ring_round_10_out) _o256 =
+            V near_9 = _o257.near_9;
+            V omega_9 = _o257.omega_9;
+            V around_9 = _o257.around_9;
+            V tilted_9 = _o257.tilted_9;
+            V pressed_9 = _o257.pressed_9;
+            V force_9 = _o257.force_9;
+            V cosine_10 = _o257.cosine_10;
+            V sine_10 = _o257.sine_10;
+            V climb_10 = _o257.climb_10;
+            V along_10 = _o257.along_10;
+            V turn_rate_10 = _o257.turn_rate_10;
+            V cos_10 = _o257.cos_10;
+            V sin_10 = _o257.sin_10;
+            const LANES(court_ring_round_10_out) _o258 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o256.near_10;
-            V omega_10 = _o256.omega_10;
-            V around_10 = _o256.around_10;
-            V tilted_10 = _o256.tilted_10;
-            V pressed_10 = _o256.pressed_10;
-            V force_10 = _o256.force_10;
-            V cosine_11 = _o256.cosine_11;
-            V sine_11 = _o256.sine_11;
-            V climb_11 = _o256.climb_11;
-            V along_11 = _o256.along_11;
-            V turn_rate_11 = _o256.turn_rate_11;
-            V cos_11 = _o256.cos_11;
-            V sin_11 = _o256.sin_11;
-            const LANES(court_ring_round_11_out) _o257 =
+            V near_10 = _o258.near_10;
+            V omega_10 = _o258.omega_10;
+            V around_10 = _o258.around_10;
+            V tilted_10 = _o258.tilted_10;
+            V pressed_10 = _o258.pressed_10;
+            V force_10 = _o258.force_10;
+            V cosine_11 = _o258.cosine_11;
+            V sine_11 = _o258.sine_11;
+            V climb_11 = _o258.climb_11;
+            V along_11 = _o258.along_11;
+            V turn_rate_11 = _o258.turn_rate_11;
+            V cos_11 = _o258.cos_11;
+            V sin_11 = _o258.sin_11;
+            const LANES(court_ring_round_11_out) _o259 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o257.force_11;
-            V cosine_12 = _o257.cosine_12;
-            V sine_12 = _o257.sine_12;
-            V climb_12 = _o257.climb_12;
-            V along_12 = _o257.along_12;
-            V turn_rate_12 = _o257.turn_rate_12;
-            V cos_12 = _o257.cos_12;
-            V sin_12 = _o257.sin_12;
-            const LANES(court_ring_round_pace_out) _o258 =
+            V force_11 = _o259.force_11;
+            V cosine_12 = _o259.cosine_12;
+            V sine_12 = _o259.sine_12;
+            V climb_12 = _o259.climb_12;
+            V along_12 = _o259.along_12;
+            V turn_rate_12 = _o259.turn_rate_12;
+            V cos_12 = _o259.cos_12;
+            V sin_12 = _o259.sin_12;
+            const LANES(court_ring_round_pace_out) _o260 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, p_wire_radius);
-            V stride = _o258.stride;
-            V strongest = _o258.strongest;
-            V fastest = _o258.fastest;
-            V sway = _o258.sway;
-            V force = _o258.force;
-            V force_rate = _o258.force_rate;
-            V force_bend = _o258.force_bend;
-            V brace = _o258.brace;
-            V vx_1 = _o258.vx_1;
-            V vy_1 = _o258.vy_1;
-            V vz_1 = _o258.vz_1;
-            const LANES(court_leaving_force_out) _o259 =
+            V stride = _o260.stride;
+            V strongest = _o260.strongest;
+            V fastest = _o260.fastest;
+            V sway = _o260.sway;
+            V force = _o260.force;
+            V force_rate = _o260.force_rate;
+            V force_bend = _o260.force_bend;
+            V brace = _o260.brace;
+            V vx_1 = _o260.vx_1;
+            V vy_1 = _o260.vy_1;
+            V vz_1 = _o260.vz_1;
+            const LANES(court_leaving_force_out) _o261 =
                 LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o259.stride;
-            which = _o259.which;
-            M rests = _o259.rests;
-            const LANES(court_backboard_beside_out) _o260 =
-                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o260.gap;
-            V nearing = _o260.nearing;
-            V dent = _o260.dent;
-            const LANES(court_beside_body_out) _o261 =
-                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
             stride = _o261.stride;
             which = _o261.which;
-            const LANES(court_bridge_beside_out) _o262 =
-                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o262.gap;
-            nearing = _o262.nearing;
-            dent = _o262.dent;
+            M rests = _o261.rests;
+            const LANES(court_backboard_beside_out) _o262 =
+                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            V gap = _o262.gap;
+            V nearing = _o262.nearing;
+            V dent = _o262.dent;
             const LANES(court_beside_body_out) _o263 =
-                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
             stride = _o263.stride;
             which = _o263.which;
-            const LANES(court_end_beside_out) _o264 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
+            const LANES(court_bridge_beside_out) _o264 =
+                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o264.gap;
             nearing = _o264.nearing;
             dent = _o264.dent;
-            const LANES(court_beside_gate_out) _o265 =
-                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            const LANES(court_beside_body_out) _o265 =
+                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
             stride = _o265.stride;
             which = _o265.which;
-            const LANES(court_beside_time_out) _o266 =
+            const LANES(court_end_beside_out) _o266 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o266.gap;
+            nearing = _o266.nearing;
+            dent = _o266.dent;
+            const LANES(court_beside_gate_out) _o267 =
+                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o267.stride;
+            which = _o267.which;
+            const LANES(court_beside_time_out) _o268 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o266.stride;
-            which = _o266.which;
-            const LANES(court_passing_from_out) _o267 =
+            stride = _o268.stride;
+            which = _o268.which;
+            const LANES(court_passing_from_out) _o269 =
                 LANES(court_passing_from)(z);
-            M over = _o267.over;
-            const LANES(court_alone_out) _o268 =
+            M over = _o269.over;
+            const LANES(court_alone_out) _o270 =
                 LANES(court_alone)();
-            V berth = _o268.nearest;
-            const LANES(court_leaps_out) _o269 =
+            V berth = _o270.nearest;
+            const LANES(court_leaps_out) _o271 =
                 LANES(court_leaps)(stride);
-            V forth = _o269.forth;
-            V back = _o269.back;
-            const LANES(court_backboard_around_out) _o270 =
+            V forth = _o271.forth;
+            V back = _o271.back;
+            const LANES(court_backboard_around_out) _o272 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o270.gap;
-            nearing = _o270.nearing;
-            const LANES(court_cleared_out) _o271 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o271.berth;
-            const LANES(court_bridge_around_out) _o272 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o272.gap;
             nearing = _o272.nearing;
             const LANES(court_cleared_out) _o273 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
             berth = _o273.berth;
-            const LANES(court_end_around_out) _o274 =
-                LANES(court_end_around)(p_end_depth, vz, z);
+            const LANES(court_bridge_around_out) _o274 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o274.gap;
             nearing = _o274.nearing;
             const LANES(court_cleared_out) _o275 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
             berth = _o275.berth;
-            const LANES(court_ring_round_moved_out) _o276 =
+            const LANES(court_end_around_out) _o276 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o276.gap;
+            nearing = _o276.nearing;
+            const LANES(court_cleared_out) _o277 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o277.berth;
+            const LANES(court_ring_round_moved_out) _o278 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o276.x;
-            y = _o276.y;
-            z = _o276.z;
-            vx = _o276.vx;
-            vy = _o276.vy;
-            vz = _o276.vz;
-            wx = _o276.wx;
-            wy = _o276.wy;
-            wz = _o276.wz;
-            V climb = _o276.climb;
-            const LANES(court_passing_in_contact_out) _o277 =
+            x = _o278.x;
+            y = _o278.y;
+            z = _o278.z;
+            vx = _o278.vx;
+            vy = _o278.vy;
+            vz = _o278.vz;
+            wx = _o278.wx;
+            wy = _o278.wy;
+            wz = _o278.wz;
+            V climb = _o278.climb;
+            const LANES(court_passing_in_contact_out) _o279 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o277.through;
-            const LANES(court_backboard_around_out) _o278 =
+            through = _o279.through;
+            const LANES(court_backboard_around_out) _o280 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o278.gap;
-            nearing = _o278.nearing;
-            const LANES(court_cleared_out) _o279 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o279.berth;
-            const LANES(court_bridge_around_out) _o280 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o280.gap;
             nearing = _o280.nearing;
             const LANES(court_cleared_out) _o281 =
                 LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o281.berth;
-            const LANES(court_end_around_out) _o282 =
-                LANES(court_end_around)(p_end_depth, vz, z);
+            const LANES(court_bridge_around_out) _o282 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o282.gap;
             nearing = _o282.nearing;
             const LANES(court_cleared_out) _o283 =
                 LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o283.berth;
-            const LANES(court_ring_swung_out) _o284 =
+            const LANES(court_end_around_out) _o284 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o284.gap;
+            nearing = _o284.nearing;
+            const LANES(court_cleared_out) _o285 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o285.berth;
+            const LANES(court_ring_swung_out) _o286 =
                 LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, K(0.0), stride, sway, K(0.0), which, p_wire_radius);
-            circled = _o284.circled;
-            M endless = _o284.endless;
-            const LANES(court_for_ever_out) _o285 =
+            circled = _o286.circled;
+            M endless = _o286.endless;
+            const LANES(court_for_ever_out) _o287 =
                 LANES(court_for_ever)(endless, which);
-            which = _o285.which;
-            const LANES(court_rolled_on_out) _o286 =
+            which = _o287.which;
+            const LANES(court_rolled_on_out) _o288 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o286.clock;
-            circling = _o286.rolling;
+            clock = _o288.clock;
+            circling = _o288.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -2412,9 +2406,9 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o287 =
+        const LANES(court_rejoined_out) _o289 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o287.rolling;
+        rolling = _o289.rolling;
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         const M packed = lanes_both(rows, leaves);
         if (lanes_any(packed)) {
@@ -2507,237 +2501,237 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
         V x = lanes_load(lists->slow_x + i);
         V y = lanes_load(lists->slow_y + i);
         V z = lanes_load(lists->slow_z + i);
-        const LANES(court_ring_normal_out) _o391 =
+        const LANES(court_ring_normal_out) _o393 =
             LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-        V nx = _o391.nx;
-        V ny = _o391.ny;
-        V nz = _o391.nz;
-        const LANES(court_here_out) _o392 =
+        V nx = _o393.nx;
+        V ny = _o393.ny;
+        V nz = _o393.nz;
+        const LANES(court_here_out) _o394 =
             LANES(court_here)(K(1.0), which);
-        M here = _o392.here;
-        const M _m393 = lanes_both(rows, here);
+        M here = _o394.here;
+        const M _m395 = lanes_both(rows, here);
         {
-            const LANES(court_backboard_normal_out) _o394 =
+            const LANES(court_backboard_normal_out) _o396 =
                 LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-            nx = lanes_select(_m393, _o394.nx, nx);
-            ny = lanes_select(_m393, _o394.ny, ny);
-            nz = lanes_select(_m393, _o394.nz, nz);
+            nx = lanes_select(_m395, _o396.nx, nx);
+            ny = lanes_select(_m395, _o396.ny, ny);
+            nz = lanes_select(_m395, _o396.nz, nz);
         }
-        const LANES(court_here_out) _o395 =
+        const LANES(court_here_out) _o397 =
             LANES(court_here)(K(2.0), which);
-        here = _o395.here;
-        const M _m396 = lanes_both(rows, here);
+        here = _o397.here;
+        const M _m398 = lanes_both(rows, here);
         {
-            const LANES(court_bridge_normal_out) _o397 =
+            const LANES(court_bridge_normal_out) _o399 =
                 LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-            nx = lanes_select(_m396, _o397.nx, nx);
-            ny = lanes_select(_m396, _o397.ny, ny);
-            nz = lanes_select(_m396, _o397.nz, nz);
+            nx = lanes_select(_m398, _o399.nx, nx);
+            ny = lanes_select(_m398, _o399.ny, ny);
+            nz = lanes_select(_m398, _o399.nz, nz);
         }
-        const LANES(court_nearly_out) _o398 =
+        const LANES(court_nearly_out) _o400 =
             LANES(court_nearly)(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-        M nearly = _o398.nearly;
-        const LANES(court_gripped_out) _o399 =
+        M nearly = _o400.nearly;
+        const LANES(court_gripped_out) _o401 =
             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-        V rolled_x = _o399.rolled_x;
-        V rolled_y = _o399.rolled_y;
-        V rolled_z = _o399.rolled_z;
-        V slip = _o399.slip;
-        V bounce = _o399.bounce;
-        const LANES(court_here_out) _o400 =
+        V rolled_x = _o401.rolled_x;
+        V rolled_y = _o401.rolled_y;
+        V rolled_z = _o401.rolled_z;
+        V slip = _o401.slip;
+        V bounce = _o401.bounce;
+        const LANES(court_here_out) _o402 =
             LANES(court_here)(K(0.0), which);
-        here = _o400.here;
-        const M _m401 = lanes_both(rows, here);
-        if (lanes_any(_m401)) {
-            const LANES(court_ring_turning_out) _o402 =
+        here = _o402.here;
+        const M _m403 = lanes_both(rows, here);
+        if (lanes_any(_m403)) {
+            const LANES(court_ring_turning_out) _o404 =
                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-            V turning_x = _o402.turning_x;
-            V turning_y = _o402.turning_y;
-            V turning_z = _o402.turning_z;
-            const LANES(court_pressed_on_out) _o403 =
+            V turning_x = _o404.turning_x;
+            V turning_y = _o404.turning_y;
+            V turning_z = _o404.turning_z;
+            const LANES(court_pressed_on_out) _o405 =
                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-            V press = _o403.press;
-            V weight = _o403.weight;
-            V drag = _o403.drag;
-            V thrust_x = _o403.thrust_x;
-            V thrust_y = _o403.thrust_y;
-            V thrust_z = _o403.thrust_z;
-            const LANES(court_alone_out) _o404 =
+            V press = _o405.press;
+            V weight = _o405.weight;
+            V drag = _o405.drag;
+            V thrust_x = _o405.thrust_x;
+            V thrust_y = _o405.thrust_y;
+            V thrust_z = _o405.thrust_z;
+            const LANES(court_alone_out) _o406 =
                 LANES(court_alone)();
-            V nearest = _o404.nearest;
-            V wedge = _o404.wedge;
-            const LANES(court_backboard_closing_out) _o405 =
+            V nearest = _o406.nearest;
+            V wedge = _o406.wedge;
+            const LANES(court_backboard_closing_out) _o407 =
                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-            V gap = _o405.gap;
-            V nearing = _o405.nearing;
-            V swerve = _o405.swerve;
-            V facing = _o405.facing;
-            const LANES(court_neared_body_out) _o406 =
-                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o406.nearest;
-            wedge = _o406.wedge;
-            const LANES(court_bridge_closing_out) _o407 =
-                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            gap = _o407.gap;
-            nearing = _o407.nearing;
-            swerve = _o407.swerve;
-            facing = _o407.facing;
+            V gap = _o407.gap;
+            V nearing = _o407.nearing;
+            V swerve = _o407.swerve;
+            V facing = _o407.facing;
             const LANES(court_neared_body_out) _o408 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o408.nearest;
             wedge = _o408.wedge;
-            const LANES(court_end_beside_out) _o409 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o409.gap;
-            const LANES(court_neared_out) _o410 =
-                LANES(court_neared)(gap, nearest);
-            nearest = _o410.nearest;
-            const LANES(court_ring_parting_out) _o411 =
-                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-            V lift = _o411.lift;
-            const LANES(court_ring_impact_settling_out) _o412 =
-                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-            M settles = _o412.settles;
-            M lodges = _o412.lodges;
-            M slides = _o412.slides;
-            M parts = _o412.parts;
-            M unsure = _o412.unsure;
-            const LANES(court_settled_out) _o413 =
-                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-            mode = lanes_select(_m401, _o413.mode, mode);
-            held = lanes_select(_m401, _o413.held, held);
-            outcome = lanes_select(_m401, _o413.outcome, outcome);
-            slip_left = lanes_select(_m401, _o413.slip_left, slip_left);
-        }
-        const LANES(court_here_out) _o414 =
-            LANES(court_here)(K(1.0), which);
-        here = _o414.here;
-        const M _m415 = lanes_both(rows, here);
-        if (lanes_any(_m415)) {
-            const LANES(court_backboard_turning_out) _o416 =
-                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-            V turning_x = _o416.turning_x;
-            V turning_y = _o416.turning_y;
-            V turning_z = _o416.turning_z;
-            const LANES(court_pressed_on_out) _o417 =
-                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-            V press = _o417.press;
-            V weight = _o417.weight;
-            V drag = _o417.drag;
-            V thrust_x = _o417.thrust_x;
-            V thrust_y = _o417.thrust_y;
-            V thrust_z = _o417.thrust_z;
-            const LANES(court_alone_out) _o418 =
-                LANES(court_alone)();
-            V nearest = _o418.nearest;
-            V wedge = _o418.wedge;
-            const LANES(court_ring_closing_out) _o419 =
-                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            V gap = _o419.gap;
-            V nearing = _o419.nearing;
-            V swerve = _o419.swerve;
-            V facing = _o419.facing;
-            const LANES(court_neared_body_out) _o420 =
-                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o420.nearest;
-            wedge = _o420.wedge;
-            const LANES(court_bridge_closing_out) _o421 =
+            const LANES(court_bridge_closing_out) _o409 =
                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            gap = _o421.gap;
-            nearing = _o421.nearing;
-            swerve = _o421.swerve;
-            facing = _o421.facing;
+            gap = _o409.gap;
+            nearing = _o409.nearing;
+            swerve = _o409.swerve;
+            facing = _o409.facing;
+            const LANES(court_neared_body_out) _o410 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o410.nearest;
+            wedge = _o410.wedge;
+            const LANES(court_end_beside_out) _o411 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o411.gap;
+            const LANES(court_neared_out) _o412 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o412.nearest;
+            const LANES(court_ring_parting_out) _o413 =
+                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+            V lift = _o413.lift;
+            const LANES(court_ring_impact_settling_out) _o414 =
+                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+            M settles = _o414.settles;
+            M lodges = _o414.lodges;
+            M slides = _o414.slides;
+            M parts = _o414.parts;
+            M unsure = _o414.unsure;
+            const LANES(court_settled_out) _o415 =
+                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+            mode = lanes_select(_m403, _o415.mode, mode);
+            held = lanes_select(_m403, _o415.held, held);
+            outcome = lanes_select(_m403, _o415.outcome, outcome);
+            slip_left = lanes_select(_m403, _o415.slip_left, slip_left);
+        }
+        const LANES(court_here_out) _o416 =
+            LANES(court_here)(K(1.0), which);
+        here = _o416.here;
+        const M _m417 = lanes_both(rows, here);
+        if (lanes_any(_m417)) {
+            const LANES(court_backboard_turning_out) _o418 =
+                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+            V turning_x = _o418.turning_x;
+            V turning_y = _o418.turning_y;
+            V turning_z = _o418.turning_z;
+            const LANES(court_pressed_on_out) _o419 =
+                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+            V press = _o419.press;
+            V weight = _o419.weight;
+            V drag = _o419.drag;
+            V thrust_x = _o419.thrust_x;
+            V thrust_y = _o419.thrust_y;
+            V thrust_z = _o419.thrust_z;
+            const LANES(court_alone_out) _o420 =
+                LANES(court_alone)();
+            V nearest = _o420.nearest;
+            V wedge = _o420.wedge;
+            const LANES(court_ring_closing_out) _o421 =
+                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            V gap = _o421.gap;
+            V nearing = _o421.nearing;
+            V swerve = _o421.swerve;
+            V facing = _o421.facing;
             const LANES(court_neared_body_out) _o422 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o422.nearest;
             wedge = _o422.wedge;
-            const LANES(court_end_beside_out) _o423 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
+            const LANES(court_bridge_closing_out) _o423 =
+                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
             gap = _o423.gap;
-            const LANES(court_neared_out) _o424 =
-                LANES(court_neared)(gap, nearest);
-            nearest = _o424.nearest;
-            const LANES(court_backboard_parting_out) _o425 =
-                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-            V lift = _o425.lift;
-            const LANES(court_ring_impact_settling_out) _o426 =
-                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-            M settles = _o426.settles;
-            M lodges = _o426.lodges;
-            M slides = _o426.slides;
-            M parts = _o426.parts;
-            M unsure = _o426.unsure;
-            const LANES(court_settled_out) _o427 =
-                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-            mode = lanes_select(_m415, _o427.mode, mode);
-            held = lanes_select(_m415, _o427.held, held);
-            outcome = lanes_select(_m415, _o427.outcome, outcome);
-            slip_left = lanes_select(_m415, _o427.slip_left, slip_left);
-        }
-        const LANES(court_here_out) _o428 =
-            LANES(court_here)(K(2.0), which);
-        here = _o428.here;
-        const M _m429 = lanes_both(rows, here);
-        if (lanes_any(_m429)) {
-            const LANES(court_bridge_turning_out) _o430 =
-                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-            V turning_x = _o430.turning_x;
-            V turning_y = _o430.turning_y;
-            V turning_z = _o430.turning_z;
-            const LANES(court_pressed_on_out) _o431 =
-                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-            V press = _o431.press;
-            V weight = _o431.weight;
-            V drag = _o431.drag;
-            V thrust_x = _o431.thrust_x;
-            V thrust_y = _o431.thrust_y;
-            V thrust_z = _o431.thrust_z;
-            const LANES(court_alone_out) _o432 =
-                LANES(court_alone)();
-            V nearest = _o432.nearest;
-            V wedge = _o432.wedge;
-            const LANES(court_ring_closing_out) _o433 =
-                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            V gap = _o433.gap;
-            V nearing = _o433.nearing;
-            V swerve = _o433.swerve;
-            V facing = _o433.facing;
-            const LANES(court_neared_body_out) _o434 =
+            nearing = _o423.nearing;
+            swerve = _o423.swerve;
+            facing = _o423.facing;
+            const LANES(court_neared_body_out) _o424 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o434.nearest;
-            wedge = _o434.wedge;
-            const LANES(court_backboard_closing_out) _o435 =
-                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-            gap = _o435.gap;
-            nearing = _o435.nearing;
-            swerve = _o435.swerve;
-            facing = _o435.facing;
+            nearest = _o424.nearest;
+            wedge = _o424.wedge;
+            const LANES(court_end_beside_out) _o425 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o425.gap;
+            const LANES(court_neared_out) _o426 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o426.nearest;
+            const LANES(court_backboard_parting_out) _o427 =
+                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+            V lift = _o427.lift;
+            const LANES(court_ring_impact_settling_out) _o428 =
+                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+            M settles = _o428.settles;
+            M lodges = _o428.lodges;
+            M slides = _o428.slides;
+            M parts = _o428.parts;
+            M unsure = _o428.unsure;
+            const LANES(court_settled_out) _o429 =
+                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+            mode = lanes_select(_m417, _o429.mode, mode);
+            held = lanes_select(_m417, _o429.held, held);
+            outcome = lanes_select(_m417, _o429.outcome, outcome);
+            slip_left = lanes_select(_m417, _o429.slip_left, slip_left);
+        }
+        const LANES(court_here_out) _o430 =
+            LANES(court_here)(K(2.0), which);
+        here = _o430.here;
+        const M _m431 = lanes_both(rows, here);
+        if (lanes_any(_m431)) {
+            const LANES(court_bridge_turning_out) _o432 =
+                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+            V turning_x = _o432.turning_x;
+            V turning_y = _o432.turning_y;
+            V turning_z = _o432.turning_z;
+            const LANES(court_pressed_on_out) _o433 =
+                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+            V press = _o433.press;
+            V weight = _o433.weight;
+            V drag = _o433.drag;
+            V thrust_x = _o433.thrust_x;
+            V thrust_y = _o433.thrust_y;
+            V thrust_z = _o433.thrust_z;
+            const LANES(court_alone_out) _o434 =
+                LANES(court_alone)();
+            V nearest = _o434.nearest;
+            V wedge = _o434.wedge;
+            const LANES(court_ring_closing_out) _o435 =
+                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            V gap = _o435.gap;
+            V nearing = _o435.nearing;
+            V swerve = _o435.swerve;
+            V facing = _o435.facing;
             const LANES(court_neared_body_out) _o436 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o436.nearest;
             wedge = _o436.wedge;
-            const LANES(court_end_beside_out) _o437 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
+            const LANES(court_backboard_closing_out) _o437 =
+                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
             gap = _o437.gap;
-            const LANES(court_neared_out) _o438 =
-                LANES(court_neared)(gap, nearest);
+            nearing = _o437.nearing;
+            swerve = _o437.swerve;
+            facing = _o437.facing;
+            const LANES(court_neared_body_out) _o438 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o438.nearest;
-            const LANES(court_bridge_parting_out) _o439 =
+            wedge = _o438.wedge;
+            const LANES(court_end_beside_out) _o439 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o439.gap;
+            const LANES(court_neared_out) _o440 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o440.nearest;
+            const LANES(court_bridge_parting_out) _o441 =
                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            V lift = _o439.lift;
-            const LANES(court_ring_impact_settling_out) _o440 =
+            V lift = _o441.lift;
+            const LANES(court_ring_impact_settling_out) _o442 =
                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-            M settles = _o440.settles;
-            M lodges = _o440.lodges;
-            M slides = _o440.slides;
-            M parts = _o440.parts;
-            M unsure = _o440.unsure;
-            const LANES(court_settled_out) _o441 =
+            M settles = _o442.settles;
+            M lodges = _o442.lodges;
+            M slides = _o442.slides;
+            M parts = _o442.parts;
+            M unsure = _o442.unsure;
+            const LANES(court_settled_out) _o443 =
                 LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-            mode = lanes_select(_m429, _o441.mode, mode);
-            held = lanes_select(_m429, _o441.held, held);
-            outcome = lanes_select(_m429, _o441.outcome, outcome);
-            slip_left = lanes_select(_m429, _o441.slip_left, slip_left);
+            mode = lanes_select(_m431, _o443.mode, mode);
+            held = lanes_select(_m431, _o443.held, held);
+            outcome = lanes_select(_m431, _o443.outcome, outcome);
+            slip_left = lanes_select(_m431, _o443.slip_left, slip_left);
         }
         lanes_store(lists->slow_held + i, held);
         lanes_store(lists->slow_mode + i, mode);
@@ -3734,26 +3728,26 @@ static void LANES(court_plain)(const court_job *job)
                 LANES(court_horizon)(when, speed, p_gravity);
             V until = _o57.horizon;
             V pad = _o57.pad;
-            const LANES(court_swept_out) _o58 =
-                LANES(court_swept)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, p_gravity);
+            const LANES(court_halved_out) _o58 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, p_gravity);
             V middle_x = _o58.middle_x;
-            V middle_y = _o58.middle_y;
-            V middle_z = _o58.middle_z;
             V reach_x = _o58.reach_x;
+            V later_middle_x = _o58.later_middle_x;
+            V later_reach_x = _o58.later_reach_x;
+            V middle_y = _o58.middle_y;
             V reach_y = _o58.reach_y;
+            V later_middle_y = _o58.later_middle_y;
+            V later_reach_y = _o58.later_reach_y;
+            V middle_z = _o58.middle_z;
             V reach_z = _o58.reach_z;
+            V later_middle_z = _o58.later_middle_z;
+            V later_reach_z = _o58.later_reach_z;
             const LANES(court_backboard_near_out) _o59 =
-                LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
             M reachable = _o59.near;
             const LANES(court_reachable_in_flight_out) _o60 =
                 LANES(court_reachable_in_flight)(kept, reachable);
             reachable = _o60.reachable;
-            lanes_store(lists->middle_x + i, middle_x);
-            lanes_store(lists->middle_y + i, middle_y);
-            lanes_store(lists->middle_z + i, middle_z);
-            lanes_store(lists->reach_x + i, reach_x);
-            lanes_store(lists->reach_y + i, reach_y);
-            lanes_store(lists->reach_z + i, reach_z);
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -4281,9 +4275,6 @@ static void LANES(court_plain)(const court_job *job)
             V extent = lanes_load(lists->extent + i);
             M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
-            V middle_x = lanes_load(lists->middle_x + i);
-            V middle_y = lanes_load(lists->middle_y + i);
-            V middle_z = lanes_load(lists->middle_z + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
             const V p_bridge_depth = lanes_load(lists->p_bridge_depth + (i & varying));
@@ -4291,9 +4282,6 @@ static void LANES(court_plain)(const court_job *job)
             const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
             const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
-            V reach_x = lanes_load(lists->reach_x + i);
-            V reach_y = lanes_load(lists->reach_y + i);
-            V reach_z = lanes_load(lists->reach_z + i);
             V speed = lanes_load(lists->speed + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
@@ -4303,12 +4291,30 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_bridge_near_out) _o100 =
-                LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-            M reachable = _o100.near;
-            const LANES(court_reachable_in_flight_out) _o101 =
+            const LANES(court_horizon_out) _o100 =
+                LANES(court_horizon)(when, speed, p_gravity);
+            V until = _o100.horizon;
+            V pad = _o100.pad;
+            const LANES(court_halved_out) _o101 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, p_gravity);
+            V middle_x = _o101.middle_x;
+            V reach_x = _o101.reach_x;
+            V later_middle_x = _o101.later_middle_x;
+            V later_reach_x = _o101.later_reach_x;
+            V middle_y = _o101.middle_y;
+            V reach_y = _o101.reach_y;
+            V later_middle_y = _o101.later_middle_y;
+            V later_reach_y = _o101.later_reach_y;
+            V middle_z = _o101.middle_z;
+            V reach_z = _o101.reach_z;
+            V later_middle_z = _o101.later_middle_z;
+            V later_reach_z = _o101.later_reach_z;
+            const LANES(court_bridge_near_out) _o102 =
+                LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+            M reachable = _o102.near;
+            const LANES(court_reachable_in_flight_out) _o103 =
                 LANES(court_reachable_in_flight)(kept, reachable);
-            reachable = _o101.reachable;
+            reachable = _o103.reachable;
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -4361,84 +4367,84 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_horizon_out) _o102 =
+            const LANES(court_horizon_out) _o104 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o102.horizon;
-            const LANES(court_bridge_prepare_out) _o103 =
+            V until = _o104.horizon;
+            const LANES(court_bridge_prepare_out) _o105 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o103.low0;
-            V high0 = _o103.high0;
-            V low1 = _o103.low1;
-            V high1 = _o103.high1;
-            V ceiling = _o103.ceiling;
-            V latest = _o103.latest;
-            const LANES(court_beginning_out) _o104 =
+            V low0 = _o105.low0;
+            V high0 = _o105.high0;
+            V low1 = _o105.low1;
+            V high1 = _o105.high1;
+            V ceiling = _o105.ceiling;
+            V latest = _o105.latest;
+            const LANES(court_beginning_out) _o106 =
                 LANES(court_beginning)();
-            V share = _o104.share;
-            V arrival = _o104.arrival;
-            M certain = _o104.certain;
-            const LANES(court_allowance_out) _o105 =
+            V share = _o106.share;
+            V arrival = _o106.arrival;
+            M certain = _o106.certain;
+            const LANES(court_allowance_out) _o107 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o105.position_level;
-            V velocity_level = _o105.velocity_level;
-            const LANES(court_bridge_margins_out) _o106 =
+            V position_level = _o107.position_level;
+            V velocity_level = _o107.velocity_level;
+            const LANES(court_bridge_margins_out) _o108 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o106.margin;
-            V tilt = _o106.leaving_margin;
-            V rate_slack = _o106.rate_margin;
-            const LANES(court_bridge_enter_out) _o107 =
+            V flat = _o108.margin;
+            V tilt = _o108.leaving_margin;
+            V rate_slack = _o108.rate_margin;
+            const LANES(court_bridge_enter_out) _o109 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o107.t;
-            V end = _o107.end;
-            M searching = _o107.searching;
-            const M _m108 = lanes_both(rows, searching);
-            if (lanes_any(_m108)) {
-                const LANES(court_nearby_out) _o109 =
+            V t = _o109.t;
+            V end = _o109.end;
+            M searching = _o109.searching;
+            const M _m110 = lanes_both(rows, searching);
+            if (lanes_any(_m110)) {
+                const LANES(court_nearby_out) _o111 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o109.leaving;
-                V margin = _o109.margin;
-                const LANES(court_bridge_advance_out) _o110 =
+                V leaving = _o111.leaving;
+                V margin = _o111.margin;
+                const LANES(court_bridge_advance_out) _o112 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o110.gap;
-                V rate = _o110.rate;
-                V bend = _o110.bend;
-                V step = _o110.step;
-                V next = _o110.next;
-                V clearance = _o110.clearance;
-                const LANES(court_struck_or_still_out) _o111 =
+                V gap = _o112.gap;
+                V rate = _o112.rate;
+                V bend = _o112.bend;
+                V step = _o112.step;
+                V next = _o112.next;
+                V clearance = _o112.clearance;
+                const LANES(court_struck_or_still_out) _o113 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o111.hit;
-                M sure = _o111.sure;
-                M vague = _o111.vague;
-                const M _m112 = lanes_both(_m108, vague);
-                if (lanes_any(_m112)) {
-                    const LANES(court_finer_out) _o113 =
+                M hit = _o113.hit;
+                M sure = _o113.sure;
+                M vague = _o113.vague;
+                const M _m114 = lanes_both(_m110, vague);
+                if (lanes_any(_m114)) {
+                    const LANES(court_finer_out) _o115 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m112, _o113.share, share);
-                    const LANES(court_allowance_out) _o114 =
+                    share = lanes_select(_m114, _o115.share, share);
+                    const LANES(court_allowance_out) _o116 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o114.position_level;
-                    V velocity_level = _o114.velocity_level;
-                    const LANES(court_bridge_margins_out) _o115 =
+                    V position_level = _o116.position_level;
+                    V velocity_level = _o116.velocity_level;
+                    const LANES(court_bridge_margins_out) _o117 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m112, _o115.margin, flat);
-                    tilt = lanes_select(_m112, _o115.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m112, _o115.rate_margin, rate_slack);
+                    flat = lanes_select(_m114, _o117.margin, flat);
+                    tilt = lanes_select(_m114, _o117.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m114, _o117.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o116 =
+                const LANES(court_advanced_out) _o118 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = lanes_select(_m108, _o116.arrival, arrival);
-                certain = lanes_choose(_m108, _o116.certain, certain);
-                M exhausted = _o116.exhausted;
-                searching = lanes_choose(_m108, _o116.searching, searching);
-                t = lanes_select(_m108, _o116.t, t);
-                const M _m117 = lanes_both(_m108, exhausted);
+                arrival = lanes_select(_m110, _o118.arrival, arrival);
+                certain = lanes_choose(_m110, _o118.certain, certain);
+                M exhausted = _o118.exhausted;
+                searching = lanes_choose(_m110, _o118.searching, searching);
+                t = lanes_select(_m110, _o118.t, t);
+                const M _m119 = lanes_both(_m110, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o118 =
+                    const LANES(court_bridge_enter_out) _o120 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m117, _o118.t, t);
-                    end = lanes_select(_m117, _o118.end, end);
-                    searching = lanes_choose(_m117, _o118.searching, searching);
+                    t = lanes_select(_m119, _o120.t, t);
+                    end = lanes_select(_m119, _o120.end, end);
+                    searching = lanes_choose(_m119, _o120.searching, searching);
                 }
             }
             lanes_store(lists->reachable_arrival + i, arrival);
@@ -4568,52 +4574,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o119 =
+                const LANES(court_nearby_out) _o121 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o119.leaving;
-                V margin = _o119.margin;
-                const LANES(court_bridge_advance_out) _o120 =
+                V leaving = _o121.leaving;
+                V margin = _o121.margin;
+                const LANES(court_bridge_advance_out) _o122 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o120.gap;
-                V rate = _o120.rate;
-                V bend = _o120.bend;
-                V step = _o120.step;
-                V next = _o120.next;
-                V clearance = _o120.clearance;
-                const LANES(court_struck_or_still_out) _o121 =
+                V gap = _o122.gap;
+                V rate = _o122.rate;
+                V bend = _o122.bend;
+                V step = _o122.step;
+                V next = _o122.next;
+                V clearance = _o122.clearance;
+                const LANES(court_struck_or_still_out) _o123 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o121.hit;
-                M sure = _o121.sure;
-                M vague = _o121.vague;
-                const M _m122 = lanes_both(active, vague);
-                if (lanes_any(_m122)) {
-                    const LANES(court_finer_out) _o123 =
+                M hit = _o123.hit;
+                M sure = _o123.sure;
+                M vague = _o123.vague;
+                const M _m124 = lanes_both(active, vague);
+                if (lanes_any(_m124)) {
+                    const LANES(court_finer_out) _o125 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m122, _o123.share, share);
-                    const LANES(court_allowance_out) _o124 =
+                    share = lanes_select(_m124, _o125.share, share);
+                    const LANES(court_allowance_out) _o126 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o124.position_level;
-                    V velocity_level = _o124.velocity_level;
-                    const LANES(court_bridge_margins_out) _o125 =
+                    V position_level = _o126.position_level;
+                    V velocity_level = _o126.velocity_level;
+                    const LANES(court_bridge_margins_out) _o127 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m122, _o125.margin, flat);
-                    tilt = lanes_select(_m122, _o125.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m122, _o125.rate_margin, rate_slack);
+                    flat = lanes_select(_m124, _o127.margin, flat);
+                    tilt = lanes_select(_m124, _o127.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m124, _o127.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o126 =
+                const LANES(court_advanced_out) _o128 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o126.arrival;
-                certain = _o126.certain;
-                M exhausted = _o126.exhausted;
-                searching = _o126.searching;
-                t = _o126.t;
-                const M _m127 = lanes_both(active, exhausted);
+                arrival = _o128.arrival;
+                certain = _o128.certain;
+                M exhausted = _o128.exhausted;
+                searching = _o128.searching;
+                t = _o128.t;
+                const M _m129 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o128 =
+                    const LANES(court_bridge_enter_out) _o130 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m127, _o128.t, t);
-                    end = lanes_select(_m127, _o128.end, end);
-                    searching = lanes_choose(_m127, _o128.searching, searching);
+                    t = lanes_select(_m129, _o130.t, t);
+                    end = lanes_select(_m129, _o130.end, end);
+                    searching = lanes_choose(_m129, _o130.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -4665,36 +4671,36 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_found_out) _o129 =
+            const LANES(court_found_out) _o131 =
                 LANES(court_found)(arrival);
-            M arrives = _o129.arrives;
-            M refining = _o129.refining;
-            const LANES(court_nearby_out) _o130 =
+            M arrives = _o131.arrives;
+            M refining = _o131.refining;
+            const LANES(court_nearby_out) _o132 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o130.leaving;
-            const M _m131 = lanes_both(rows, refining);
-            if (lanes_any(_m131)) {
-                const LANES(court_bridge_refine_out) _o132 =
+            V leaving = _o132.leaving;
+            const M _m133 = lanes_both(rows, refining);
+            if (lanes_any(_m133)) {
+                const LANES(court_bridge_refine_out) _o134 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o132.time;
-                V gap = _o132.gap;
-                V rate = _o132.rate;
-                const LANES(court_polished_out) _o133 =
+                V refined = _o134.time;
+                V gap = _o134.gap;
+                V rate = _o134.rate;
+                const LANES(court_polished_out) _o135 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m131, _o133.arrival, arrival);
-                refining = lanes_choose(_m131, _o133.refining, refining);
+                arrival = lanes_select(_m133, _o135.arrival, arrival);
+                refining = lanes_choose(_m133, _o135.refining, refining);
             }
-            const M _m134 = lanes_both(rows, refining);
-            if (lanes_any(_m134)) {
-                const LANES(court_bridge_refine_out) _o135 =
+            const M _m136 = lanes_both(rows, refining);
+            if (lanes_any(_m136)) {
+                const LANES(court_bridge_refine_out) _o137 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o135.time;
-                V gap = _o135.gap;
-                V rate = _o135.rate;
-                const LANES(court_polished_out) _o136 =
+                V refined = _o137.time;
+                V gap = _o137.gap;
+                V rate = _o137.rate;
+                const LANES(court_polished_out) _o138 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m134, _o136.arrival, arrival);
-                refining = lanes_choose(_m134, _o136.refining, refining);
+                arrival = lanes_select(_m136, _o138.arrival, arrival);
+                refining = lanes_choose(_m136, _o138.refining, refining);
             }
             lanes_store(lists->reachable_arrival + i, arrival);
             lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -4781,15 +4787,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o137 =
+                const LANES(court_bridge_refine_out) _o139 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o137.time;
-                V gap = _o137.gap;
-                V rate = _o137.rate;
-                const LANES(court_polished_out) _o138 =
+                V refined = _o139.time;
+                V gap = _o139.gap;
+                V rate = _o139.rate;
+                const LANES(court_polished_out) _o140 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o138.arrival;
-                refining = _o138.refining;
+                arrival = _o140.arrival;
+                refining = _o140.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -4813,13 +4819,13 @@ static void LANES(court_plain)(const court_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
             V when = lanes_load(lists->reachable_when + i);
             V which = lanes_load(lists->reachable_which + i);
-            const LANES(court_landed_out) _o139 =
+            const LANES(court_landed_out) _o141 =
                 LANES(court_landed)(arrival);
-            V time = _o139.time;
-            const LANES(court_sooner_out) _o140 =
+            V time = _o141.time;
+            const LANES(court_sooner_out) _o142 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o140.when;
-            which = _o140.which;
+            when = _o142.when;
+            which = _o142.which;
             lanes_store(lists->reachable_when + i, when);
             lanes_store(lists->reachable_which + i, which);
         }
@@ -4865,16 +4871,16 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m141 = lanes_both(rows, limited);
-            if (lanes_any(_m141)) {
-                const LANES(court_expiry_out) _o142 =
+            const M _m143 = lanes_both(rows, limited);
+            if (lanes_any(_m143)) {
+                const LANES(court_expiry_out) _o144 =
                     LANES(court_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o142.time;
-                M arrives = _o142.arrives;
-                const LANES(court_sooner_out) _o143 =
+                V time = _o144.time;
+                M arrives = _o144.arrives;
+                const LANES(court_sooner_out) _o145 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m141, _o143.when, when);
-                which = lanes_select(_m141, _o143.which, which);
+                when = lanes_select(_m143, _o145.when, when);
+                which = lanes_select(_m143, _o145.which, which);
             }
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
@@ -4999,69 +5005,69 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o347 =
+            const LANES(court_departed_out) _o349 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o347.moves;
-            M ends = _o347.ends;
-            M touches = _o347.touches;
-            V reached = _o347.reached;
-            const LANES(court_body_of_out) _o348 =
+            M moves = _o349.moves;
+            M ends = _o349.ends;
+            M touches = _o349.touches;
+            V reached = _o349.reached;
+            const LANES(court_body_of_out) _o350 =
                 LANES(court_body_of)(which);
-            V body = _o348.body;
-            const M _m349 = lanes_both(rows, moves);
-            if (lanes_any(_m349)) {
-                const LANES(court_passing_out) _o350 =
+            V body = _o350.body;
+            const M _m351 = lanes_both(rows, moves);
+            if (lanes_any(_m351)) {
+                const LANES(court_passing_out) _o352 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m349, _o350.through, through);
-                const LANES(court_flight_out) _o351 =
+                through = lanes_select(_m351, _o352.through, through);
+                const LANES(court_flight_out) _o353 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m349, _o351.x, x);
-                y = lanes_select(_m349, _o351.y, y);
-                z = lanes_select(_m349, _o351.z, z);
-                vx = lanes_select(_m349, _o351.vx, vx);
-                vy = lanes_select(_m349, _o351.vy, vy);
-                vz = lanes_select(_m349, _o351.vz, vz);
-                const LANES(court_ticked_out) _o352 =
+                x = lanes_select(_m351, _o353.x, x);
+                y = lanes_select(_m351, _o353.y, y);
+                z = lanes_select(_m351, _o353.z, z);
+                vx = lanes_select(_m351, _o353.vx, vx);
+                vy = lanes_select(_m351, _o353.vy, vy);
+                vz = lanes_select(_m351, _o353.vz, vz);
+                const LANES(court_ticked_out) _o354 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m349, _o352.clock, clock);
+                clock = lanes_select(_m351, _o354.clock, clock);
             }
-            const M _m353 = lanes_both(rows, limited);
-            if (lanes_any(_m353)) {
-                const LANES(court_expired_out) _o354 =
-                    LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m353, _o354.clock, clock);
-                body = lanes_select(_m353, _o354.body, body);
-                reached = lanes_select(_m353, _o354.reached, reached);
-                ends = lanes_choose(_m353, _o354.ends, ends);
-            }
-            const M _m355 = lanes_both(rows, kept);
+            const M _m355 = lanes_both(rows, limited);
             if (lanes_any(_m355)) {
-                const LANES(court_kept_on_out) _o356 =
-                    LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
+                const LANES(court_expired_out) _o356 =
+                    LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
+                clock = lanes_select(_m355, _o356.clock, clock);
                 body = lanes_select(_m355, _o356.body, body);
                 reached = lanes_select(_m355, _o356.reached, reached);
                 ends = lanes_choose(_m355, _o356.ends, ends);
-                last = lanes_select(_m355, _o356.last, last);
-                mode = lanes_select(_m355, _o356.mode, mode);
-                held = lanes_select(_m355, _o356.held, held);
-                rolls = lanes_select(_m355, _o356.rolls, rolls);
             }
-            const LANES(court_here_out) _o357 =
+            const M _m357 = lanes_both(rows, kept);
+            if (lanes_any(_m357)) {
+                const LANES(court_kept_on_out) _o358 =
+                    LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
+                body = lanes_select(_m357, _o358.body, body);
+                reached = lanes_select(_m357, _o358.reached, reached);
+                ends = lanes_choose(_m357, _o358.ends, ends);
+                last = lanes_select(_m357, _o358.last, last);
+                mode = lanes_select(_m357, _o358.mode, mode);
+                held = lanes_select(_m357, _o358.held, held);
+                rolls = lanes_select(_m357, _o358.rolls, rolls);
+            }
+            const LANES(court_here_out) _o359 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o357.here;
-            const M _m358 = lanes_both(rows, here);
+            M here = _o359.here;
+            const M _m360 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o359 =
+                const LANES(court_end_bounds_out) _o361 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o359.g0;
-                const LANES(court_end_reached_out) _o360 =
+                V g0 = _o361.g0;
+                const LANES(court_end_reached_out) _o362 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m358, _o360.reached, reached);
+                reached = lanes_select(_m360, _o362.reached, reached);
             }
-            const LANES(court_accounted_out) _o361 =
+            const LANES(court_accounted_out) _o363 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o361.contacts;
-            V outcome = _o361.outcome;
+            contacts = _o363.contacts;
+            V outcome = _o363.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -5074,116 +5080,116 @@ static void LANES(court_plain)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o362 =
+            const LANES(court_meeting_out) _o364 =
                 LANES(court_meeting)(K(0.0), ends, touches);
-            M meeting = _o362.meeting;
-            const LANES(court_unslowed_out) _o363 =
+            M meeting = _o364.meeting;
+            const LANES(court_unslowed_out) _o365 =
                 LANES(court_unslowed)();
-            M slow = _o363.slow;
-            const M _m364 = lanes_both(rows, meeting);
-            if (lanes_any(_m364)) {
-                const LANES(court_end_normal_out) _o365 =
+            M slow = _o365.slow;
+            const M _m366 = lanes_both(rows, meeting);
+            if (lanes_any(_m366)) {
+                const LANES(court_end_normal_out) _o367 =
                     LANES(court_end_normal)();
-                V nx = _o365.nx;
-                V ny = _o365.ny;
-                V nz = _o365.nz;
-                const LANES(court_here_out) _o366 =
+                V nx = _o367.nx;
+                V ny = _o367.ny;
+                V nz = _o367.nz;
+                const LANES(court_here_out) _o368 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o366.here;
-                const M _m367 = lanes_both(_m364, here);
+                M here = _o368.here;
+                const M _m369 = lanes_both(_m366, here);
                 {
-                    const LANES(court_ring_normal_out) _o368 =
+                    const LANES(court_ring_normal_out) _o370 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m367, _o368.nx, nx);
-                    ny = lanes_select(_m367, _o368.ny, ny);
-                    nz = lanes_select(_m367, _o368.nz, nz);
-                    const LANES(court_counted_out) _o369 =
+                    nx = lanes_select(_m369, _o370.nx, nx);
+                    ny = lanes_select(_m369, _o370.ny, ny);
+                    nz = lanes_select(_m369, _o370.nz, nz);
+                    const LANES(court_counted_out) _o371 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m367, _o369.count, count_0);
+                    count_0 = lanes_select(_m369, _o371.count, count_0);
                 }
-                const LANES(court_here_out) _o370 =
+                const LANES(court_here_out) _o372 =
                     LANES(court_here)(K(1.0), which);
-                here = _o370.here;
-                const M _m371 = lanes_both(_m364, here);
+                here = _o372.here;
+                const M _m373 = lanes_both(_m366, here);
                 {
-                    const LANES(court_backboard_normal_out) _o372 =
+                    const LANES(court_backboard_normal_out) _o374 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m371, _o372.nx, nx);
-                    ny = lanes_select(_m371, _o372.ny, ny);
-                    nz = lanes_select(_m371, _o372.nz, nz);
-                    const LANES(court_counted_out) _o373 =
+                    nx = lanes_select(_m373, _o374.nx, nx);
+                    ny = lanes_select(_m373, _o374.ny, ny);
+                    nz = lanes_select(_m373, _o374.nz, nz);
+                    const LANES(court_counted_out) _o375 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m371, _o373.count, count_1);
+                    count_1 = lanes_select(_m373, _o375.count, count_1);
                 }
-                const LANES(court_here_out) _o374 =
+                const LANES(court_here_out) _o376 =
                     LANES(court_here)(K(2.0), which);
-                here = _o374.here;
-                const M _m375 = lanes_both(_m364, here);
+                here = _o376.here;
+                const M _m377 = lanes_both(_m366, here);
                 {
-                    const LANES(court_bridge_normal_out) _o376 =
+                    const LANES(court_bridge_normal_out) _o378 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m375, _o376.nx, nx);
-                    ny = lanes_select(_m375, _o376.ny, ny);
-                    nz = lanes_select(_m375, _o376.nz, nz);
-                    const LANES(court_counted_out) _o377 =
+                    nx = lanes_select(_m377, _o378.nx, nx);
+                    ny = lanes_select(_m377, _o378.ny, ny);
+                    nz = lanes_select(_m377, _o378.nz, nz);
+                    const LANES(court_counted_out) _o379 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m375, _o377.count, count_2);
+                    count_2 = lanes_select(_m377, _o379.count, count_2);
                 }
-                const LANES(court_untaken_out) _o378 =
+                const LANES(court_untaken_out) _o380 =
                     LANES(court_untaken)();
-                M struck_0 = _o378.mine;
-                const LANES(court_ring_impact_taken_out) _o379 =
+                M struck_0 = _o380.mine;
+                const LANES(court_ring_impact_taken_out) _o381 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o379.its_0;
-                V its_1_ring_impact = _o379.its_1;
+                V its_0_ring_impact = _o381.its_0;
+                V its_1_ring_impact = _o381.its_1;
                 {
-                    const double *const _t381[][2] = {
+                    const double *const _t383[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t382[][1] = {
+                    static const double _t384[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k380 = 0; _k380 < 3; _k380++) {
-                        const V own_1 = lanes_load(_t381[_k380][0] + (i & varying));
-                        const V own_2 = lanes_load(_t381[_k380][1] + (i & varying));
-                        const V own_index = K(_t382[_k380][0]);
-                        const LANES(court_here_out) _o383 =
+                    for (size_t _k382 = 0; _k382 < 3; _k382++) {
+                        const V own_1 = lanes_load(_t383[_k382][0] + (i & varying));
+                        const V own_2 = lanes_load(_t383[_k382][1] + (i & varying));
+                        const V own_index = K(_t384[_k382][0]);
+                        const LANES(court_here_out) _o385 =
                             LANES(court_here)(own_index, which);
-                        M here = _o383.here;
-                        const M _m384 = lanes_both(_m364, here);
-                        if (lanes_any(_m384)) {
-                            const LANES(court_ring_impact_taken_out) _o385 =
+                        M here = _o385.here;
+                        const M _m386 = lanes_both(_m366, here);
+                        if (lanes_any(_m386)) {
+                            const LANES(court_ring_impact_taken_out) _o387 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m384, _o385.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m384, _o385.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m384, _o385.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m386, _o387.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m386, _o387.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m386, _o387.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m386 = lanes_both(_m364, struck_0);
-                if (lanes_any(_m386)) {
-                    const LANES(court_ring_impact_out) _o387 =
+                const M _m388 = lanes_both(_m366, struck_0);
+                if (lanes_any(_m388)) {
+                    const LANES(court_ring_impact_out) _o389 =
                         LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m386, _o387.vx, vx);
-                    vy = lanes_select(_m386, _o387.vy, vy);
-                    vz = lanes_select(_m386, _o387.vz, vz);
-                    wx = lanes_select(_m386, _o387.wx, wx);
-                    wy = lanes_select(_m386, _o387.wy, wy);
-                    wz = lanes_select(_m386, _o387.wz, wz);
+                    vx = lanes_select(_m388, _o389.vx, vx);
+                    vy = lanes_select(_m388, _o389.vy, vy);
+                    vz = lanes_select(_m388, _o389.vz, vz);
+                    wx = lanes_select(_m388, _o389.wx, wx);
+                    wy = lanes_select(_m388, _o389.wy, wy);
+                    wz = lanes_select(_m388, _o389.wz, wz);
                 }
-                const M _m388 = lanes_both(_m364, touches);
+                const M _m390 = lanes_both(_m366, touches);
                 {
-                    const LANES(court_touched_out) _o389 =
+                    const LANES(court_touched_out) _o391 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m388, _o389.first, first);
-                    last = lanes_select(_m388, _o389.last, last);
-                    const LANES(court_slowed_out) _o390 =
+                    first = lanes_select(_m390, _o391.first, first);
+                    last = lanes_select(_m390, _o391.last, last);
+                    const LANES(court_slowed_out) _o392 =
                         LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, K(0.0), vx, vy, vz);
-                    slow = lanes_choose(_m388, _o390.slow, slow);
+                    slow = lanes_choose(_m390, _o392.slow, slow);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -5576,12 +5582,6 @@ typedef struct {
     LANES(court_column) open_refining_x;
     LANES(court_column) open_refining_y;
     LANES(court_column) open_refining_z;
-    LANES(court_column) middle_x;
-    LANES(court_column) middle_y;
-    LANES(court_column) middle_z;
-    LANES(court_column) reach_x;
-    LANES(court_column) reach_y;
-    LANES(court_column) reach_z;
     LANES(court_column) reachable_row;
     LANES(court_column) reachable_doubt;
     LANES(court_column) reachable_extent;
@@ -6414,226 +6414,226 @@ static void LANES(court_bounded_leaves)(LANES(court_bounded_lists) *lists, size_
         V x = lanes_load(lists->kept_leaves_x + i);
         V y = lanes_load(lists->kept_leaves_y + i);
         V z = lanes_load(lists->kept_leaves_z + i);
-        const LANES(court_error_bounds_out) _o399 =
+        const LANES(court_error_bounds_out) _o401 =
             LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-        V position_error = _o399.position_error;
-        V velocity_error = _o399.velocity_error;
-        const LANES(court_holding_out) _o400 =
+        V position_error = _o401.position_error;
+        V velocity_error = _o401.velocity_error;
+        const LANES(court_holding_out) _o402 =
             LANES(court_holding)(held, K(0.0));
-        M here = _o400.here;
-        const M _m401 = lanes_both(rows, here);
-        if (lanes_any(_m401)) {
-            const LANES(court_ring_tube_out) _o402 =
+        M here = _o402.here;
+        const M _m403 = lanes_both(rows, here);
+        if (lanes_any(_m403)) {
+            const LANES(court_ring_tube_out) _o404 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            per_reach = lanes_select(_m401, _o402.per_reach, per_reach);
-            const LANES(court_ring_parting_out) _o403 =
+            per_reach = lanes_select(_m403, _o404.per_reach, per_reach);
+            const LANES(court_ring_parting_out) _o405 =
                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-            lift = lanes_select(_m401, _o403.lift, lift);
-            surge = lanes_select(_m401, _o403.surge, surge);
-            snap = lanes_select(_m401, _o403.snap, snap);
+            lift = lanes_select(_m403, _o405.lift, lift);
+            surge = lanes_select(_m403, _o405.surge, surge);
+            snap = lanes_select(_m403, _o405.snap, snap);
         }
-        const LANES(court_holding_out) _o404 =
+        const LANES(court_holding_out) _o406 =
             LANES(court_holding)(held, K(1.0));
-        here = _o404.here;
-        const M _m405 = lanes_both(rows, here);
-        if (lanes_any(_m405)) {
-            const LANES(court_backboard_tube_out) _o406 =
+        here = _o406.here;
+        const M _m407 = lanes_both(rows, here);
+        if (lanes_any(_m407)) {
+            const LANES(court_backboard_tube_out) _o408 =
                 LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            per_reach = lanes_select(_m405, _o406.per_reach, per_reach);
-            const LANES(court_backboard_parting_out) _o407 =
+            per_reach = lanes_select(_m407, _o408.per_reach, per_reach);
+            const LANES(court_backboard_parting_out) _o409 =
                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-            lift = lanes_select(_m405, _o407.lift, lift);
-            surge = lanes_select(_m405, _o407.surge, surge);
-            snap = lanes_select(_m405, _o407.snap, snap);
+            lift = lanes_select(_m407, _o409.lift, lift);
+            surge = lanes_select(_m407, _o409.surge, surge);
+            snap = lanes_select(_m407, _o409.snap, snap);
         }
-        const LANES(court_holding_out) _o408 =
+        const LANES(court_holding_out) _o410 =
             LANES(court_holding)(held, K(2.0));
-        here = _o408.here;
-        const M _m409 = lanes_both(rows, here);
-        if (lanes_any(_m409)) {
-            const LANES(court_bridge_tube_out) _o410 =
+        here = _o410.here;
+        const M _m411 = lanes_both(rows, here);
+        if (lanes_any(_m411)) {
+            const LANES(court_bridge_tube_out) _o412 =
                 LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            per_reach = lanes_select(_m409, _o410.per_reach, per_reach);
-            const LANES(court_bridge_parting_out) _o411 =
+            per_reach = lanes_select(_m411, _o412.per_reach, per_reach);
+            const LANES(court_bridge_parting_out) _o413 =
                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            lift = lanes_select(_m409, _o411.lift, lift);
-            surge = lanes_select(_m409, _o411.surge, surge);
-            snap = lanes_select(_m409, _o411.snap, snap);
+            lift = lanes_select(_m411, _o413.lift, lift);
+            surge = lanes_select(_m411, _o413.surge, surge);
+            snap = lanes_select(_m411, _o413.snap, snap);
         }
-        const LANES(court_unmet_out) _o412 =
+        const LANES(court_unmet_out) _o414 =
             LANES(court_unmet)();
-        V spare = _o412.spare;
-        const LANES(court_beside_out) _o413 =
+        V spare = _o414.spare;
+        const LANES(court_beside_out) _o415 =
             LANES(court_beside)(held, K(0.0));
-        M beside = _o413.beside;
-        const M _m414 = lanes_both(rows, beside);
-        if (lanes_any(_m414)) {
-            const LANES(court_ring_beside_out) _o415 =
+        M beside = _o415.beside;
+        const M _m416 = lanes_both(rows, beside);
+        if (lanes_any(_m416)) {
+            const LANES(court_ring_beside_out) _o417 =
                 LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            V gap = _o415.gap;
-            V nearing = _o415.nearing;
-            V dent = _o415.dent;
-            const LANES(court_spared_out) _o416 =
+            V gap = _o417.gap;
+            V nearing = _o417.nearing;
+            V dent = _o417.dent;
+            const LANES(court_spared_out) _o418 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m414, _o416.spare, spare);
+            spare = lanes_select(_m416, _o418.spare, spare);
         }
-        const LANES(court_beside_out) _o417 =
+        const LANES(court_beside_out) _o419 =
             LANES(court_beside)(held, K(1.0));
-        beside = _o417.beside;
-        const M _m418 = lanes_both(rows, beside);
-        if (lanes_any(_m418)) {
-            const LANES(court_backboard_beside_out) _o419 =
+        beside = _o419.beside;
+        const M _m420 = lanes_both(rows, beside);
+        if (lanes_any(_m420)) {
+            const LANES(court_backboard_beside_out) _o421 =
                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o419.gap;
-            V nearing = _o419.nearing;
-            V dent = _o419.dent;
-            const LANES(court_spared_out) _o420 =
+            V gap = _o421.gap;
+            V nearing = _o421.nearing;
+            V dent = _o421.dent;
+            const LANES(court_spared_out) _o422 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m418, _o420.spare, spare);
+            spare = lanes_select(_m420, _o422.spare, spare);
         }
-        const LANES(court_beside_out) _o421 =
+        const LANES(court_beside_out) _o423 =
             LANES(court_beside)(held, K(2.0));
-        beside = _o421.beside;
-        const M _m422 = lanes_both(rows, beside);
-        if (lanes_any(_m422)) {
-            const LANES(court_bridge_beside_out) _o423 =
+        beside = _o423.beside;
+        const M _m424 = lanes_both(rows, beside);
+        if (lanes_any(_m424)) {
+            const LANES(court_bridge_beside_out) _o425 =
                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            V gap = _o423.gap;
-            V nearing = _o423.nearing;
-            V dent = _o423.dent;
-            const LANES(court_spared_out) _o424 =
+            V gap = _o425.gap;
+            V nearing = _o425.nearing;
+            V dent = _o425.dent;
+            const LANES(court_spared_out) _o426 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m422, _o424.spare, spare);
+            spare = lanes_select(_m424, _o426.spare, spare);
         }
-        const LANES(court_beside_out) _o425 =
+        const LANES(court_beside_out) _o427 =
             LANES(court_beside)(held, K(3.0));
-        beside = _o425.beside;
-        const M _m426 = lanes_both(rows, beside);
-        if (lanes_any(_m426)) {
-            const LANES(court_end_beside_out) _o427 =
+        beside = _o427.beside;
+        const M _m428 = lanes_both(rows, beside);
+        if (lanes_any(_m428)) {
+            const LANES(court_end_beside_out) _o429 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o427.gap;
-            V nearing = _o427.nearing;
-            V dent = _o427.dent;
-            const LANES(court_spared_out) _o428 =
+            V gap = _o429.gap;
+            V nearing = _o429.nearing;
+            V dent = _o429.dent;
+            const LANES(court_spared_out) _o430 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m426, _o428.spare, spare);
+            spare = lanes_select(_m428, _o430.spare, spare);
         }
-        const LANES(court_holding_out) _o429 =
+        const LANES(court_holding_out) _o431 =
             LANES(court_holding)(held, K(1.0));
-        here = _o429.here;
-        const M _m430 = lanes_both(rows, here);
-        if (lanes_any(_m430)) {
-            const LANES(court_backboard_seam0_out) _o431 =
+        here = _o431.here;
+        const M _m432 = lanes_both(rows, here);
+        if (lanes_any(_m432)) {
+            const LANES(court_backboard_seam0_out) _o433 =
                 LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-            V gap = _o431.gap;
-            V nearing = _o431.nearing;
-            V near = _o431.near;
-            const LANES(court_spared_seam_out) _o432 =
-                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m430, _o432.spare, spare);
-            const LANES(court_backboard_seam1_out) _o433 =
-                LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-            gap = _o433.gap;
-            nearing = _o433.nearing;
-            near = _o433.near;
+            V gap = _o433.gap;
+            V nearing = _o433.nearing;
+            V near = _o433.near;
             const LANES(court_spared_seam_out) _o434 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m430, _o434.spare, spare);
-            const LANES(court_backboard_seam2_out) _o435 =
-                LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+            spare = lanes_select(_m432, _o434.spare, spare);
+            const LANES(court_backboard_seam1_out) _o435 =
+                LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
             gap = _o435.gap;
             nearing = _o435.nearing;
             near = _o435.near;
             const LANES(court_spared_seam_out) _o436 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m430, _o436.spare, spare);
-            const LANES(court_backboard_seam3_out) _o437 =
-                LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+            spare = lanes_select(_m432, _o436.spare, spare);
+            const LANES(court_backboard_seam2_out) _o437 =
+                LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
             gap = _o437.gap;
             nearing = _o437.nearing;
             near = _o437.near;
             const LANES(court_spared_seam_out) _o438 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m430, _o438.spare, spare);
-            const LANES(court_backboard_seam4_out) _o439 =
-                LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+            spare = lanes_select(_m432, _o438.spare, spare);
+            const LANES(court_backboard_seam3_out) _o439 =
+                LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
             gap = _o439.gap;
             nearing = _o439.nearing;
             near = _o439.near;
             const LANES(court_spared_seam_out) _o440 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m430, _o440.spare, spare);
-            const LANES(court_backboard_seam5_out) _o441 =
-                LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+            spare = lanes_select(_m432, _o440.spare, spare);
+            const LANES(court_backboard_seam4_out) _o441 =
+                LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
             gap = _o441.gap;
             nearing = _o441.nearing;
             near = _o441.near;
             const LANES(court_spared_seam_out) _o442 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m430, _o442.spare, spare);
-        }
-        const LANES(court_holding_out) _o443 =
-            LANES(court_holding)(held, K(2.0));
-        here = _o443.here;
-        const M _m444 = lanes_both(rows, here);
-        if (lanes_any(_m444)) {
-            const LANES(court_bridge_seam0_out) _o445 =
-                LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-            V gap = _o445.gap;
-            V nearing = _o445.nearing;
-            V near = _o445.near;
-            const LANES(court_spared_seam_out) _o446 =
+            spare = lanes_select(_m432, _o442.spare, spare);
+            const LANES(court_backboard_seam5_out) _o443 =
+                LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+            gap = _o443.gap;
+            nearing = _o443.nearing;
+            near = _o443.near;
+            const LANES(court_spared_seam_out) _o444 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m444, _o446.spare, spare);
-            const LANES(court_bridge_seam1_out) _o447 =
-                LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-            gap = _o447.gap;
-            nearing = _o447.nearing;
-            near = _o447.near;
+            spare = lanes_select(_m432, _o444.spare, spare);
+        }
+        const LANES(court_holding_out) _o445 =
+            LANES(court_holding)(held, K(2.0));
+        here = _o445.here;
+        const M _m446 = lanes_both(rows, here);
+        if (lanes_any(_m446)) {
+            const LANES(court_bridge_seam0_out) _o447 =
+                LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+            V gap = _o447.gap;
+            V nearing = _o447.nearing;
+            V near = _o447.near;
             const LANES(court_spared_seam_out) _o448 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m444, _o448.spare, spare);
-            const LANES(court_bridge_seam2_out) _o449 =
-                LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+            spare = lanes_select(_m446, _o448.spare, spare);
+            const LANES(court_bridge_seam1_out) _o449 =
+                LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
             gap = _o449.gap;
             nearing = _o449.nearing;
             near = _o449.near;
             const LANES(court_spared_seam_out) _o450 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m444, _o450.spare, spare);
-            const LANES(court_bridge_seam3_out) _o451 =
-                LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+            spare = lanes_select(_m446, _o450.spare, spare);
+            const LANES(court_bridge_seam2_out) _o451 =
+                LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
             gap = _o451.gap;
             nearing = _o451.nearing;
             near = _o451.near;
             const LANES(court_spared_seam_out) _o452 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m444, _o452.spare, spare);
-            const LANES(court_bridge_seam4_out) _o453 =
-                LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+            spare = lanes_select(_m446, _o452.spare, spare);
+            const LANES(court_bridge_seam3_out) _o453 =
+                LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
             gap = _o453.gap;
             nearing = _o453.nearing;
             near = _o453.near;
             const LANES(court_spared_seam_out) _o454 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m444, _o454.spare, spare);
-            const LANES(court_bridge_seam5_out) _o455 =
-                LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+            spare = lanes_select(_m446, _o454.spare, spare);
+            const LANES(court_bridge_seam4_out) _o455 =
+                LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
             gap = _o455.gap;
             nearing = _o455.nearing;
             near = _o455.near;
             const LANES(court_spared_seam_out) _o456 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m444, _o456.spare, spare);
+            spare = lanes_select(_m446, _o456.spare, spare);
+            const LANES(court_bridge_seam5_out) _o457 =
+                LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+            gap = _o457.gap;
+            nearing = _o457.nearing;
+            near = _o457.near;
+            const LANES(court_spared_seam_out) _o458 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m446, _o458.spare, spare);
         }
-        const LANES(court_parted_out) _o457 =
+        const LANES(court_parted_out) _o459 =
             LANES(court_parted)(doubt, p_gravity, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz);
-        V when = _o457.when;
-        doubt = _o457.doubt;
-        const LANES(court_hopping_out) _o458 =
+        V when = _o459.when;
+        doubt = _o459.doubt;
+        const LANES(court_hopping_out) _o460 =
             LANES(court_hopping)();
-        V which = _o458.which;
+        V which = _o460.which;
         lanes_store(lists->kept_leaves_doubt + i, doubt);
         lanes_store(lists->kept_leaves_position_error + i, position_error);
         lanes_store(lists->kept_leaves_velocity_error + i, velocity_error);
@@ -6696,130 +6696,130 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o179 =
+        const LANES(court_resumed_out) _o181 =
             LANES(court_resumed)(clock, mode, position_error, velocity_error);
-        V which = _o179.which;
-        V late = _o179.late;
-        V began = _o179.began;
-        V doubt = _o179.doubt;
-        M begins = _o179.begins;
-        M rolling = _o179.rolling;
-        M leaves = _o179.leaves;
-        V nx = _o179.nx;
-        V ny = _o179.ny;
-        V nz = _o179.nz;
-        V gap = _o179.gap;
-        V bent_x = _o179.bent_x;
-        V bent_y = _o179.bent_y;
-        V bent_z = _o179.bent_z;
-        V lift = _o179.lift;
-        V surge = _o179.surge;
-        V snap = _o179.snap;
-        V per_reach = _o179.per_reach;
-        const M _m180 = lanes_both(rows, begins);
-        if (lanes_any(_m180)) {
-            const LANES(court_holding_out) _o181 =
+        V which = _o181.which;
+        V late = _o181.late;
+        V began = _o181.began;
+        V doubt = _o181.doubt;
+        M begins = _o181.begins;
+        M rolling = _o181.rolling;
+        M leaves = _o181.leaves;
+        V nx = _o181.nx;
+        V ny = _o181.ny;
+        V nz = _o181.nz;
+        V gap = _o181.gap;
+        V bent_x = _o181.bent_x;
+        V bent_y = _o181.bent_y;
+        V bent_z = _o181.bent_z;
+        V lift = _o181.lift;
+        V surge = _o181.surge;
+        V snap = _o181.snap;
+        V per_reach = _o181.per_reach;
+        const M _m182 = lanes_both(rows, begins);
+        if (lanes_any(_m182)) {
+            const LANES(court_holding_out) _o183 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o181.here;
-            const M _m182 = lanes_both(_m180, here);
+            M here = _o183.here;
+            const M _m184 = lanes_both(_m182, here);
             {
-                const LANES(court_ring_normal_out) _o183 =
+                const LANES(court_ring_normal_out) _o185 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m182, _o183.nx, nx);
-                ny = lanes_select(_m182, _o183.ny, ny);
-                nz = lanes_select(_m182, _o183.nz, nz);
+                nx = lanes_select(_m184, _o185.nx, nx);
+                ny = lanes_select(_m184, _o185.ny, ny);
+                nz = lanes_select(_m184, _o185.nz, nz);
             }
-            const LANES(court_holding_out) _o184 =
+            const LANES(court_holding_out) _o186 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o184.here;
-            const M _m185 = lanes_both(_m180, here);
+            here = _o186.here;
+            const M _m187 = lanes_both(_m182, here);
             {
-                const LANES(court_backboard_normal_out) _o186 =
+                const LANES(court_backboard_normal_out) _o188 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m185, _o186.nx, nx);
-                ny = lanes_select(_m185, _o186.ny, ny);
-                nz = lanes_select(_m185, _o186.nz, nz);
+                nx = lanes_select(_m187, _o188.nx, nx);
+                ny = lanes_select(_m187, _o188.ny, ny);
+                nz = lanes_select(_m187, _o188.nz, nz);
             }
-            const LANES(court_holding_out) _o187 =
+            const LANES(court_holding_out) _o189 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o187.here;
-            const M _m188 = lanes_both(_m180, here);
+            here = _o189.here;
+            const M _m190 = lanes_both(_m182, here);
             {
-                const LANES(court_bridge_normal_out) _o189 =
+                const LANES(court_bridge_normal_out) _o191 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m188, _o189.nx, nx);
-                ny = lanes_select(_m188, _o189.ny, ny);
-                nz = lanes_select(_m188, _o189.nz, nz);
+                nx = lanes_select(_m190, _o191.nx, nx);
+                ny = lanes_select(_m190, _o191.ny, ny);
+                nz = lanes_select(_m190, _o191.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o190 =
+            const LANES(court_roll_turn_rate_out) _o192 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o190.turn_rate;
-            const LANES(court_gripped_out) _o191 =
+            V turn_rate = _o192.turn_rate;
+            const LANES(court_gripped_out) _o193 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o191.rolled_x;
-            V rolled_y = _o191.rolled_y;
-            V rolled_z = _o191.rolled_z;
-            const LANES(court_holding_out) _o192 =
+            V rolled_x = _o193.rolled_x;
+            V rolled_y = _o193.rolled_y;
+            V rolled_z = _o193.rolled_z;
+            const LANES(court_holding_out) _o194 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o192.here;
-            const M _m193 = lanes_both(_m180, here);
+            here = _o194.here;
+            const M _m195 = lanes_both(_m182, here);
             {
-                const LANES(court_ring_off_out) _o194 =
+                const LANES(court_ring_off_out) _o196 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m193, _o194.gap, gap);
+                gap = lanes_select(_m195, _o196.gap, gap);
             }
-            const LANES(court_holding_out) _o195 =
+            const LANES(court_holding_out) _o197 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o195.here;
-            const M _m196 = lanes_both(_m180, here);
+            here = _o197.here;
+            const M _m198 = lanes_both(_m182, here);
             {
-                const LANES(court_backboard_off_out) _o197 =
+                const LANES(court_backboard_off_out) _o199 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m196, _o197.gap, gap);
+                gap = lanes_select(_m198, _o199.gap, gap);
             }
-            const LANES(court_holding_out) _o198 =
+            const LANES(court_holding_out) _o200 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o198.here;
-            const M _m199 = lanes_both(_m180, here);
+            here = _o200.here;
+            const M _m201 = lanes_both(_m182, here);
             {
-                const LANES(court_bridge_off_out) _o200 =
+                const LANES(court_bridge_off_out) _o202 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m199, _o200.gap, gap);
+                gap = lanes_select(_m201, _o202.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o201 =
+            const LANES(court_roll_placed_out) _o203 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m180, _o201.x, x);
-            y = lanes_select(_m180, _o201.y, y);
-            z = lanes_select(_m180, _o201.z, z);
-            vx = lanes_select(_m180, _o201.vx, vx);
-            vy = lanes_select(_m180, _o201.vy, vy);
-            vz = lanes_select(_m180, _o201.vz, vz);
-            wx = lanes_select(_m180, _o201.wx, wx);
-            wy = lanes_select(_m180, _o201.wy, wy);
-            wz = lanes_select(_m180, _o201.wz, wz);
-            const LANES(court_begun_errors_out) _o202 =
+            x = lanes_select(_m182, _o203.x, x);
+            y = lanes_select(_m182, _o203.y, y);
+            z = lanes_select(_m182, _o203.z, z);
+            vx = lanes_select(_m182, _o203.vx, vx);
+            vy = lanes_select(_m182, _o203.vy, vy);
+            vz = lanes_select(_m182, _o203.vz, vz);
+            wx = lanes_select(_m182, _o203.wx, wx);
+            wy = lanes_select(_m182, _o203.wy, wy);
+            wz = lanes_select(_m182, _o203.wz, wz);
+            const LANES(court_begun_errors_out) _o204 =
                 LANES(court_begun_errors)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz);
-            dx = lanes_select(_m180, _o202.dx, dx);
-            dy = lanes_select(_m180, _o202.dy, dy);
-            dz = lanes_select(_m180, _o202.dz, dz);
-            dvx = lanes_select(_m180, _o202.dvx, dvx);
-            dvy = lanes_select(_m180, _o202.dvy, dvy);
-            dvz = lanes_select(_m180, _o202.dvz, dvz);
-            dwx = lanes_select(_m180, _o202.dwx, dwx);
-            dwy = lanes_select(_m180, _o202.dwy, dwy);
-            dwz = lanes_select(_m180, _o202.dwz, dwz);
-            const LANES(court_untaut_out) _o203 =
+            dx = lanes_select(_m182, _o204.dx, dx);
+            dy = lanes_select(_m182, _o204.dy, dy);
+            dz = lanes_select(_m182, _o204.dz, dz);
+            dvx = lanes_select(_m182, _o204.dvx, dvx);
+            dvy = lanes_select(_m182, _o204.dvy, dvy);
+            dvz = lanes_select(_m182, _o204.dvz, dvz);
+            dwx = lanes_select(_m182, _o204.dwx, dwx);
+            dwy = lanes_select(_m182, _o204.dwy, dwy);
+            dwz = lanes_select(_m182, _o204.dwz, dwz);
+            const LANES(court_untaut_out) _o205 =
                 LANES(court_untaut)();
-            taut = lanes_select(_m180, _o203.taut, taut);
-            const LANES(court_beginning_contact_out) _o204 =
+            taut = lanes_select(_m182, _o205.taut, taut);
+            const LANES(court_beginning_contact_out) _o206 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m180, _o204.which, which);
-            circled = lanes_select(_m180, _o204.circled, circled);
+            which = lanes_select(_m182, _o206.which, which);
+            circled = lanes_select(_m182, _o206.circled, circled);
         }
-        const LANES(court_circles_out) _o205 =
+        const LANES(court_circles_out) _o207 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o205.circling;
-        rolling = _o205.rolling;
+        M circling = _o207.circling;
+        rolling = _o207.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -7040,688 +7040,688 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_error_bounds_out) _o206 =
+            const LANES(court_error_bounds_out) _o208 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o206.position_error;
-            V velocity_error = _o206.velocity_error;
-            const LANES(court_holding_out) _o207 =
+            V position_error = _o208.position_error;
+            V velocity_error = _o208.velocity_error;
+            const LANES(court_holding_out) _o209 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o207.here;
-            const M _m208 = lanes_both(active, here);
-            if (lanes_any(_m208)) {
-                const LANES(court_backboard_normal_out) _o209 =
+            M here = _o209.here;
+            const M _m210 = lanes_both(active, here);
+            if (lanes_any(_m210)) {
+                const LANES(court_backboard_normal_out) _o211 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m208, _o209.nx, nx);
-                ny = lanes_select(_m208, _o209.ny, ny);
-                nz = lanes_select(_m208, _o209.nz, nz);
-                const LANES(court_backboard_tube_out) _o210 =
+                nx = lanes_select(_m210, _o211.nx, nx);
+                ny = lanes_select(_m210, _o211.ny, ny);
+                nz = lanes_select(_m210, _o211.nz, nz);
+                const LANES(court_backboard_tube_out) _o212 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m208, _o210.bent_x, bent_x);
-                bent_y = lanes_select(_m208, _o210.bent_y, bent_y);
-                bent_z = lanes_select(_m208, _o210.bent_z, bent_z);
-                per_reach = lanes_select(_m208, _o210.per_reach, per_reach);
+                bent_x = lanes_select(_m210, _o212.bent_x, bent_x);
+                bent_y = lanes_select(_m210, _o212.bent_y, bent_y);
+                bent_z = lanes_select(_m210, _o212.bent_z, bent_z);
+                per_reach = lanes_select(_m210, _o212.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o211 =
+            const LANES(court_holding_out) _o213 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o211.here;
-            const M _m212 = lanes_both(active, here);
-            if (lanes_any(_m212)) {
-                const LANES(court_bridge_normal_out) _o213 =
+            here = _o213.here;
+            const M _m214 = lanes_both(active, here);
+            if (lanes_any(_m214)) {
+                const LANES(court_bridge_normal_out) _o215 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m212, _o213.nx, nx);
-                ny = lanes_select(_m212, _o213.ny, ny);
-                nz = lanes_select(_m212, _o213.nz, nz);
-                const LANES(court_bridge_tube_out) _o214 =
+                nx = lanes_select(_m214, _o215.nx, nx);
+                ny = lanes_select(_m214, _o215.ny, ny);
+                nz = lanes_select(_m214, _o215.nz, nz);
+                const LANES(court_bridge_tube_out) _o216 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m212, _o214.bent_x, bent_x);
-                bent_y = lanes_select(_m212, _o214.bent_y, bent_y);
-                bent_z = lanes_select(_m212, _o214.bent_z, bent_z);
-                per_reach = lanes_select(_m212, _o214.per_reach, per_reach);
+                bent_x = lanes_select(_m214, _o216.bent_x, bent_x);
+                bent_y = lanes_select(_m214, _o216.bent_y, bent_y);
+                bent_z = lanes_select(_m214, _o216.bent_z, bent_z);
+                per_reach = lanes_select(_m214, _o216.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o215 =
+            const LANES(court_roll_start_out) _o217 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o215.vx_0;
-            V vy_0 = _o215.vy_0;
-            V vz_0 = _o215.vz_0;
-            V nx_0 = _o215.nx_0;
-            V ny_0 = _o215.ny_0;
-            V nz_0 = _o215.nz_0;
-            V turn_rate_0 = _o215.turn_rate_0;
-            const LANES(court_roll_0_out) _o216 =
+            V vx_0 = _o217.vx_0;
+            V vy_0 = _o217.vy_0;
+            V vz_0 = _o217.vz_0;
+            V nx_0 = _o217.nx_0;
+            V ny_0 = _o217.ny_0;
+            V nz_0 = _o217.nz_0;
+            V turn_rate_0 = _o217.turn_rate_0;
+            const LANES(court_roll_0_out) _o218 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o216.lift_0;
-            V tx_0 = _o216.tx_0;
-            V ty_0 = _o216.ty_0;
-            V tz_0 = _o216.tz_0;
-            V vx_1 = _o216.vx_1;
-            V vy_1 = _o216.vy_1;
-            V vz_1 = _o216.vz_1;
-            V nx_1 = _o216.nx_1;
-            V ny_1 = _o216.ny_1;
-            V nz_1 = _o216.nz_1;
-            V turn_rate_1 = _o216.turn_rate_1;
-            const LANES(court_roll_1_out) _o217 =
+            V lift_0 = _o218.lift_0;
+            V tx_0 = _o218.tx_0;
+            V ty_0 = _o218.ty_0;
+            V tz_0 = _o218.tz_0;
+            V vx_1 = _o218.vx_1;
+            V vy_1 = _o218.vy_1;
+            V vz_1 = _o218.vz_1;
+            V nx_1 = _o218.nx_1;
+            V ny_1 = _o218.ny_1;
+            V nz_1 = _o218.nz_1;
+            V turn_rate_1 = _o218.turn_rate_1;
+            const LANES(court_roll_1_out) _o219 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o217.lift_1;
-            V tx_1 = _o217.tx_1;
-            V ty_1 = _o217.ty_1;
-            V tz_1 = _o217.tz_1;
-            V vx_2 = _o217.vx_2;
-            V vy_2 = _o217.vy_2;
-            V vz_2 = _o217.vz_2;
-            V nx_2 = _o217.nx_2;
-            V ny_2 = _o217.ny_2;
-            V nz_2 = _o217.nz_2;
-            V turn_rate_2 = _o217.turn_rate_2;
-            const LANES(court_roll_2_out) _o218 =
+            V lift_1 = _o219.lift_1;
+            V tx_1 = _o219.tx_1;
+            V ty_1 = _o219.ty_1;
+            V tz_1 = _o219.tz_1;
+            V vx_2 = _o219.vx_2;
+            V vy_2 = _o219.vy_2;
+            V vz_2 = _o219.vz_2;
+            V nx_2 = _o219.nx_2;
+            V ny_2 = _o219.ny_2;
+            V nz_2 = _o219.nz_2;
+            V turn_rate_2 = _o219.turn_rate_2;
+            const LANES(court_roll_2_out) _o220 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o218.lift_2;
-            V tx_2 = _o218.tx_2;
-            V ty_2 = _o218.ty_2;
-            V tz_2 = _o218.tz_2;
-            V vx_3 = _o218.vx_3;
-            V vy_3 = _o218.vy_3;
-            V vz_3 = _o218.vz_3;
-            V nx_3 = _o218.nx_3;
-            V ny_3 = _o218.ny_3;
-            V nz_3 = _o218.nz_3;
-            V turn_rate_3 = _o218.turn_rate_3;
-            const LANES(court_roll_3_out) _o219 =
+            V lift_2 = _o220.lift_2;
+            V tx_2 = _o220.tx_2;
+            V ty_2 = _o220.ty_2;
+            V tz_2 = _o220.tz_2;
+            V vx_3 = _o220.vx_3;
+            V vy_3 = _o220.vy_3;
+            V vz_3 = _o220.vz_3;
+            V nx_3 = _o220.nx_3;
+            V ny_3 = _o220.ny_3;
+            V nz_3 = _o220.nz_3;
+            V turn_rate_3 = _o220.turn_rate_3;
+            const LANES(court_roll_3_out) _o221 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o219.lift_3;
-            V tx_3 = _o219.tx_3;
-            V ty_3 = _o219.ty_3;
-            V tz_3 = _o219.tz_3;
-            V vx_4 = _o219.vx_4;
-            V vy_4 = _o219.vy_4;
-            V vz_4 = _o219.vz_4;
-            V nx_4 = _o219.nx_4;
-            V ny_4 = _o219.ny_4;
-            V nz_4 = _o219.nz_4;
-            V turn_rate_4 = _o219.turn_rate_4;
-            const LANES(court_roll_4_out) _o220 =
+            V lift_3 = _o221.lift_3;
+            V tx_3 = _o221.tx_3;
+            V ty_3 = _o221.ty_3;
+            V tz_3 = _o221.tz_3;
+            V vx_4 = _o221.vx_4;
+            V vy_4 = _o221.vy_4;
+            V vz_4 = _o221.vz_4;
+            V nx_4 = _o221.nx_4;
+            V ny_4 = _o221.ny_4;
+            V nz_4 = _o221.nz_4;
+            V turn_rate_4 = _o221.turn_rate_4;
+            const LANES(court_roll_4_out) _o222 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o220.lift_4;
-            V tx_4 = _o220.tx_4;
-            V ty_4 = _o220.ty_4;
-            V tz_4 = _o220.tz_4;
-            V vx_5 = _o220.vx_5;
-            V vy_5 = _o220.vy_5;
-            V vz_5 = _o220.vz_5;
-            V nx_5 = _o220.nx_5;
-            V ny_5 = _o220.ny_5;
-            V nz_5 = _o220.nz_5;
-            V turn_rate_5 = _o220.turn_rate_5;
-            const LANES(court_roll_5_out) _o221 =
+            V lift_4 = _o222.lift_4;
+            V tx_4 = _o222.tx_4;
+            V ty_4 = _o222.ty_4;
+            V tz_4 = _o222.tz_4;
+            V vx_5 = _o222.vx_5;
+            V vy_5 = _o222.vy_5;
+            V vz_5 = _o222.vz_5;
+            V nx_5 = _o222.nx_5;
+            V ny_5 = _o222.ny_5;
+            V nz_5 = _o222.nz_5;
+            V turn_rate_5 = _o222.turn_rate_5;
+            const LANES(court_roll_5_out) _o223 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o221.lift_5;
-            V tx_5 = _o221.tx_5;
-            V ty_5 = _o221.ty_5;
-            V tz_5 = _o221.tz_5;
-            V vx_6 = _o221.vx_6;
-            V vy_6 = _o221.vy_6;
-            V vz_6 = _o221.vz_6;
-            V nx_6 = _o221.nx_6;
-            V ny_6 = _o221.ny_6;
-            V nz_6 = _o221.nz_6;
-            V turn_rate_6 = _o221.turn_rate_6;
-            const LANES(court_roll_6_out) _o222 =
+            V lift_5 = _o223.lift_5;
+            V tx_5 = _o223.tx_5;
+            V ty_5 = _o223.ty_5;
+            V tz_5 = _o223.tz_5;
+            V vx_6 = _o223.vx_6;
+            V vy_6 = _o223.vy_6;
+            V vz_6 = _o223.vz_6;
+            V nx_6 = _o223.nx_6;
+            V ny_6 = _o223.ny_6;
+            V nz_6 = _o223.nz_6;
+            V turn_rate_6 = _o223.turn_rate_6;
+            const LANES(court_roll_6_out) _o224 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o222.lift_6;
-            V tx_6 = _o222.tx_6;
-            V ty_6 = _o222.ty_6;
-            V tz_6 = _o222.tz_6;
-            V vx_7 = _o222.vx_7;
-            V vy_7 = _o222.vy_7;
-            V vz_7 = _o222.vz_7;
-            V nx_7 = _o222.nx_7;
-            V ny_7 = _o222.ny_7;
-            V nz_7 = _o222.nz_7;
-            V turn_rate_7 = _o222.turn_rate_7;
-            const LANES(court_roll_7_out) _o223 =
+            V lift_6 = _o224.lift_6;
+            V tx_6 = _o224.tx_6;
+            V ty_6 = _o224.ty_6;
+            V tz_6 = _o224.tz_6;
+            V vx_7 = _o224.vx_7;
+            V vy_7 = _o224.vy_7;
+            V vz_7 = _o224.vz_7;
+            V nx_7 = _o224.nx_7;
+            V ny_7 = _o224.ny_7;
+            V nz_7 = _o224.nz_7;
+            V turn_rate_7 = _o224.turn_rate_7;
+            const LANES(court_roll_7_out) _o225 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o223.lift_7;
-            V vx_8 = _o223.vx_8;
-            V vy_8 = _o223.vy_8;
-            V vz_8 = _o223.vz_8;
-            V nx_8 = _o223.nx_8;
-            V ny_8 = _o223.ny_8;
-            V nz_8 = _o223.nz_8;
-            V turn_rate_8 = _o223.turn_rate_8;
-            const LANES(court_roll_pace_out) _o224 =
+            V lift_7 = _o225.lift_7;
+            V vx_8 = _o225.vx_8;
+            V vy_8 = _o225.vy_8;
+            V vz_8 = _o225.vz_8;
+            V nx_8 = _o225.nx_8;
+            V ny_8 = _o225.ny_8;
+            V nz_8 = _o225.nz_8;
+            V turn_rate_8 = _o225.turn_rate_8;
+            const LANES(court_roll_pace_out) _o226 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o224.stride;
-            V strongest = _o224.strongest;
-            V fastest = _o224.fastest;
-            V force = _o224.force;
-            V force_rate = _o224.force_rate;
-            V force_bend = _o224.force_bend;
-            V brace = _o224.brace;
-            const LANES(court_pulled_out) _o225 =
+            V stride = _o226.stride;
+            V strongest = _o226.strongest;
+            V fastest = _o226.fastest;
+            V force = _o226.force;
+            V force_rate = _o226.force_rate;
+            V force_bend = _o226.force_bend;
+            V brace = _o226.brace;
+            const LANES(court_pulled_out) _o227 =
                 LANES(court_pulled)(p_gravity, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-            V drag = _o225.drag;
-            V drag_rate = _o225.drag_rate;
-            V strain = _o225.strain;
-            V strain_rate = _o225.strain_rate;
-            const LANES(court_holding_out) _o226 =
+            V drag = _o227.drag;
+            V drag_rate = _o227.drag_rate;
+            V strain = _o227.strain;
+            V strain_rate = _o227.strain_rate;
+            const LANES(court_holding_out) _o228 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o226.here;
-            const M _m227 = lanes_both(active, here);
+            here = _o228.here;
+            const M _m229 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o228 =
+                const LANES(court_ring_impact_strained_out) _o230 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_backboard_friction);
-                strain = lanes_select(_m227, _o228.strain, strain);
-                strain_rate = lanes_select(_m227, _o228.strain_rate, strain_rate);
+                strain = lanes_select(_m229, _o230.strain, strain);
+                strain_rate = lanes_select(_m229, _o230.strain_rate, strain_rate);
             }
-            const LANES(court_holding_out) _o229 =
+            const LANES(court_holding_out) _o231 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o229.here;
-            const M _m230 = lanes_both(active, here);
+            here = _o231.here;
+            const M _m232 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o231 =
+                const LANES(court_ring_impact_strained_out) _o233 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_bridge_friction);
-                strain = lanes_select(_m230, _o231.strain, strain);
-                strain_rate = lanes_select(_m230, _o231.strain_rate, strain_rate);
+                strain = lanes_select(_m232, _o233.strain, strain);
+                strain_rate = lanes_select(_m232, _o233.strain_rate, strain_rate);
             }
-            const LANES(court_losing_out) _o232 =
+            const LANES(court_losing_out) _o234 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o232.loses;
-            const M _m233 = lanes_both(active, loses);
-            if (lanes_any(_m233)) {
-                const LANES(court_lost_grip_out) _o234 =
+            M loses = _o234.loses;
+            const M _m235 = lanes_both(active, loses);
+            if (lanes_any(_m235)) {
+                const LANES(court_lost_grip_out) _o236 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m233, _o234.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m235, _o236.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o235 =
+            const LANES(court_tightened_out) _o237 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o235.taut;
-            taut_rate = _o235.taut_rate;
-            taut_clock = _o235.taut_clock;
-            const LANES(court_leaving_force_out) _o236 =
+            taut = _o237.taut;
+            taut_rate = _o237.taut_rate;
+            taut_clock = _o237.taut_clock;
+            const LANES(court_leaving_force_out) _o238 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o236.stride;
-            which = _o236.which;
-            M rests = _o236.rests;
-            doubt = _o236.doubt;
-            const LANES(court_beside_out) _o237 =
+            stride = _o238.stride;
+            which = _o238.which;
+            M rests = _o238.rests;
+            doubt = _o238.doubt;
+            const LANES(court_beside_out) _o239 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o237.beside;
-            const M _m238 = lanes_both(active, beside);
-            if (lanes_any(_m238)) {
-                const LANES(court_ring_beside_out) _o239 =
+            M beside = _o239.beside;
+            const M _m240 = lanes_both(active, beside);
+            if (lanes_any(_m240)) {
+                const LANES(court_ring_beside_out) _o241 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o239.gap;
-                V nearing = _o239.nearing;
-                V dent = _o239.dent;
-                const LANES(court_beside_body_out) _o240 =
+                V gap = _o241.gap;
+                V nearing = _o241.nearing;
+                V dent = _o241.dent;
+                const LANES(court_beside_body_out) _o242 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m238, _o240.stride, stride);
-                which = lanes_select(_m238, _o240.which, which);
-                doubt = lanes_select(_m238, _o240.doubt, doubt);
-                late = lanes_select(_m238, _o240.late, late);
+                stride = lanes_select(_m240, _o242.stride, stride);
+                which = lanes_select(_m240, _o242.which, which);
+                doubt = lanes_select(_m240, _o242.doubt, doubt);
+                late = lanes_select(_m240, _o242.late, late);
             }
-            const LANES(court_beside_out) _o241 =
+            const LANES(court_beside_out) _o243 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o241.beside;
-            const M _m242 = lanes_both(active, beside);
-            if (lanes_any(_m242)) {
-                const LANES(court_backboard_beside_out) _o243 =
+            beside = _o243.beside;
+            const M _m244 = lanes_both(active, beside);
+            if (lanes_any(_m244)) {
+                const LANES(court_backboard_beside_out) _o245 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o243.gap;
-                V nearing = _o243.nearing;
-                V dent = _o243.dent;
-                const LANES(court_beside_body_out) _o244 =
+                V gap = _o245.gap;
+                V nearing = _o245.nearing;
+                V dent = _o245.dent;
+                const LANES(court_beside_body_out) _o246 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m242, _o244.stride, stride);
-                which = lanes_select(_m242, _o244.which, which);
-                doubt = lanes_select(_m242, _o244.doubt, doubt);
-                late = lanes_select(_m242, _o244.late, late);
+                stride = lanes_select(_m244, _o246.stride, stride);
+                which = lanes_select(_m244, _o246.which, which);
+                doubt = lanes_select(_m244, _o246.doubt, doubt);
+                late = lanes_select(_m244, _o246.late, late);
             }
-            const LANES(court_beside_out) _o245 =
+            const LANES(court_beside_out) _o247 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o245.beside;
-            const M _m246 = lanes_both(active, beside);
-            if (lanes_any(_m246)) {
-                const LANES(court_bridge_beside_out) _o247 =
+            beside = _o247.beside;
+            const M _m248 = lanes_both(active, beside);
+            if (lanes_any(_m248)) {
+                const LANES(court_bridge_beside_out) _o249 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o247.gap;
-                V nearing = _o247.nearing;
-                V dent = _o247.dent;
-                const LANES(court_beside_body_out) _o248 =
+                V gap = _o249.gap;
+                V nearing = _o249.nearing;
+                V dent = _o249.dent;
+                const LANES(court_beside_body_out) _o250 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m246, _o248.stride, stride);
-                which = lanes_select(_m246, _o248.which, which);
-                doubt = lanes_select(_m246, _o248.doubt, doubt);
-                late = lanes_select(_m246, _o248.late, late);
+                stride = lanes_select(_m248, _o250.stride, stride);
+                which = lanes_select(_m248, _o250.which, which);
+                doubt = lanes_select(_m248, _o250.doubt, doubt);
+                late = lanes_select(_m248, _o250.late, late);
             }
-            const LANES(court_end_beside_out) _o249 =
+            const LANES(court_end_beside_out) _o251 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o249.gap;
-            V nearing = _o249.nearing;
-            V dent = _o249.dent;
-            const LANES(court_beside_gate_out) _o250 =
+            V gap = _o251.gap;
+            V nearing = _o251.nearing;
+            V dent = _o251.dent;
+            const LANES(court_beside_gate_out) _o252 =
                 LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o250.stride;
-            which = _o250.which;
-            doubt = _o250.doubt;
-            late = _o250.late;
-            const LANES(court_holding_out) _o251 =
+            stride = _o252.stride;
+            which = _o252.which;
+            doubt = _o252.doubt;
+            late = _o252.late;
+            const LANES(court_holding_out) _o253 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o251.here;
-            const M _m252 = lanes_both(active, here);
-            if (lanes_any(_m252)) {
-                const LANES(court_backboard_seam0_out) _o253 =
+            here = _o253.here;
+            const M _m254 = lanes_both(active, here);
+            if (lanes_any(_m254)) {
+                const LANES(court_backboard_seam0_out) _o255 =
                     LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m252, _o253.gap, gap);
-                V nearing = _o253.nearing;
-                V near = _o253.near;
-                const LANES(court_beside_seam_out) _o254 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m252, _o254.stride, stride);
-                const LANES(court_backboard_seam1_out) _o255 =
-                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m252, _o255.gap, gap);
-                nearing = _o255.nearing;
-                near = _o255.near;
+                gap = lanes_select(_m254, _o255.gap, gap);
+                V nearing = _o255.nearing;
+                V near = _o255.near;
                 const LANES(court_beside_seam_out) _o256 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m252, _o256.stride, stride);
-                const LANES(court_backboard_seam2_out) _o257 =
-                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m252, _o257.gap, gap);
+                stride = lanes_select(_m254, _o256.stride, stride);
+                const LANES(court_backboard_seam1_out) _o257 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m254, _o257.gap, gap);
                 nearing = _o257.nearing;
                 near = _o257.near;
                 const LANES(court_beside_seam_out) _o258 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m252, _o258.stride, stride);
-                const LANES(court_backboard_seam3_out) _o259 =
-                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m252, _o259.gap, gap);
+                stride = lanes_select(_m254, _o258.stride, stride);
+                const LANES(court_backboard_seam2_out) _o259 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m254, _o259.gap, gap);
                 nearing = _o259.nearing;
                 near = _o259.near;
                 const LANES(court_beside_seam_out) _o260 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m252, _o260.stride, stride);
-                const LANES(court_backboard_seam4_out) _o261 =
-                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m252, _o261.gap, gap);
+                stride = lanes_select(_m254, _o260.stride, stride);
+                const LANES(court_backboard_seam3_out) _o261 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m254, _o261.gap, gap);
                 nearing = _o261.nearing;
                 near = _o261.near;
                 const LANES(court_beside_seam_out) _o262 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m252, _o262.stride, stride);
-                const LANES(court_backboard_seam5_out) _o263 =
-                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m252, _o263.gap, gap);
+                stride = lanes_select(_m254, _o262.stride, stride);
+                const LANES(court_backboard_seam4_out) _o263 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m254, _o263.gap, gap);
                 nearing = _o263.nearing;
                 near = _o263.near;
                 const LANES(court_beside_seam_out) _o264 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m252, _o264.stride, stride);
-            }
-            const LANES(court_holding_out) _o265 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o265.here;
-            const M _m266 = lanes_both(active, here);
-            if (lanes_any(_m266)) {
-                const LANES(court_bridge_seam0_out) _o267 =
-                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m266, _o267.gap, gap);
-                V nearing = _o267.nearing;
-                V near = _o267.near;
-                const LANES(court_beside_seam_out) _o268 =
+                stride = lanes_select(_m254, _o264.stride, stride);
+                const LANES(court_backboard_seam5_out) _o265 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m254, _o265.gap, gap);
+                nearing = _o265.nearing;
+                near = _o265.near;
+                const LANES(court_beside_seam_out) _o266 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m266, _o268.stride, stride);
-                const LANES(court_bridge_seam1_out) _o269 =
-                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m266, _o269.gap, gap);
-                nearing = _o269.nearing;
-                near = _o269.near;
+                stride = lanes_select(_m254, _o266.stride, stride);
+            }
+            const LANES(court_holding_out) _o267 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o267.here;
+            const M _m268 = lanes_both(active, here);
+            if (lanes_any(_m268)) {
+                const LANES(court_bridge_seam0_out) _o269 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m268, _o269.gap, gap);
+                V nearing = _o269.nearing;
+                V near = _o269.near;
                 const LANES(court_beside_seam_out) _o270 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m266, _o270.stride, stride);
-                const LANES(court_bridge_seam2_out) _o271 =
-                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m266, _o271.gap, gap);
+                stride = lanes_select(_m268, _o270.stride, stride);
+                const LANES(court_bridge_seam1_out) _o271 =
+                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m268, _o271.gap, gap);
                 nearing = _o271.nearing;
                 near = _o271.near;
                 const LANES(court_beside_seam_out) _o272 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m266, _o272.stride, stride);
-                const LANES(court_bridge_seam3_out) _o273 =
-                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m266, _o273.gap, gap);
+                stride = lanes_select(_m268, _o272.stride, stride);
+                const LANES(court_bridge_seam2_out) _o273 =
+                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m268, _o273.gap, gap);
                 nearing = _o273.nearing;
                 near = _o273.near;
                 const LANES(court_beside_seam_out) _o274 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m266, _o274.stride, stride);
-                const LANES(court_bridge_seam4_out) _o275 =
-                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m266, _o275.gap, gap);
+                stride = lanes_select(_m268, _o274.stride, stride);
+                const LANES(court_bridge_seam3_out) _o275 =
+                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+                gap = lanes_select(_m268, _o275.gap, gap);
                 nearing = _o275.nearing;
                 near = _o275.near;
                 const LANES(court_beside_seam_out) _o276 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m266, _o276.stride, stride);
-                const LANES(court_bridge_seam5_out) _o277 =
-                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m266, _o277.gap, gap);
+                stride = lanes_select(_m268, _o276.stride, stride);
+                const LANES(court_bridge_seam4_out) _o277 =
+                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m268, _o277.gap, gap);
                 nearing = _o277.nearing;
                 near = _o277.near;
                 const LANES(court_beside_seam_out) _o278 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m266, _o278.stride, stride);
+                stride = lanes_select(_m268, _o278.stride, stride);
+                const LANES(court_bridge_seam5_out) _o279 =
+                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+                gap = lanes_select(_m268, _o279.gap, gap);
+                nearing = _o279.nearing;
+                near = _o279.near;
+                const LANES(court_beside_seam_out) _o280 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m268, _o280.stride, stride);
             }
-            const LANES(court_beside_time_out) _o279 =
+            const LANES(court_beside_time_out) _o281 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o279.stride;
-            which = _o279.which;
-            const LANES(court_apart_out) _o280 =
+            stride = _o281.stride;
+            which = _o281.which;
+            const LANES(court_apart_out) _o282 =
                 LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o280.apart;
-            const LANES(court_neighbour_out) _o281 =
+            V apart = _o282.apart;
+            const LANES(court_neighbour_out) _o283 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o281.far_x;
-            V far_y = _o281.far_y;
-            V far_z = _o281.far_z;
-            V far_vx = _o281.far_vx;
-            V far_vy = _o281.far_vy;
-            V far_vz = _o281.far_vz;
-            V far_wx = _o281.far_wx;
-            V far_wy = _o281.far_wy;
-            V far_wz = _o281.far_wz;
-            V far_nx = _o281.far_nx;
-            V far_ny = _o281.far_ny;
-            V far_nz = _o281.far_nz;
-            V far_gap = _o281.far_gap;
-            const LANES(court_passing_from_out) _o282 =
+            V far_x = _o283.far_x;
+            V far_y = _o283.far_y;
+            V far_z = _o283.far_z;
+            V far_vx = _o283.far_vx;
+            V far_vy = _o283.far_vy;
+            V far_vz = _o283.far_vz;
+            V far_wx = _o283.far_wx;
+            V far_wy = _o283.far_wy;
+            V far_wz = _o283.far_wz;
+            V far_nx = _o283.far_nx;
+            V far_ny = _o283.far_ny;
+            V far_nz = _o283.far_nz;
+            V far_gap = _o283.far_gap;
+            const LANES(court_passing_from_out) _o284 =
                 LANES(court_passing_from)(z);
-            M over = _o282.over;
-            const LANES(court_roll_moved_out) _o283 =
+            M over = _o284.over;
+            const LANES(court_roll_moved_out) _o285 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o283.x;
-            vx = _o283.vx;
-            y = _o283.y;
-            vy = _o283.vy;
-            z = _o283.z;
-            vz = _o283.vz;
-            V turn_rate = _o283.turn_rate;
-            const LANES(court_holding_out) _o284 =
+            x = _o285.x;
+            vx = _o285.vx;
+            y = _o285.y;
+            vy = _o285.vy;
+            z = _o285.z;
+            vz = _o285.vz;
+            V turn_rate = _o285.turn_rate;
+            const LANES(court_holding_out) _o286 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o284.here;
-            const M _m285 = lanes_both(active, here);
-            if (lanes_any(_m285)) {
-                const LANES(court_backboard_normal_out) _o286 =
+            here = _o286.here;
+            const M _m287 = lanes_both(active, here);
+            if (lanes_any(_m287)) {
+                const LANES(court_backboard_normal_out) _o288 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m285, _o286.nx, nx);
-                ny = lanes_select(_m285, _o286.ny, ny);
-                nz = lanes_select(_m285, _o286.nz, nz);
-                const LANES(court_backboard_off_out) _o287 =
+                nx = lanes_select(_m287, _o288.nx, nx);
+                ny = lanes_select(_m287, _o288.ny, ny);
+                nz = lanes_select(_m287, _o288.nz, nz);
+                const LANES(court_backboard_off_out) _o289 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m285, _o287.gap, gap);
+                gap = lanes_select(_m287, _o289.gap, gap);
             }
-            const LANES(court_holding_out) _o288 =
+            const LANES(court_holding_out) _o290 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o288.here;
-            const M _m289 = lanes_both(active, here);
-            if (lanes_any(_m289)) {
-                const LANES(court_bridge_normal_out) _o290 =
+            here = _o290.here;
+            const M _m291 = lanes_both(active, here);
+            if (lanes_any(_m291)) {
+                const LANES(court_bridge_normal_out) _o292 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m289, _o290.nx, nx);
-                ny = lanes_select(_m289, _o290.ny, ny);
-                nz = lanes_select(_m289, _o290.nz, nz);
-                const LANES(court_bridge_off_out) _o291 =
+                nx = lanes_select(_m291, _o292.nx, nx);
+                ny = lanes_select(_m291, _o292.ny, ny);
+                nz = lanes_select(_m291, _o292.nz, nz);
+                const LANES(court_bridge_off_out) _o293 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m289, _o291.gap, gap);
+                gap = lanes_select(_m291, _o293.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o292 =
+            const LANES(court_roll_placed_out) _o294 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o292.x;
-            y = _o292.y;
-            z = _o292.z;
-            vx = _o292.vx;
-            vy = _o292.vy;
-            vz = _o292.vz;
-            wx = _o292.wx;
-            wy = _o292.wy;
-            wz = _o292.wz;
-            const LANES(court_passing_in_contact_out) _o293 =
+            x = _o294.x;
+            y = _o294.y;
+            z = _o294.z;
+            vx = _o294.vx;
+            vy = _o294.vy;
+            vz = _o294.vz;
+            wx = _o294.wx;
+            wy = _o294.wy;
+            wz = _o294.wz;
+            const LANES(court_passing_in_contact_out) _o295 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o293.through;
-            const LANES(court_holding_out) _o294 =
+            through = _o295.through;
+            const LANES(court_holding_out) _o296 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o294.here;
-            const M _m295 = lanes_both(active, here);
+            here = _o296.here;
+            const M _m297 = lanes_both(active, here);
             {
-                const LANES(court_backboard_normal_out) _o296 =
+                const LANES(court_backboard_normal_out) _o298 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m295, _o296.nx, far_nx);
-                far_ny = lanes_select(_m295, _o296.ny, far_ny);
-                far_nz = lanes_select(_m295, _o296.nz, far_nz);
+                far_nx = lanes_select(_m297, _o298.nx, far_nx);
+                far_ny = lanes_select(_m297, _o298.ny, far_ny);
+                far_nz = lanes_select(_m297, _o298.nz, far_nz);
             }
-            const LANES(court_holding_out) _o297 =
+            const LANES(court_holding_out) _o299 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o297.here;
-            const M _m298 = lanes_both(active, here);
+            here = _o299.here;
+            const M _m300 = lanes_both(active, here);
             {
-                const LANES(court_bridge_normal_out) _o299 =
+                const LANES(court_bridge_normal_out) _o301 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m298, _o299.nx, far_nx);
-                far_ny = lanes_select(_m298, _o299.ny, far_ny);
-                far_nz = lanes_select(_m298, _o299.nz, far_nz);
+                far_nx = lanes_select(_m300, _o301.nx, far_nx);
+                far_ny = lanes_select(_m300, _o301.ny, far_ny);
+                far_nz = lanes_select(_m300, _o301.nz, far_nz);
             }
-            const LANES(court_roll_turn_rate_out) _o300 =
+            const LANES(court_roll_turn_rate_out) _o302 =
                 LANES(court_roll_turn_rate)(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
-            turn_rate = _o300.turn_rate;
-            const LANES(court_holding_out) _o301 =
+            turn_rate = _o302.turn_rate;
+            const LANES(court_holding_out) _o303 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o301.here;
-            const M _m302 = lanes_both(active, here);
-            if (lanes_any(_m302)) {
-                const LANES(court_backboard_normal_out) _o303 =
+            here = _o303.here;
+            const M _m304 = lanes_both(active, here);
+            if (lanes_any(_m304)) {
+                const LANES(court_backboard_normal_out) _o305 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m302, _o303.nx, far_nx);
-                far_ny = lanes_select(_m302, _o303.ny, far_ny);
-                far_nz = lanes_select(_m302, _o303.nz, far_nz);
-                const LANES(court_backboard_off_out) _o304 =
+                far_nx = lanes_select(_m304, _o305.nx, far_nx);
+                far_ny = lanes_select(_m304, _o305.ny, far_ny);
+                far_nz = lanes_select(_m304, _o305.nz, far_nz);
+                const LANES(court_backboard_off_out) _o306 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m302, _o304.gap, far_gap);
+                far_gap = lanes_select(_m304, _o306.gap, far_gap);
             }
-            const LANES(court_holding_out) _o305 =
+            const LANES(court_holding_out) _o307 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o305.here;
-            const M _m306 = lanes_both(active, here);
-            if (lanes_any(_m306)) {
-                const LANES(court_bridge_normal_out) _o307 =
+            here = _o307.here;
+            const M _m308 = lanes_both(active, here);
+            if (lanes_any(_m308)) {
+                const LANES(court_bridge_normal_out) _o309 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m306, _o307.nx, far_nx);
-                far_ny = lanes_select(_m306, _o307.ny, far_ny);
-                far_nz = lanes_select(_m306, _o307.nz, far_nz);
-                const LANES(court_bridge_off_out) _o308 =
+                far_nx = lanes_select(_m308, _o309.nx, far_nx);
+                far_ny = lanes_select(_m308, _o309.ny, far_ny);
+                far_nz = lanes_select(_m308, _o309.nz, far_nz);
+                const LANES(court_bridge_off_out) _o310 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m306, _o308.gap, far_gap);
+                far_gap = lanes_select(_m308, _o310.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o309 =
+            const LANES(court_roll_placed_out) _o311 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o309.x;
-            far_y = _o309.y;
-            far_z = _o309.z;
-            far_vx = _o309.vx;
-            far_vy = _o309.vy;
-            far_vz = _o309.vz;
-            far_wx = _o309.wx;
-            far_wy = _o309.wy;
-            far_wz = _o309.wz;
-            const LANES(court_roll_start_out) _o310 =
+            far_x = _o311.x;
+            far_y = _o311.y;
+            far_z = _o311.z;
+            far_vx = _o311.vx;
+            far_vy = _o311.vy;
+            far_vz = _o311.vz;
+            far_wx = _o311.wx;
+            far_wy = _o311.wy;
+            far_wz = _o311.wz;
+            const LANES(court_roll_start_out) _o312 =
                 LANES(court_roll_start)(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
-            vx_0 = _o310.vx_0;
-            vy_0 = _o310.vy_0;
-            vz_0 = _o310.vz_0;
-            nx_0 = _o310.nx_0;
-            ny_0 = _o310.ny_0;
-            nz_0 = _o310.nz_0;
-            turn_rate_0 = _o310.turn_rate_0;
-            const LANES(court_roll_0_out) _o311 =
+            vx_0 = _o312.vx_0;
+            vy_0 = _o312.vy_0;
+            vz_0 = _o312.vz_0;
+            nx_0 = _o312.nx_0;
+            ny_0 = _o312.ny_0;
+            nz_0 = _o312.nz_0;
+            turn_rate_0 = _o312.turn_rate_0;
+            const LANES(court_roll_0_out) _o313 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            lift_0 = _o311.lift_0;
-            tx_0 = _o311.tx_0;
-            ty_0 = _o311.ty_0;
-            tz_0 = _o311.tz_0;
-            vx_1 = _o311.vx_1;
-            vy_1 = _o311.vy_1;
-            vz_1 = _o311.vz_1;
-            nx_1 = _o311.nx_1;
-            ny_1 = _o311.ny_1;
-            nz_1 = _o311.nz_1;
-            turn_rate_1 = _o311.turn_rate_1;
-            const LANES(court_roll_1_out) _o312 =
+            lift_0 = _o313.lift_0;
+            tx_0 = _o313.tx_0;
+            ty_0 = _o313.ty_0;
+            tz_0 = _o313.tz_0;
+            vx_1 = _o313.vx_1;
+            vy_1 = _o313.vy_1;
+            vz_1 = _o313.vz_1;
+            nx_1 = _o313.nx_1;
+            ny_1 = _o313.ny_1;
+            nz_1 = _o313.nz_1;
+            turn_rate_1 = _o313.turn_rate_1;
+            const LANES(court_roll_1_out) _o314 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            lift_1 = _o312.lift_1;
-            tx_1 = _o312.tx_1;
-            ty_1 = _o312.ty_1;
-            tz_1 = _o312.tz_1;
-            vx_2 = _o312.vx_2;
-            vy_2 = _o312.vy_2;
-            vz_2 = _o312.vz_2;
-            nx_2 = _o312.nx_2;
-            ny_2 = _o312.ny_2;
-            nz_2 = _o312.nz_2;
-            turn_rate_2 = _o312.turn_rate_2;
-            const LANES(court_roll_2_out) _o313 =
+            lift_1 = _o314.lift_1;
+            tx_1 = _o314.tx_1;
+            ty_1 = _o314.ty_1;
+            tz_1 = _o314.tz_1;
+            vx_2 = _o314.vx_2;
+            vy_2 = _o314.vy_2;
+            vz_2 = _o314.vz_2;
+            nx_2 = _o314.nx_2;
+            ny_2 = _o314.ny_2;
+            nz_2 = _o314.nz_2;
+            turn_rate_2 = _o314.turn_rate_2;
+            const LANES(court_roll_2_out) _o315 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            lift_2 = _o313.lift_2;
-            tx_2 = _o313.tx_2;
-            ty_2 = _o313.ty_2;
-            tz_2 = _o313.tz_2;
-            vx_3 = _o313.vx_3;
-            vy_3 = _o313.vy_3;
-            vz_3 = _o313.vz_3;
-            nx_3 = _o313.nx_3;
-            ny_3 = _o313.ny_3;
-            nz_3 = _o313.nz_3;
-            turn_rate_3 = _o313.turn_rate_3;
-            const LANES(court_roll_3_out) _o314 =
+            lift_2 = _o315.lift_2;
+            tx_2 = _o315.tx_2;
+            ty_2 = _o315.ty_2;
+            tz_2 = _o315.tz_2;
+            vx_3 = _o315.vx_3;
+            vy_3 = _o315.vy_3;
+            vz_3 = _o315.vz_3;
+            nx_3 = _o315.nx_3;
+            ny_3 = _o315.ny_3;
+            nz_3 = _o315.nz_3;
+            turn_rate_3 = _o315.turn_rate_3;
+            const LANES(court_roll_3_out) _o316 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            lift_3 = _o314.lift_3;
-            tx_3 = _o314.tx_3;
-            ty_3 = _o314.ty_3;
-            tz_3 = _o314.tz_3;
-            vx_4 = _o314.vx_4;
-            vy_4 = _o314.vy_4;
-            vz_4 = _o314.vz_4;
-            nx_4 = _o314.nx_4;
-            ny_4 = _o314.ny_4;
-            nz_4 = _o314.nz_4;
-            turn_rate_4 = _o314.turn_rate_4;
-            const LANES(court_roll_4_out) _o315 =
+            lift_3 = _o316.lift_3;
+            tx_3 = _o316.tx_3;
+            ty_3 = _o316.ty_3;
+            tz_3 = _o316.tz_3;
+            vx_4 = _o316.vx_4;
+            vy_4 = _o316.vy_4;
+            vz_4 = _o316.vz_4;
+            nx_4 = _o316.nx_4;
+            ny_4 = _o316.ny_4;
+            nz_4 = _o316.nz_4;
+            turn_rate_4 = _o316.turn_rate_4;
+            const LANES(court_roll_4_out) _o317 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            lift_4 = _o315.lift_4;
-            tx_4 = _o315.tx_4;
-            ty_4 = _o315.ty_4;
-            tz_4 = _o315.tz_4;
-            vx_5 = _o315.vx_5;
-            vy_5 = _o315.vy_5;
-            vz_5 = _o315.vz_5;
-            nx_5 = _o315.nx_5;
-            ny_5 = _o315.ny_5;
-            nz_5 = _o315.nz_5;
-            turn_rate_5 = _o315.turn_rate_5;
-            const LANES(court_roll_5_out) _o316 =
+            lift_4 = _o317.lift_4;
+            tx_4 = _o317.tx_4;
+            ty_4 = _o317.ty_4;
+            tz_4 = _o317.tz_4;
+            vx_5 = _o317.vx_5;
+            vy_5 = _o317.vy_5;
+            vz_5 = _o317.vz_5;
+            nx_5 = _o317.nx_5;
+            ny_5 = _o317.ny_5;
+            nz_5 = _o317.nz_5;
+            turn_rate_5 = _o317.turn_rate_5;
+            const LANES(court_roll_5_out) _o318 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            lift_5 = _o316.lift_5;
-            tx_5 = _o316.tx_5;
-            ty_5 = _o316.ty_5;
-            tz_5 = _o316.tz_5;
-            vx_6 = _o316.vx_6;
-            vy_6 = _o316.vy_6;
-            vz_6 = _o316.vz_6;
-            nx_6 = _o316.nx_6;
-            ny_6 = _o316.ny_6;
-            nz_6 = _o316.nz_6;
-            turn_rate_6 = _o316.turn_rate_6;
-            const LANES(court_roll_6_out) _o317 =
+            lift_5 = _o318.lift_5;
+            tx_5 = _o318.tx_5;
+            ty_5 = _o318.ty_5;
+            tz_5 = _o318.tz_5;
+            vx_6 = _o318.vx_6;
+            vy_6 = _o318.vy_6;
+            vz_6 = _o318.vz_6;
+            nx_6 = _o318.nx_6;
+            ny_6 = _o318.ny_6;
+            nz_6 = _o318.nz_6;
+            turn_rate_6 = _o318.turn_rate_6;
+            const LANES(court_roll_6_out) _o319 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            lift_6 = _o317.lift_6;
-            tx_6 = _o317.tx_6;
-            ty_6 = _o317.ty_6;
-            tz_6 = _o317.tz_6;
-            vx_7 = _o317.vx_7;
-            vy_7 = _o317.vy_7;
-            vz_7 = _o317.vz_7;
-            nx_7 = _o317.nx_7;
-            ny_7 = _o317.ny_7;
-            nz_7 = _o317.nz_7;
-            turn_rate_7 = _o317.turn_rate_7;
-            const LANES(court_roll_7_out) _o318 =
+            lift_6 = _o319.lift_6;
+            tx_6 = _o319.tx_6;
+            ty_6 = _o319.ty_6;
+            tz_6 = _o319.tz_6;
+            vx_7 = _o319.vx_7;
+            vy_7 = _o319.vy_7;
+            vz_7 = _o319.vz_7;
+            nx_7 = _o319.nx_7;
+            ny_7 = _o319.ny_7;
+            nz_7 = _o319.nz_7;
+            turn_rate_7 = _o319.turn_rate_7;
+            const LANES(court_roll_7_out) _o320 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            vx_8 = _o318.vx_8;
-            vy_8 = _o318.vy_8;
-            vz_8 = _o318.vz_8;
-            turn_rate_8 = _o318.turn_rate_8;
-            const LANES(court_roll_moved_out) _o319 =
+            vx_8 = _o320.vx_8;
+            vy_8 = _o320.vy_8;
+            vz_8 = _o320.vz_8;
+            turn_rate_8 = _o320.turn_rate_8;
+            const LANES(court_roll_moved_out) _o321 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-            far_x = _o319.x;
-            far_vx = _o319.vx;
-            far_y = _o319.y;
-            far_vy = _o319.vy;
-            far_z = _o319.z;
-            far_vz = _o319.vz;
-            turn_rate = _o319.turn_rate;
-            const LANES(court_holding_out) _o320 =
+            far_x = _o321.x;
+            far_vx = _o321.vx;
+            far_y = _o321.y;
+            far_vy = _o321.vy;
+            far_z = _o321.z;
+            far_vz = _o321.vz;
+            turn_rate = _o321.turn_rate;
+            const LANES(court_holding_out) _o322 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o320.here;
-            const M _m321 = lanes_both(active, here);
-            if (lanes_any(_m321)) {
-                const LANES(court_backboard_normal_out) _o322 =
+            here = _o322.here;
+            const M _m323 = lanes_both(active, here);
+            if (lanes_any(_m323)) {
+                const LANES(court_backboard_normal_out) _o324 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m321, _o322.nx, far_nx);
-                far_ny = lanes_select(_m321, _o322.ny, far_ny);
-                far_nz = lanes_select(_m321, _o322.nz, far_nz);
-                const LANES(court_backboard_off_out) _o323 =
+                far_nx = lanes_select(_m323, _o324.nx, far_nx);
+                far_ny = lanes_select(_m323, _o324.ny, far_ny);
+                far_nz = lanes_select(_m323, _o324.nz, far_nz);
+                const LANES(court_backboard_off_out) _o325 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m321, _o323.gap, far_gap);
+                far_gap = lanes_select(_m323, _o325.gap, far_gap);
             }
-            const LANES(court_holding_out) _o324 =
+            const LANES(court_holding_out) _o326 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o324.here;
-            const M _m325 = lanes_both(active, here);
-            if (lanes_any(_m325)) {
-                const LANES(court_bridge_normal_out) _o326 =
+            here = _o326.here;
+            const M _m327 = lanes_both(active, here);
+            if (lanes_any(_m327)) {
+                const LANES(court_bridge_normal_out) _o328 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m325, _o326.nx, far_nx);
-                far_ny = lanes_select(_m325, _o326.ny, far_ny);
-                far_nz = lanes_select(_m325, _o326.nz, far_nz);
-                const LANES(court_bridge_off_out) _o327 =
+                far_nx = lanes_select(_m327, _o328.nx, far_nx);
+                far_ny = lanes_select(_m327, _o328.ny, far_ny);
+                far_nz = lanes_select(_m327, _o328.nz, far_nz);
+                const LANES(court_bridge_off_out) _o329 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m325, _o327.gap, far_gap);
+                far_gap = lanes_select(_m327, _o329.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o328 =
+            const LANES(court_roll_placed_out) _o330 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o328.x;
-            far_y = _o328.y;
-            far_z = _o328.z;
-            far_vx = _o328.vx;
-            far_vy = _o328.vy;
-            far_vz = _o328.vz;
-            far_wx = _o328.wx;
-            far_wy = _o328.wy;
-            far_wz = _o328.wz;
-            const LANES(court_compared_out) _o329 =
+            far_x = _o330.x;
+            far_y = _o330.y;
+            far_z = _o330.z;
+            far_vx = _o330.vx;
+            far_vy = _o330.vy;
+            far_vz = _o330.vz;
+            far_wx = _o330.wx;
+            far_wy = _o330.wy;
+            far_wz = _o330.wz;
+            const LANES(court_compared_out) _o331 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o329.dx;
-            dy = _o329.dy;
-            dz = _o329.dz;
-            dvx = _o329.dvx;
-            dvy = _o329.dvy;
-            dvz = _o329.dvz;
-            dwx = _o329.dwx;
-            dwy = _o329.dwy;
-            dwz = _o329.dwz;
-            const LANES(court_rolled_on_out) _o330 =
+            dx = _o331.dx;
+            dy = _o331.dy;
+            dz = _o331.dz;
+            dvx = _o331.dvx;
+            dvy = _o331.dvy;
+            dvz = _o331.dvz;
+            dwx = _o331.dwx;
+            dwy = _o331.dwy;
+            dwz = _o331.dwz;
+            const LANES(court_rolled_on_out) _o332 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o330.clock;
-            rolling = _o330.rolling;
+            clock = _o332.clock;
+            rolling = _o332.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -8044,562 +8044,562 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_error_bounds_out) _o331 =
+            const LANES(court_error_bounds_out) _o333 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o331.position_error;
-            V velocity_error = _o331.velocity_error;
-            const LANES(court_ring_tube_out) _o332 =
+            V position_error = _o333.position_error;
+            V velocity_error = _o333.velocity_error;
+            const LANES(court_ring_tube_out) _o334 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o332.per_reach;
-            const LANES(court_ring_round_start_out) _o333 =
+            V per_reach = _o334.per_reach;
+            const LANES(court_ring_round_start_out) _o335 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o333.cosine_0;
-            V sine_0 = _o333.sine_0;
-            V climb_0 = _o333.climb_0;
-            V along_0 = _o333.along_0;
-            V turn_rate_0 = _o333.turn_rate_0;
-            V cos_0 = _o333.cos_0;
-            V sin_0 = _o333.sin_0;
-            V near_0 = _o333.near_0;
-            const LANES(court_ring_round_0_out) _o334 =
+            V cosine_0 = _o335.cosine_0;
+            V sine_0 = _o335.sine_0;
+            V climb_0 = _o335.climb_0;
+            V along_0 = _o335.along_0;
+            V turn_rate_0 = _o335.turn_rate_0;
+            V cos_0 = _o335.cos_0;
+            V sin_0 = _o335.sin_0;
+            V near_0 = _o335.near_0;
+            const LANES(court_ring_round_0_out) _o336 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o334.omega_0;
-            V around_0 = _o334.around_0;
-            V tilted_0 = _o334.tilted_0;
-            V pressed_0 = _o334.pressed_0;
-            V force_0 = _o334.force_0;
-            V cosine_1 = _o334.cosine_1;
-            V sine_1 = _o334.sine_1;
-            V climb_1 = _o334.climb_1;
-            V along_1 = _o334.along_1;
-            V turn_rate_1 = _o334.turn_rate_1;
-            V cos_1 = _o334.cos_1;
-            V sin_1 = _o334.sin_1;
-            const LANES(court_ring_round_1_out) _o335 =
+            V omega_0 = _o336.omega_0;
+            V around_0 = _o336.around_0;
+            V tilted_0 = _o336.tilted_0;
+            V pressed_0 = _o336.pressed_0;
+            V force_0 = _o336.force_0;
+            V cosine_1 = _o336.cosine_1;
+            V sine_1 = _o336.sine_1;
+            V climb_1 = _o336.climb_1;
+            V along_1 = _o336.along_1;
+            V turn_rate_1 = _o336.turn_rate_1;
+            V cos_1 = _o336.cos_1;
+            V sin_1 = _o336.sin_1;
+            const LANES(court_ring_round_1_out) _o337 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o335.near_1;
-            V omega_1 = _o335.omega_1;
-            V around_1 = _o335.around_1;
-            V tilted_1 = _o335.tilted_1;
-            V pressed_1 = _o335.pressed_1;
-            V force_1 = _o335.force_1;
-            V cosine_2 = _o335.cosine_2;
-            V sine_2 = _o335.sine_2;
-            V climb_2 = _o335.climb_2;
-            V along_2 = _o335.along_2;
-            V turn_rate_2 = _o335.turn_rate_2;
-            V cos_2 = _o335.cos_2;
-            V sin_2 = _o335.sin_2;
-            const LANES(court_ring_round_2_out) _o336 =
+            V near_1 = _o337.near_1;
+            V omega_1 = _o337.omega_1;
+            V around_1 = _o337.around_1;
+            V tilted_1 = _o337.tilted_1;
+            V pressed_1 = _o337.pressed_1;
+            V force_1 = _o337.force_1;
+            V cosine_2 = _o337.cosine_2;
+            V sine_2 = _o337.sine_2;
+            V climb_2 = _o337.climb_2;
+            V along_2 = _o337.along_2;
+            V turn_rate_2 = _o337.turn_rate_2;
+            V cos_2 = _o337.cos_2;
+            V sin_2 = _o337.sin_2;
+            const LANES(court_ring_round_2_out) _o338 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o336.near_2;
-            V omega_2 = _o336.omega_2;
-            V around_2 = _o336.around_2;
-            V tilted_2 = _o336.tilted_2;
-            V pressed_2 = _o336.pressed_2;
-            V force_2 = _o336.force_2;
-            V cosine_3 = _o336.cosine_3;
-            V sine_3 = _o336.sine_3;
-            V climb_3 = _o336.climb_3;
-            V along_3 = _o336.along_3;
-            V turn_rate_3 = _o336.turn_rate_3;
-            V cos_3 = _o336.cos_3;
-            V sin_3 = _o336.sin_3;
-            const LANES(court_ring_round_3_out) _o337 =
+            V near_2 = _o338.near_2;
+            V omega_2 = _o338.omega_2;
+            V around_2 = _o338.around_2;
+            V tilted_2 = _o338.tilted_2;
+            V pressed_2 = _o338.pressed_2;
+            V force_2 = _o338.force_2;
+            V cosine_3 = _o338.cosine_3;
+            V sine_3 = _o338.sine_3;
+            V climb_3 = _o338.climb_3;
+            V along_3 = _o338.along_3;
+            V turn_rate_3 = _o338.turn_rate_3;
+            V cos_3 = _o338.cos_3;
+            V sin_3 = _o338.sin_3;
+            const LANES(court_ring_round_3_out) _o339 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o337.near_3;
-            V omega_3 = _o337.omega_3;
-            V around_3 = _o337.around_3;
-            V tilted_3 = _o337.tilted_3;
-            V pressed_3 = _o337.pressed_3;
-            V force_3 = _o337.force_3;
-            V cosine_4 = _o337.cosine_4;
-            V sine_4 = _o337.sine_4;
-            V climb_4 = _o337.climb_4;
-            V along_4 = _o337.along_4;
-            V turn_rate_4 = _o337.turn_rate_4;
-            V cos_4 = _o337.cos_4;
-            V sin_4 = _o337.sin_4;
-            const LANES(court_ring_round_4_out) _o338 =
+            V near_3 = _o339.near_3;
+            V omega_3 = _o339.omega_3;
+            V around_3 = _o339.around_3;
+            V tilted_3 = _o339.tilted_3;
+            V pressed_3 = _o339.pressed_3;
+            V force_3 = _o339.force_3;
+            V cosine_4 = _o339.cosine_4;
+            V sine_4 = _o339.sine_4;
+            V climb_4 = _o339.climb_4;
+            V along_4 = _o339.along_4;
+            V turn_rate_4 = _o339.turn_rate_4;
+            V cos_4 = _o339.cos_4;
+            V sin_4 = _o339.sin_4;
+            const LANES(court_ring_round_4_out) _o340 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o338.near_4;
-            V omega_4 = _o338.omega_4;
-            V around_4 = _o338.around_4;
-            V tilted_4 = _o338.tilted_4;
-            V pressed_4 = _o338.pressed_4;
-            V force_4 = _o338.force_4;
-            V cosine_5 = _o338.cosine_5;
-            V sine_5 = _o338.sine_5;
-            V climb_5 = _o338.climb_5;
-            V along_5 = _o338.along_5;
-            V turn_rate_5 = _o338.turn_rate_5;
-            V cos_5 = _o338.cos_5;
-            V sin_5 = _o338.sin_5;
-            const LANES(court_ring_round_5_out) _o339 =
+            V near_4 = _o340.near_4;
+            V omega_4 = _o340.omega_4;
+            V around_4 = _o340.around_4;
+            V tilted_4 = _o340.tilted_4;
+            V pressed_4 = _o340.pressed_4;
+            V force_4 = _o340.force_4;
+            V cosine_5 = _o340.cosine_5;
+            V sine_5 = _o340.sine_5;
+            V climb_5 = _o340.climb_5;
+            V along_5 = _o340.along_5;
+            V turn_rate_5 = _o340.turn_rate_5;
+            V cos_5 = _o340.cos_5;
+            V sin_5 = _o340.sin_5;
+            const LANES(court_ring_round_5_out) _o341 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o339.near_5;
-            V omega_5 = _o339.omega_5;
-            V around_5 = _o339.around_5;
-            V tilted_5 = _o339.tilted_5;
-            V pressed_5 = _o339.pressed_5;
-            V force_5 = _o339.force_5;
-            V cosine_6 = _o339.cosine_6;
-            V sine_6 = _o339.sine_6;
-            V climb_6 = _o339.climb_6;
-            V along_6 = _o339.along_6;
-            V turn_rate_6 = _o339.turn_rate_6;
-            V cos_6 = _o339.cos_6;
-            V sin_6 = _o339.sin_6;
-            const LANES(court_ring_round_6_out) _o340 =
+            V near_5 = _o341.near_5;
+            V omega_5 = _o341.omega_5;
+            V around_5 = _o341.around_5;
+            V tilted_5 = _o341.tilted_5;
+            V pressed_5 = _o341.pressed_5;
+            V force_5 = _o341.force_5;
+            V cosine_6 = _o341.cosine_6;
+            V sine_6 = _o341.sine_6;
+            V climb_6 = _o341.climb_6;
+            V along_6 = _o341.along_6;
+            V turn_rate_6 = _o341.turn_rate_6;
+            V cos_6 = _o341.cos_6;
+            V sin_6 = _o341.sin_6;
+            const LANES(court_ring_round_6_out) _o342 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o340.near_6;
-            V omega_6 = _o340.omega_6;
-            V around_6 = _o340.around_6;
-            V tilted_6 = _o340.tilted_6;
-            V pressed_6 = _o340.pressed_6;
-            V force_6 = _o340.force_6;
-            V cosine_7 = _o340.cosine_7;
-            V sine_7 = _o340.sine_7;
-            V climb_7 = _o340.climb_7;
-            V along_7 = _o340.along_7;
-            V turn_rate_7 = _o340.turn_rate_7;
-            V cos_7 = _o340.cos_7;
-            V sin_7 = _o340.sin_7;
-            const LANES(court_ring_round_7_out) _o341 =
+            V near_6 = _o342.near_6;
+            V omega_6 = _o342.omega_6;
+            V around_6 = _o342.around_6;
+            V tilted_6 = _o342.tilted_6;
+            V pressed_6 = _o342.pressed_6;
+            V force_6 = _o342.force_6;
+            V cosine_7 = _o342.cosine_7;
+            V sine_7 = _o342.sine_7;
+            V climb_7 = _o342.climb_7;
+            V along_7 = _o342.along_7;
+            V turn_rate_7 = _o342.turn_rate_7;
+            V cos_7 = _o342.cos_7;
+            V sin_7 = _o342.sin_7;
+            const LANES(court_ring_round_7_out) _o343 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o341.near_7;
-            V omega_7 = _o341.omega_7;
-            V around_7 = _o341.around_7;
-            V tilted_7 = _o341.tilted_7;
-            V pressed_7 = _o341.pressed_7;
-            V force_7 = _o341.force_7;
-            V cosine_8 = _o341.cosine_8;
-            V sine_8 = _o341.sine_8;
-            V climb_8 = _o341.climb_8;
-            V along_8 = _o341.along_8;
-            V turn_rate_8 = _o341.turn_rate_8;
-            V cos_8 = _o341.cos_8;
-            V sin_8 = _o341.sin_8;
-            const LANES(court_ring_round_8_out) _o342 =
+            V near_7 = _o343.near_7;
+            V omega_7 = _o343.omega_7;
+            V around_7 = _o343.around_7;
+            V tilted_7 = _o343.tilted_7;
+            V pressed_7 = _o343.pressed_7;
+            V force_7 = _o343.force_7;
+            V cosine_8 = _o343.cosine_8;
+            V sine_8 = _o343.sine_8;
+            V climb_8 = _o343.climb_8;
+            V along_8 = _o343.along_8;
+            V turn_rate_8 = _o343.turn_rate_8;
+            V cos_8 = _o343.cos_8;
+            V sin_8 = _o343.sin_8;
+            const LANES(court_ring_round_8_out) _o344 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o342.near_8;
-            V omega_8 = _o342.omega_8;
-            V around_8 = _o342.around_8;
-            V tilted_8 = _o342.tilted_8;
-            V pressed_8 = _o342.pressed_8;
-            V force_8 = _o342.force_8;
-            V cosine_9 = _o342.cosine_9;
-            V sine_9 = _o342.sine_9;
-            V climb_9 = _o342.climb_9;
-            V along_9 = _o342.along_9;
-            V turn_rate_9 = _o342.turn_rate_9;
-            V cos_9 = _o342.cos_9;
-            V sin_9 = _o342.sin_9;
-            const LANES(court_ring_round_9_out) _o343 =
+            V near_8 = _o344.near_8;
+            V omega_8 = _o344.omega_8;
+            V around_8 = _o344.around_8;
+            V tilted_8 = _o344.tilted_8;
+            V pressed_8 = _o344.pressed_8;
+            V force_8 = _o344.force_8;
+            V cosine_9 = _o344.cosine_9;
+            V sine_9 = _o344.sine_9;
+            V climb_9 = _o344.climb_9;
+            V along_9 = _o344.along_9;
+            V turn_rate_9 = _o344.turn_rate_9;
+            V cos_9 = _o344.cos_9;
+            V sin_9 = _o344.sin_9;
+            const LANES(court_ring_round_9_out) _o345 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o343.near_9;
-            V omega_9 = _o343.omega_9;
-            V around_9 = _o343.around_9;
-            V tilted_9 = _o343.tilted_9;
-            V pressed_9 = _o343.pressed_9;
-            V force_9 = _o343.force_9;
-            V cosine_10 = _o343.cosine_10;
-            V sine_10 = _o343.sine_10;
-            V climb_10 = _o343.climb_10;
-            V along_10 = _o343.along_10;
-            V turn_rate_10 = _o343.turn_rate_10;
-            V cos_10 = _o343.cos_10;
-            V sin_10 = _o343.sin_10;
-            const LANES(court_ring_round_10_out) _o344 =
+            V near_9 = _o345.near_9;
+            V omega_9 = _o345.omega_9;
+            V around_9 = _o345.around_9;
+            V tilted_9 = _o345.tilted_9;
+            V pressed_9 = _o345.pressed_9;
+            V force_9 = _o345.force_9;
+            V cosine_10 = _o345.cosine_10;
+            V sine_10 = _o345.sine_10;
+            V climb_10 = _o345.climb_10;
+            V along_10 = _o345.along_10;
+            V turn_rate_10 = _o345.turn_rate_10;
+            V cos_10 = _o345.cos_10;
+            V sin_10 = _o345.sin_10;
+            const LANES(court_ring_round_10_out) _o346 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o344.near_10;
-            V omega_10 = _o344.omega_10;
-            V around_10 = _o344.around_10;
-            V tilted_10 = _o344.tilted_10;
-            V pressed_10 = _o344.pressed_10;
-            V force_10 = _o344.force_10;
-            V cosine_11 = _o344.cosine_11;
-            V sine_11 = _o344.sine_11;
-            V climb_11 = _o344.climb_11;
-            V along_11 = _o344.along_11;
-            V turn_rate_11 = _o344.turn_rate_11;
-            V cos_11 = _o344.cos_11;
-            V sin_11 = _o344.sin_11;
-            const LANES(court_ring_round_11_out) _o345 =
+            V near_10 = _o346.near_10;
+            V omega_10 = _o346.omega_10;
+            V around_10 = _o346.around_10;
+            V tilted_10 = _o346.tilted_10;
+            V pressed_10 = _o346.pressed_10;
+            V force_10 = _o346.force_10;
+            V cosine_11 = _o346.cosine_11;
+            V sine_11 = _o346.sine_11;
+            V climb_11 = _o346.climb_11;
+            V along_11 = _o346.along_11;
+            V turn_rate_11 = _o346.turn_rate_11;
+            V cos_11 = _o346.cos_11;
+            V sin_11 = _o346.sin_11;
+            const LANES(court_ring_round_11_out) _o347 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o345.force_11;
-            V cosine_12 = _o345.cosine_12;
-            V sine_12 = _o345.sine_12;
-            V climb_12 = _o345.climb_12;
-            V along_12 = _o345.along_12;
-            V turn_rate_12 = _o345.turn_rate_12;
-            V cos_12 = _o345.cos_12;
-            V sin_12 = _o345.sin_12;
-            const LANES(court_ring_round_pace_out) _o346 =
+            V force_11 = _o347.force_11;
+            V cosine_12 = _o347.cosine_12;
+            V sine_12 = _o347.sine_12;
+            V climb_12 = _o347.climb_12;
+            V along_12 = _o347.along_12;
+            V turn_rate_12 = _o347.turn_rate_12;
+            V cos_12 = _o347.cos_12;
+            V sin_12 = _o347.sin_12;
+            const LANES(court_ring_round_pace_out) _o348 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, p_wire_radius);
-            V stride = _o346.stride;
-            V strongest = _o346.strongest;
-            V fastest = _o346.fastest;
-            V sway = _o346.sway;
-            V force = _o346.force;
-            V force_rate = _o346.force_rate;
-            V force_bend = _o346.force_bend;
-            V brace = _o346.brace;
-            V vx_1 = _o346.vx_1;
-            V vy_1 = _o346.vy_1;
-            V vz_1 = _o346.vz_1;
-            const LANES(court_ring_round_pulled_out) _o347 =
+            V stride = _o348.stride;
+            V strongest = _o348.strongest;
+            V fastest = _o348.fastest;
+            V sway = _o348.sway;
+            V force = _o348.force;
+            V force_rate = _o348.force_rate;
+            V force_bend = _o348.force_bend;
+            V brace = _o348.brace;
+            V vx_1 = _o348.vx_1;
+            V vy_1 = _o348.vy_1;
+            V vz_1 = _o348.vz_1;
+            const LANES(court_ring_round_pulled_out) _o349 =
                 LANES(court_ring_round_pulled)(climb_0, climb_1, cosine_0, cosine_1, p_gravity, omega_0, omega_1, turn_rate_0, turn_rate_1);
-            V drag = _o347.drag;
-            V drag_rate = _o347.drag_rate;
-            const LANES(court_ring_impact_strained_out) _o348 =
+            V drag = _o349.drag;
+            V drag_rate = _o349.drag_rate;
+            const LANES(court_ring_impact_strained_out) _o350 =
                 LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_ring_friction);
-            V strain = _o348.strain;
-            V strain_rate = _o348.strain_rate;
-            const LANES(court_losing_out) _o349 =
+            V strain = _o350.strain;
+            V strain_rate = _o350.strain_rate;
+            const LANES(court_losing_out) _o351 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o349.loses;
-            const M _m350 = lanes_both(active, loses);
-            if (lanes_any(_m350)) {
-                const LANES(court_lost_grip_out) _o351 =
+            M loses = _o351.loses;
+            const M _m352 = lanes_both(active, loses);
+            if (lanes_any(_m352)) {
+                const LANES(court_lost_grip_out) _o353 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m350, _o351.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m352, _o353.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o352 =
+            const LANES(court_tightened_out) _o354 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o352.taut;
-            taut_rate = _o352.taut_rate;
-            taut_clock = _o352.taut_clock;
-            const LANES(court_leaving_force_out) _o353 =
+            taut = _o354.taut;
+            taut_rate = _o354.taut_rate;
+            taut_clock = _o354.taut_clock;
+            const LANES(court_leaving_force_out) _o355 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o353.stride;
-            which = _o353.which;
-            M rests = _o353.rests;
-            doubt = _o353.doubt;
-            const LANES(court_backboard_beside_out) _o354 =
-                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o354.gap;
-            V nearing = _o354.nearing;
-            V dent = _o354.dent;
-            const LANES(court_beside_body_out) _o355 =
-                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
             stride = _o355.stride;
             which = _o355.which;
+            M rests = _o355.rests;
             doubt = _o355.doubt;
-            late = _o355.late;
-            const LANES(court_bridge_beside_out) _o356 =
-                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o356.gap;
-            nearing = _o356.nearing;
-            dent = _o356.dent;
+            const LANES(court_backboard_beside_out) _o356 =
+                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            V gap = _o356.gap;
+            V nearing = _o356.nearing;
+            V dent = _o356.dent;
             const LANES(court_beside_body_out) _o357 =
-                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
             stride = _o357.stride;
             which = _o357.which;
             doubt = _o357.doubt;
             late = _o357.late;
-            const LANES(court_end_beside_out) _o358 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
+            const LANES(court_bridge_beside_out) _o358 =
+                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o358.gap;
             nearing = _o358.nearing;
             dent = _o358.dent;
-            const LANES(court_beside_gate_out) _o359 =
-                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            const LANES(court_beside_body_out) _o359 =
+                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
             stride = _o359.stride;
             which = _o359.which;
             doubt = _o359.doubt;
             late = _o359.late;
-            const LANES(court_beside_time_out) _o360 =
+            const LANES(court_end_beside_out) _o360 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o360.gap;
+            nearing = _o360.nearing;
+            dent = _o360.dent;
+            const LANES(court_beside_gate_out) _o361 =
+                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o361.stride;
+            which = _o361.which;
+            doubt = _o361.doubt;
+            late = _o361.late;
+            const LANES(court_beside_time_out) _o362 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o360.stride;
-            which = _o360.which;
-            const LANES(court_apart_out) _o361 =
+            stride = _o362.stride;
+            which = _o362.which;
+            const LANES(court_apart_out) _o363 =
                 LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o361.apart;
-            const LANES(court_neighbour_out) _o362 =
+            V apart = _o363.apart;
+            const LANES(court_neighbour_out) _o364 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o362.far_x;
-            V far_y = _o362.far_y;
-            V far_z = _o362.far_z;
-            V far_vx = _o362.far_vx;
-            V far_vy = _o362.far_vy;
-            V far_vz = _o362.far_vz;
-            V far_wx = _o362.far_wx;
-            V far_wy = _o362.far_wy;
-            V far_wz = _o362.far_wz;
-            const LANES(court_passing_from_out) _o363 =
+            V far_x = _o364.far_x;
+            V far_y = _o364.far_y;
+            V far_z = _o364.far_z;
+            V far_vx = _o364.far_vx;
+            V far_vy = _o364.far_vy;
+            V far_vz = _o364.far_vz;
+            V far_wx = _o364.far_wx;
+            V far_wy = _o364.far_wy;
+            V far_wz = _o364.far_wz;
+            const LANES(court_passing_from_out) _o365 =
                 LANES(court_passing_from)(z);
-            M over = _o363.over;
-            const LANES(court_alone_out) _o364 =
+            M over = _o365.over;
+            const LANES(court_alone_out) _o366 =
                 LANES(court_alone)();
-            V berth = _o364.nearest;
-            const LANES(court_leaps_out) _o365 =
+            V berth = _o366.nearest;
+            const LANES(court_leaps_out) _o367 =
                 LANES(court_leaps)(stride);
-            V forth = _o365.forth;
-            V back = _o365.back;
-            const LANES(court_backboard_around_out) _o366 =
+            V forth = _o367.forth;
+            V back = _o367.back;
+            const LANES(court_backboard_around_out) _o368 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o366.gap;
-            nearing = _o366.nearing;
-            const LANES(court_cleared_out) _o367 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o367.berth;
-            const LANES(court_bridge_around_out) _o368 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o368.gap;
             nearing = _o368.nearing;
             const LANES(court_cleared_out) _o369 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
             berth = _o369.berth;
-            const LANES(court_end_around_out) _o370 =
-                LANES(court_end_around)(p_end_depth, vz, z);
+            const LANES(court_bridge_around_out) _o370 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o370.gap;
             nearing = _o370.nearing;
             const LANES(court_cleared_out) _o371 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
             berth = _o371.berth;
-            const LANES(court_ring_round_moved_out) _o372 =
+            const LANES(court_end_around_out) _o372 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o372.gap;
+            nearing = _o372.nearing;
+            const LANES(court_cleared_out) _o373 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o373.berth;
+            const LANES(court_ring_round_moved_out) _o374 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o372.x;
-            y = _o372.y;
-            z = _o372.z;
-            vx = _o372.vx;
-            vy = _o372.vy;
-            vz = _o372.vz;
-            wx = _o372.wx;
-            wy = _o372.wy;
-            wz = _o372.wz;
-            V climb = _o372.climb;
-            const LANES(court_passing_in_contact_out) _o373 =
+            x = _o374.x;
+            y = _o374.y;
+            z = _o374.z;
+            vx = _o374.vx;
+            vy = _o374.vy;
+            vz = _o374.vz;
+            wx = _o374.wx;
+            wy = _o374.wy;
+            wz = _o374.wz;
+            V climb = _o374.climb;
+            const LANES(court_passing_in_contact_out) _o375 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o373.through;
-            const LANES(court_backboard_around_out) _o374 =
+            through = _o375.through;
+            const LANES(court_backboard_around_out) _o376 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o374.gap;
-            nearing = _o374.nearing;
-            const LANES(court_cleared_out) _o375 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o375.berth;
-            const LANES(court_bridge_around_out) _o376 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o376.gap;
             nearing = _o376.nearing;
             const LANES(court_cleared_out) _o377 =
                 LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o377.berth;
-            const LANES(court_end_around_out) _o378 =
-                LANES(court_end_around)(p_end_depth, vz, z);
+            const LANES(court_bridge_around_out) _o378 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
             gap = _o378.gap;
             nearing = _o378.nearing;
             const LANES(court_cleared_out) _o379 =
                 LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o379.berth;
-            const LANES(court_ring_swung_out) _o380 =
+            const LANES(court_end_around_out) _o380 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o380.gap;
+            nearing = _o380.nearing;
+            const LANES(court_cleared_out) _o381 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o381.berth;
+            const LANES(court_ring_swung_out) _o382 =
                 LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, p_gravity, position_error, stride, sway, velocity_error, which, p_wire_radius);
-            circled = _o380.circled;
-            M endless = _o380.endless;
-            doubt = _o380.doubt;
-            const LANES(court_for_ever_out) _o381 =
+            circled = _o382.circled;
+            M endless = _o382.endless;
+            doubt = _o382.doubt;
+            const LANES(court_for_ever_out) _o383 =
                 LANES(court_for_ever)(endless, which);
-            which = _o381.which;
-            const LANES(court_ring_round_start_out) _o382 =
+            which = _o383.which;
+            const LANES(court_ring_round_start_out) _o384 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, far_vx, far_vy, far_vz, p_wire_radius, far_wx, far_wy, far_wz, far_x, far_y, far_z);
-            cosine_0 = _o382.cosine_0;
-            sine_0 = _o382.sine_0;
-            climb_0 = _o382.climb_0;
-            along_0 = _o382.along_0;
-            turn_rate_0 = _o382.turn_rate_0;
-            cos_0 = _o382.cos_0;
-            sin_0 = _o382.sin_0;
-            near_0 = _o382.near_0;
-            const LANES(court_ring_round_0_out) _o383 =
+            cosine_0 = _o384.cosine_0;
+            sine_0 = _o384.sine_0;
+            climb_0 = _o384.climb_0;
+            along_0 = _o384.along_0;
+            turn_rate_0 = _o384.turn_rate_0;
+            cos_0 = _o384.cos_0;
+            sin_0 = _o384.sin_0;
+            near_0 = _o384.near_0;
+            const LANES(court_ring_round_0_out) _o385 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            omega_0 = _o383.omega_0;
-            around_0 = _o383.around_0;
-            tilted_0 = _o383.tilted_0;
-            pressed_0 = _o383.pressed_0;
-            cosine_1 = _o383.cosine_1;
-            sine_1 = _o383.sine_1;
-            climb_1 = _o383.climb_1;
-            along_1 = _o383.along_1;
-            turn_rate_1 = _o383.turn_rate_1;
-            cos_1 = _o383.cos_1;
-            sin_1 = _o383.sin_1;
-            const LANES(court_ring_round_1_out) _o384 =
+            omega_0 = _o385.omega_0;
+            around_0 = _o385.around_0;
+            tilted_0 = _o385.tilted_0;
+            pressed_0 = _o385.pressed_0;
+            cosine_1 = _o385.cosine_1;
+            sine_1 = _o385.sine_1;
+            climb_1 = _o385.climb_1;
+            along_1 = _o385.along_1;
+            turn_rate_1 = _o385.turn_rate_1;
+            cos_1 = _o385.cos_1;
+            sin_1 = _o385.sin_1;
+            const LANES(court_ring_round_1_out) _o386 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            near_1 = _o384.near_1;
-            omega_1 = _o384.omega_1;
-            around_1 = _o384.around_1;
-            tilted_1 = _o384.tilted_1;
-            pressed_1 = _o384.pressed_1;
-            cosine_2 = _o384.cosine_2;
-            sine_2 = _o384.sine_2;
-            climb_2 = _o384.climb_2;
-            along_2 = _o384.along_2;
-            turn_rate_2 = _o384.turn_rate_2;
-            cos_2 = _o384.cos_2;
-            sin_2 = _o384.sin_2;
-            const LANES(court_ring_round_2_out) _o385 =
+            near_1 = _o386.near_1;
+            omega_1 = _o386.omega_1;
+            around_1 = _o386.around_1;
+            tilted_1 = _o386.tilted_1;
+            pressed_1 = _o386.pressed_1;
+            cosine_2 = _o386.cosine_2;
+            sine_2 = _o386.sine_2;
+            climb_2 = _o386.climb_2;
+            along_2 = _o386.along_2;
+            turn_rate_2 = _o386.turn_rate_2;
+            cos_2 = _o386.cos_2;
+            sin_2 = _o386.sin_2;
+            const LANES(court_ring_round_2_out) _o387 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            near_2 = _o385.near_2;
-            omega_2 = _o385.omega_2;
-            around_2 = _o385.around_2;
-            tilted_2 = _o385.tilted_2;
-            pressed_2 = _o385.pressed_2;
-            cosine_3 = _o385.cosine_3;
-            sine_3 = _o385.sine_3;
-            climb_3 = _o385.climb_3;
-            along_3 = _o385.along_3;
-            turn_rate_3 = _o385.turn_rate_3;
-            cos_3 = _o385.cos_3;
-            sin_3 = _o385.sin_3;
-            const LANES(court_ring_round_3_out) _o386 =
+            near_2 = _o387.near_2;
+            omega_2 = _o387.omega_2;
+            around_2 = _o387.around_2;
+            tilted_2 = _o387.tilted_2;
+            pressed_2 = _o387.pressed_2;
+            cosine_3 = _o387.cosine_3;
+            sine_3 = _o387.sine_3;
+            climb_3 = _o387.climb_3;
+            along_3 = _o387.along_3;
+            turn_rate_3 = _o387.turn_rate_3;
+            cos_3 = _o387.cos_3;
+            sin_3 = _o387.sin_3;
+            const LANES(court_ring_round_3_out) _o388 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            near_3 = _o386.near_3;
-            omega_3 = _o386.omega_3;
-            around_3 = _o386.around_3;
-            tilted_3 = _o386.tilted_3;
-            pressed_3 = _o386.pressed_3;
-            cosine_4 = _o386.cosine_4;
-            sine_4 = _o386.sine_4;
-            climb_4 = _o386.climb_4;
-            along_4 = _o386.along_4;
-            turn_rate_4 = _o386.turn_rate_4;
-            cos_4 = _o386.cos_4;
-            sin_4 = _o386.sin_4;
-            const LANES(court_ring_round_4_out) _o387 =
+            near_3 = _o388.near_3;
+            omega_3 = _o388.omega_3;
+            around_3 = _o388.around_3;
+            tilted_3 = _o388.tilted_3;
+            pressed_3 = _o388.pressed_3;
+            cosine_4 = _o388.cosine_4;
+            sine_4 = _o388.sine_4;
+            climb_4 = _o388.climb_4;
+            along_4 = _o388.along_4;
+            turn_rate_4 = _o388.turn_rate_4;
+            cos_4 = _o388.cos_4;
+            sin_4 = _o388.sin_4;
+            const LANES(court_ring_round_4_out) _o389 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            near_4 = _o387.near_4;
-            omega_4 = _o387.omega_4;
-            around_4 = _o387.around_4;
-            tilted_4 = _o387.tilted_4;
-            pressed_4 = _o387.pressed_4;
-            cosine_5 = _o387.cosine_5;
-            sine_5 = _o387.sine_5;
-            climb_5 = _o387.climb_5;
-            along_5 = _o387.along_5;
-            turn_rate_5 = _o387.turn_rate_5;
-            cos_5 = _o387.cos_5;
-            sin_5 = _o387.sin_5;
-            const LANES(court_ring_round_5_out) _o388 =
+            near_4 = _o389.near_4;
+            omega_4 = _o389.omega_4;
+            around_4 = _o389.around_4;
+            tilted_4 = _o389.tilted_4;
+            pressed_4 = _o389.pressed_4;
+            cosine_5 = _o389.cosine_5;
+            sine_5 = _o389.sine_5;
+            climb_5 = _o389.climb_5;
+            along_5 = _o389.along_5;
+            turn_rate_5 = _o389.turn_rate_5;
+            cos_5 = _o389.cos_5;
+            sin_5 = _o389.sin_5;
+            const LANES(court_ring_round_5_out) _o390 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            near_5 = _o388.near_5;
-            omega_5 = _o388.omega_5;
-            around_5 = _o388.around_5;
-            tilted_5 = _o388.tilted_5;
-            pressed_5 = _o388.pressed_5;
-            cosine_6 = _o388.cosine_6;
-            sine_6 = _o388.sine_6;
-            climb_6 = _o388.climb_6;
-            along_6 = _o388.along_6;
-            turn_rate_6 = _o388.turn_rate_6;
-            cos_6 = _o388.cos_6;
-            sin_6 = _o388.sin_6;
-            const LANES(court_ring_round_6_out) _o389 =
+            near_5 = _o390.near_5;
+            omega_5 = _o390.omega_5;
+            around_5 = _o390.around_5;
+            tilted_5 = _o390.tilted_5;
+            pressed_5 = _o390.pressed_5;
+            cosine_6 = _o390.cosine_6;
+            sine_6 = _o390.sine_6;
+            climb_6 = _o390.climb_6;
+            along_6 = _o390.along_6;
+            turn_rate_6 = _o390.turn_rate_6;
+            cos_6 = _o390.cos_6;
+            sin_6 = _o390.sin_6;
+            const LANES(court_ring_round_6_out) _o391 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            near_6 = _o389.near_6;
-            omega_6 = _o389.omega_6;
-            around_6 = _o389.around_6;
-            tilted_6 = _o389.tilted_6;
-            pressed_6 = _o389.pressed_6;
-            cosine_7 = _o389.cosine_7;
-            sine_7 = _o389.sine_7;
-            climb_7 = _o389.climb_7;
-            along_7 = _o389.along_7;
-            turn_rate_7 = _o389.turn_rate_7;
-            cos_7 = _o389.cos_7;
-            sin_7 = _o389.sin_7;
-            const LANES(court_ring_round_7_out) _o390 =
+            near_6 = _o391.near_6;
+            omega_6 = _o391.omega_6;
+            around_6 = _o391.around_6;
+            tilted_6 = _o391.tilted_6;
+            pressed_6 = _o391.pressed_6;
+            cosine_7 = _o391.cosine_7;
+            sine_7 = _o391.sine_7;
+            climb_7 = _o391.climb_7;
+            along_7 = _o391.along_7;
+            turn_rate_7 = _o391.turn_rate_7;
+            cos_7 = _o391.cos_7;
+            sin_7 = _o391.sin_7;
+            const LANES(court_ring_round_7_out) _o392 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            near_7 = _o390.near_7;
-            omega_7 = _o390.omega_7;
-            around_7 = _o390.around_7;
-            tilted_7 = _o390.tilted_7;
-            pressed_7 = _o390.pressed_7;
-            cosine_8 = _o390.cosine_8;
-            sine_8 = _o390.sine_8;
-            climb_8 = _o390.climb_8;
-            along_8 = _o390.along_8;
-            turn_rate_8 = _o390.turn_rate_8;
-            cos_8 = _o390.cos_8;
-            sin_8 = _o390.sin_8;
-            const LANES(court_ring_round_8_out) _o391 =
+            near_7 = _o392.near_7;
+            omega_7 = _o392.omega_7;
+            around_7 = _o392.around_7;
+            tilted_7 = _o392.tilted_7;
+            pressed_7 = _o392.pressed_7;
+            cosine_8 = _o392.cosine_8;
+            sine_8 = _o392.sine_8;
+            climb_8 = _o392.climb_8;
+            along_8 = _o392.along_8;
+            turn_rate_8 = _o392.turn_rate_8;
+            cos_8 = _o392.cos_8;
+            sin_8 = _o392.sin_8;
+            const LANES(court_ring_round_8_out) _o393 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            near_8 = _o391.near_8;
-            omega_8 = _o391.omega_8;
-            around_8 = _o391.around_8;
-            tilted_8 = _o391.tilted_8;
-            pressed_8 = _o391.pressed_8;
-            cosine_9 = _o391.cosine_9;
-            sine_9 = _o391.sine_9;
-            climb_9 = _o391.climb_9;
-            along_9 = _o391.along_9;
-            turn_rate_9 = _o391.turn_rate_9;
-            cos_9 = _o391.cos_9;
-            sin_9 = _o391.sin_9;
-            const LANES(court_ring_round_9_out) _o392 =
+            near_8 = _o393.near_8;
+            omega_8 = _o393.omega_8;
+            around_8 = _o393.around_8;
+            tilted_8 = _o393.tilted_8;
+            pressed_8 = _o393.pressed_8;
+            cosine_9 = _o393.cosine_9;
+            sine_9 = _o393.sine_9;
+            climb_9 = _o393.climb_9;
+            along_9 = _o393.along_9;
+            turn_rate_9 = _o393.turn_rate_9;
+            cos_9 = _o393.cos_9;
+            sin_9 = _o393.sin_9;
+            const LANES(court_ring_round_9_out) _o394 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_9 = _o392.near_9;
-            omega_9 = _o392.omega_9;
-            around_9 = _o392.around_9;
-            tilted_9 = _o392.tilted_9;
-            pressed_9 = _o392.pressed_9;
-            cosine_10 = _o392.cosine_10;
-            sine_10 = _o392.sine_10;
-            climb_10 = _o392.climb_10;
-            along_10 = _o392.along_10;
-            turn_rate_10 = _o392.turn_rate_10;
-            cos_10 = _o392.cos_10;
-            sin_10 = _o392.sin_10;
-            const LANES(court_ring_round_10_out) _o393 =
+            near_9 = _o394.near_9;
+            omega_9 = _o394.omega_9;
+            around_9 = _o394.around_9;
+            tilted_9 = _o394.tilted_9;
+            pressed_9 = _o394.pressed_9;
+            cosine_10 = _o394.cosine_10;
+            sine_10 = _o394.sine_10;
+            climb_10 = _o394.climb_10;
+            along_10 = _o394.along_10;
+            turn_rate_10 = _o394.turn_rate_10;
+            cos_10 = _o394.cos_10;
+            sin_10 = _o394.sin_10;
+            const LANES(court_ring_round_10_out) _o395 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_10 = _o393.near_10;
-            omega_10 = _o393.omega_10;
-            around_10 = _o393.around_10;
-            tilted_10 = _o393.tilted_10;
-            pressed_10 = _o393.pressed_10;
-            cosine_11 = _o393.cosine_11;
-            sine_11 = _o393.sine_11;
-            climb_11 = _o393.climb_11;
-            along_11 = _o393.along_11;
-            turn_rate_11 = _o393.turn_rate_11;
-            cos_11 = _o393.cos_11;
-            sin_11 = _o393.sin_11;
-            const LANES(court_ring_round_11_out) _o394 =
+            near_10 = _o395.near_10;
+            omega_10 = _o395.omega_10;
+            around_10 = _o395.around_10;
+            tilted_10 = _o395.tilted_10;
+            pressed_10 = _o395.pressed_10;
+            cosine_11 = _o395.cosine_11;
+            sine_11 = _o395.sine_11;
+            climb_11 = _o395.climb_11;
+            along_11 = _o395.along_11;
+            turn_rate_11 = _o395.turn_rate_11;
+            cos_11 = _o395.cos_11;
+            sin_11 = _o395.sin_11;
+            const LANES(court_ring_round_11_out) _o396 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            cosine_12 = _o394.cosine_12;
-            sine_12 = _o394.sine_12;
-            climb_12 = _o394.climb_12;
-            along_12 = _o394.along_12;
-            turn_rate_12 = _o394.turn_rate_12;
-            cos_12 = _o394.cos_12;
-            sin_12 = _o394.sin_12;
-            const LANES(court_ring_round_moved_out) _o395 =
+            cosine_12 = _o396.cosine_12;
+            sine_12 = _o396.sine_12;
+            climb_12 = _o396.climb_12;
+            along_12 = _o396.along_12;
+            turn_rate_12 = _o396.turn_rate_12;
+            cos_12 = _o396.cos_12;
+            sin_12 = _o396.sin_12;
+            const LANES(court_ring_round_moved_out) _o397 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            far_x = _o395.x;
-            far_y = _o395.y;
-            far_z = _o395.z;
-            far_vx = _o395.vx;
-            far_vy = _o395.vy;
-            far_vz = _o395.vz;
-            far_wx = _o395.wx;
-            far_wy = _o395.wy;
-            far_wz = _o395.wz;
-            const LANES(court_compared_out) _o396 =
+            far_x = _o397.x;
+            far_y = _o397.y;
+            far_z = _o397.z;
+            far_vx = _o397.vx;
+            far_vy = _o397.vy;
+            far_vz = _o397.vz;
+            far_wx = _o397.wx;
+            far_wy = _o397.wy;
+            far_wz = _o397.wz;
+            const LANES(court_compared_out) _o398 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o396.dx;
-            dy = _o396.dy;
-            dz = _o396.dz;
-            dvx = _o396.dvx;
-            dvy = _o396.dvy;
-            dvz = _o396.dvz;
-            dwx = _o396.dwx;
-            dwy = _o396.dwy;
-            dwz = _o396.dwz;
-            const LANES(court_rolled_on_out) _o397 =
+            dx = _o398.dx;
+            dy = _o398.dy;
+            dz = _o398.dz;
+            dvx = _o398.dvx;
+            dvy = _o398.dvy;
+            dvz = _o398.dvz;
+            dwx = _o398.dwx;
+            dwy = _o398.dwy;
+            dwz = _o398.dwz;
+            const LANES(court_rolled_on_out) _o399 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o397.clock;
-            circling = _o397.rolling;
+            clock = _o399.clock;
+            circling = _o399.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -8755,9 +8755,9 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o398 =
+        const LANES(court_rejoined_out) _o400 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o398.rolling;
+        rolling = _o400.rolling;
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         const M packed = lanes_both(rows, leaves);
         if (lanes_any(packed)) {
@@ -8867,243 +8867,243 @@ static void LANES(court_bounded_slow)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->slow_x + i);
         V y = lanes_load(lists->slow_y + i);
         V z = lanes_load(lists->slow_z + i);
-        const LANES(court_ring_normal_out) _o543 =
+        const LANES(court_ring_normal_out) _o545 =
             LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-        V nx = _o543.nx;
-        V ny = _o543.ny;
-        V nz = _o543.nz;
-        const LANES(court_here_out) _o544 =
+        V nx = _o545.nx;
+        V ny = _o545.ny;
+        V nz = _o545.nz;
+        const LANES(court_here_out) _o546 =
             LANES(court_here)(K(1.0), which);
-        M here = _o544.here;
-        const M _m545 = lanes_both(rows, here);
+        M here = _o546.here;
+        const M _m547 = lanes_both(rows, here);
         {
-            const LANES(court_backboard_normal_out) _o546 =
+            const LANES(court_backboard_normal_out) _o548 =
                 LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-            nx = lanes_select(_m545, _o546.nx, nx);
-            ny = lanes_select(_m545, _o546.ny, ny);
-            nz = lanes_select(_m545, _o546.nz, nz);
+            nx = lanes_select(_m547, _o548.nx, nx);
+            ny = lanes_select(_m547, _o548.ny, ny);
+            nz = lanes_select(_m547, _o548.nz, nz);
         }
-        const LANES(court_here_out) _o547 =
+        const LANES(court_here_out) _o549 =
             LANES(court_here)(K(2.0), which);
-        here = _o547.here;
-        const M _m548 = lanes_both(rows, here);
+        here = _o549.here;
+        const M _m550 = lanes_both(rows, here);
         {
-            const LANES(court_bridge_normal_out) _o549 =
+            const LANES(court_bridge_normal_out) _o551 =
                 LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-            nx = lanes_select(_m548, _o549.nx, nx);
-            ny = lanes_select(_m548, _o549.ny, ny);
-            nz = lanes_select(_m548, _o549.nz, nz);
+            nx = lanes_select(_m550, _o551.nx, nx);
+            ny = lanes_select(_m550, _o551.ny, ny);
+            nz = lanes_select(_m550, _o551.nz, nz);
         }
-        const LANES(court_nearly_out) _o550 =
+        const LANES(court_nearly_out) _o552 =
             LANES(court_nearly)(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-        M nearly = _o550.nearly;
-        const LANES(court_gripped_out) _o551 =
+        M nearly = _o552.nearly;
+        const LANES(court_gripped_out) _o553 =
             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-        V rolled_x = _o551.rolled_x;
-        V rolled_y = _o551.rolled_y;
-        V rolled_z = _o551.rolled_z;
-        V slip = _o551.slip;
-        V bounce = _o551.bounce;
-        const LANES(court_here_out) _o552 =
+        V rolled_x = _o553.rolled_x;
+        V rolled_y = _o553.rolled_y;
+        V rolled_z = _o553.rolled_z;
+        V slip = _o553.slip;
+        V bounce = _o553.bounce;
+        const LANES(court_here_out) _o554 =
             LANES(court_here)(K(0.0), which);
-        here = _o552.here;
-        const M _m553 = lanes_both(rows, here);
-        if (lanes_any(_m553)) {
-            const LANES(court_ring_turning_out) _o554 =
+        here = _o554.here;
+        const M _m555 = lanes_both(rows, here);
+        if (lanes_any(_m555)) {
+            const LANES(court_ring_turning_out) _o556 =
                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-            V turning_x = _o554.turning_x;
-            V turning_y = _o554.turning_y;
-            V turning_z = _o554.turning_z;
-            const LANES(court_pressed_on_out) _o555 =
+            V turning_x = _o556.turning_x;
+            V turning_y = _o556.turning_y;
+            V turning_z = _o556.turning_z;
+            const LANES(court_pressed_on_out) _o557 =
                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-            V press = _o555.press;
-            V weight = _o555.weight;
-            V drag = _o555.drag;
-            V thrust_x = _o555.thrust_x;
-            V thrust_y = _o555.thrust_y;
-            V thrust_z = _o555.thrust_z;
-            const LANES(court_alone_out) _o556 =
+            V press = _o557.press;
+            V weight = _o557.weight;
+            V drag = _o557.drag;
+            V thrust_x = _o557.thrust_x;
+            V thrust_y = _o557.thrust_y;
+            V thrust_z = _o557.thrust_z;
+            const LANES(court_alone_out) _o558 =
                 LANES(court_alone)();
-            V nearest = _o556.nearest;
-            V wedge = _o556.wedge;
-            const LANES(court_backboard_closing_out) _o557 =
+            V nearest = _o558.nearest;
+            V wedge = _o558.wedge;
+            const LANES(court_backboard_closing_out) _o559 =
                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-            V gap = _o557.gap;
-            V nearing = _o557.nearing;
-            V swerve = _o557.swerve;
-            V facing = _o557.facing;
-            const LANES(court_neared_body_out) _o558 =
-                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o558.nearest;
-            wedge = _o558.wedge;
-            const LANES(court_bridge_closing_out) _o559 =
-                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            gap = _o559.gap;
-            nearing = _o559.nearing;
-            swerve = _o559.swerve;
-            facing = _o559.facing;
+            V gap = _o559.gap;
+            V nearing = _o559.nearing;
+            V swerve = _o559.swerve;
+            V facing = _o559.facing;
             const LANES(court_neared_body_out) _o560 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o560.nearest;
             wedge = _o560.wedge;
-            const LANES(court_end_beside_out) _o561 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o561.gap;
-            const LANES(court_neared_out) _o562 =
-                LANES(court_neared)(gap, nearest);
-            nearest = _o562.nearest;
-            const LANES(court_ring_parting_out) _o563 =
-                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-            V lift = _o563.lift;
-            const LANES(court_ring_impact_settling_out) _o564 =
-                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-            M settles = _o564.settles;
-            M lodges = _o564.lodges;
-            M slides = _o564.slides;
-            M parts = _o564.parts;
-            assured = lanes_select(_m553, _o564.assured, assured);
-            M unsure = _o564.unsure;
-            const LANES(court_settled_out) _o565 =
-                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m553, _o565.mode, mode);
-            held = lanes_select(_m553, _o565.held, held);
-            outcome = lanes_select(_m553, _o565.outcome, outcome);
-            slip_left = lanes_select(_m553, _o565.slip_left, slip_left);
-            uncertain = lanes_select(_m553, _o565.uncertain, uncertain);
-        }
-        const LANES(court_here_out) _o566 =
-            LANES(court_here)(K(1.0), which);
-        here = _o566.here;
-        const M _m567 = lanes_both(rows, here);
-        if (lanes_any(_m567)) {
-            const LANES(court_backboard_turning_out) _o568 =
-                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-            V turning_x = _o568.turning_x;
-            V turning_y = _o568.turning_y;
-            V turning_z = _o568.turning_z;
-            const LANES(court_pressed_on_out) _o569 =
-                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-            V press = _o569.press;
-            V weight = _o569.weight;
-            V drag = _o569.drag;
-            V thrust_x = _o569.thrust_x;
-            V thrust_y = _o569.thrust_y;
-            V thrust_z = _o569.thrust_z;
-            const LANES(court_alone_out) _o570 =
-                LANES(court_alone)();
-            V nearest = _o570.nearest;
-            V wedge = _o570.wedge;
-            const LANES(court_ring_closing_out) _o571 =
-                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            V gap = _o571.gap;
-            V nearing = _o571.nearing;
-            V swerve = _o571.swerve;
-            V facing = _o571.facing;
-            const LANES(court_neared_body_out) _o572 =
-                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o572.nearest;
-            wedge = _o572.wedge;
-            const LANES(court_bridge_closing_out) _o573 =
+            const LANES(court_bridge_closing_out) _o561 =
                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            gap = _o573.gap;
-            nearing = _o573.nearing;
-            swerve = _o573.swerve;
-            facing = _o573.facing;
+            gap = _o561.gap;
+            nearing = _o561.nearing;
+            swerve = _o561.swerve;
+            facing = _o561.facing;
+            const LANES(court_neared_body_out) _o562 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o562.nearest;
+            wedge = _o562.wedge;
+            const LANES(court_end_beside_out) _o563 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o563.gap;
+            const LANES(court_neared_out) _o564 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o564.nearest;
+            const LANES(court_ring_parting_out) _o565 =
+                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+            V lift = _o565.lift;
+            const LANES(court_ring_impact_settling_out) _o566 =
+                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+            M settles = _o566.settles;
+            M lodges = _o566.lodges;
+            M slides = _o566.slides;
+            M parts = _o566.parts;
+            assured = lanes_select(_m555, _o566.assured, assured);
+            M unsure = _o566.unsure;
+            const LANES(court_settled_out) _o567 =
+                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+            mode = lanes_select(_m555, _o567.mode, mode);
+            held = lanes_select(_m555, _o567.held, held);
+            outcome = lanes_select(_m555, _o567.outcome, outcome);
+            slip_left = lanes_select(_m555, _o567.slip_left, slip_left);
+            uncertain = lanes_select(_m555, _o567.uncertain, uncertain);
+        }
+        const LANES(court_here_out) _o568 =
+            LANES(court_here)(K(1.0), which);
+        here = _o568.here;
+        const M _m569 = lanes_both(rows, here);
+        if (lanes_any(_m569)) {
+            const LANES(court_backboard_turning_out) _o570 =
+                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+            V turning_x = _o570.turning_x;
+            V turning_y = _o570.turning_y;
+            V turning_z = _o570.turning_z;
+            const LANES(court_pressed_on_out) _o571 =
+                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+            V press = _o571.press;
+            V weight = _o571.weight;
+            V drag = _o571.drag;
+            V thrust_x = _o571.thrust_x;
+            V thrust_y = _o571.thrust_y;
+            V thrust_z = _o571.thrust_z;
+            const LANES(court_alone_out) _o572 =
+                LANES(court_alone)();
+            V nearest = _o572.nearest;
+            V wedge = _o572.wedge;
+            const LANES(court_ring_closing_out) _o573 =
+                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            V gap = _o573.gap;
+            V nearing = _o573.nearing;
+            V swerve = _o573.swerve;
+            V facing = _o573.facing;
             const LANES(court_neared_body_out) _o574 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o574.nearest;
             wedge = _o574.wedge;
-            const LANES(court_end_beside_out) _o575 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
+            const LANES(court_bridge_closing_out) _o575 =
+                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
             gap = _o575.gap;
-            const LANES(court_neared_out) _o576 =
-                LANES(court_neared)(gap, nearest);
-            nearest = _o576.nearest;
-            const LANES(court_backboard_parting_out) _o577 =
-                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-            V lift = _o577.lift;
-            const LANES(court_ring_impact_settling_out) _o578 =
-                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-            M settles = _o578.settles;
-            M lodges = _o578.lodges;
-            M slides = _o578.slides;
-            M parts = _o578.parts;
-            assured = lanes_select(_m567, _o578.assured, assured);
-            M unsure = _o578.unsure;
-            const LANES(court_settled_out) _o579 =
-                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m567, _o579.mode, mode);
-            held = lanes_select(_m567, _o579.held, held);
-            outcome = lanes_select(_m567, _o579.outcome, outcome);
-            slip_left = lanes_select(_m567, _o579.slip_left, slip_left);
-            uncertain = lanes_select(_m567, _o579.uncertain, uncertain);
-        }
-        const LANES(court_here_out) _o580 =
-            LANES(court_here)(K(2.0), which);
-        here = _o580.here;
-        const M _m581 = lanes_both(rows, here);
-        if (lanes_any(_m581)) {
-            const LANES(court_bridge_turning_out) _o582 =
-                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-            V turning_x = _o582.turning_x;
-            V turning_y = _o582.turning_y;
-            V turning_z = _o582.turning_z;
-            const LANES(court_pressed_on_out) _o583 =
-                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-            V press = _o583.press;
-            V weight = _o583.weight;
-            V drag = _o583.drag;
-            V thrust_x = _o583.thrust_x;
-            V thrust_y = _o583.thrust_y;
-            V thrust_z = _o583.thrust_z;
-            const LANES(court_alone_out) _o584 =
-                LANES(court_alone)();
-            V nearest = _o584.nearest;
-            V wedge = _o584.wedge;
-            const LANES(court_ring_closing_out) _o585 =
-                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            V gap = _o585.gap;
-            V nearing = _o585.nearing;
-            V swerve = _o585.swerve;
-            V facing = _o585.facing;
-            const LANES(court_neared_body_out) _o586 =
+            nearing = _o575.nearing;
+            swerve = _o575.swerve;
+            facing = _o575.facing;
+            const LANES(court_neared_body_out) _o576 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o586.nearest;
-            wedge = _o586.wedge;
-            const LANES(court_backboard_closing_out) _o587 =
-                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-            gap = _o587.gap;
-            nearing = _o587.nearing;
-            swerve = _o587.swerve;
-            facing = _o587.facing;
+            nearest = _o576.nearest;
+            wedge = _o576.wedge;
+            const LANES(court_end_beside_out) _o577 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o577.gap;
+            const LANES(court_neared_out) _o578 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o578.nearest;
+            const LANES(court_backboard_parting_out) _o579 =
+                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+            V lift = _o579.lift;
+            const LANES(court_ring_impact_settling_out) _o580 =
+                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+            M settles = _o580.settles;
+            M lodges = _o580.lodges;
+            M slides = _o580.slides;
+            M parts = _o580.parts;
+            assured = lanes_select(_m569, _o580.assured, assured);
+            M unsure = _o580.unsure;
+            const LANES(court_settled_out) _o581 =
+                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+            mode = lanes_select(_m569, _o581.mode, mode);
+            held = lanes_select(_m569, _o581.held, held);
+            outcome = lanes_select(_m569, _o581.outcome, outcome);
+            slip_left = lanes_select(_m569, _o581.slip_left, slip_left);
+            uncertain = lanes_select(_m569, _o581.uncertain, uncertain);
+        }
+        const LANES(court_here_out) _o582 =
+            LANES(court_here)(K(2.0), which);
+        here = _o582.here;
+        const M _m583 = lanes_both(rows, here);
+        if (lanes_any(_m583)) {
+            const LANES(court_bridge_turning_out) _o584 =
+                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+            V turning_x = _o584.turning_x;
+            V turning_y = _o584.turning_y;
+            V turning_z = _o584.turning_z;
+            const LANES(court_pressed_on_out) _o585 =
+                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+            V press = _o585.press;
+            V weight = _o585.weight;
+            V drag = _o585.drag;
+            V thrust_x = _o585.thrust_x;
+            V thrust_y = _o585.thrust_y;
+            V thrust_z = _o585.thrust_z;
+            const LANES(court_alone_out) _o586 =
+                LANES(court_alone)();
+            V nearest = _o586.nearest;
+            V wedge = _o586.wedge;
+            const LANES(court_ring_closing_out) _o587 =
+                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            V gap = _o587.gap;
+            V nearing = _o587.nearing;
+            V swerve = _o587.swerve;
+            V facing = _o587.facing;
             const LANES(court_neared_body_out) _o588 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o588.nearest;
             wedge = _o588.wedge;
-            const LANES(court_end_beside_out) _o589 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
+            const LANES(court_backboard_closing_out) _o589 =
+                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
             gap = _o589.gap;
-            const LANES(court_neared_out) _o590 =
-                LANES(court_neared)(gap, nearest);
+            nearing = _o589.nearing;
+            swerve = _o589.swerve;
+            facing = _o589.facing;
+            const LANES(court_neared_body_out) _o590 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o590.nearest;
-            const LANES(court_bridge_parting_out) _o591 =
+            wedge = _o590.wedge;
+            const LANES(court_end_beside_out) _o591 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o591.gap;
+            const LANES(court_neared_out) _o592 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o592.nearest;
+            const LANES(court_bridge_parting_out) _o593 =
                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            V lift = _o591.lift;
-            const LANES(court_ring_impact_settling_out) _o592 =
+            V lift = _o593.lift;
+            const LANES(court_ring_impact_settling_out) _o594 =
                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-            M settles = _o592.settles;
-            M lodges = _o592.lodges;
-            M slides = _o592.slides;
-            M parts = _o592.parts;
-            assured = lanes_select(_m581, _o592.assured, assured);
-            M unsure = _o592.unsure;
-            const LANES(court_settled_out) _o593 =
+            M settles = _o594.settles;
+            M lodges = _o594.lodges;
+            M slides = _o594.slides;
+            M parts = _o594.parts;
+            assured = lanes_select(_m583, _o594.assured, assured);
+            M unsure = _o594.unsure;
+            const LANES(court_settled_out) _o595 =
                 LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m581, _o593.mode, mode);
-            held = lanes_select(_m581, _o593.held, held);
-            outcome = lanes_select(_m581, _o593.outcome, outcome);
-            slip_left = lanes_select(_m581, _o593.slip_left, slip_left);
-            uncertain = lanes_select(_m581, _o593.uncertain, uncertain);
+            mode = lanes_select(_m583, _o595.mode, mode);
+            held = lanes_select(_m583, _o595.held, held);
+            outcome = lanes_select(_m583, _o595.outcome, outcome);
+            slip_left = lanes_select(_m583, _o595.slip_left, slip_left);
+            uncertain = lanes_select(_m583, _o595.uncertain, uncertain);
         }
         lanes_store(lists->slow_assured + i, assured);
         lanes_store(lists->slow_held + i, held);
@@ -10266,26 +10266,26 @@ static void LANES(court_bounded)(const court_job *job)
                 LANES(court_horizon)(when, speed, p_gravity);
             V until = _o73.horizon;
             V pad = _o73.pad;
-            const LANES(court_swept_out) _o74 =
-                LANES(court_swept)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, p_gravity);
+            const LANES(court_halved_out) _o74 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, p_gravity);
             V middle_x = _o74.middle_x;
-            V middle_y = _o74.middle_y;
-            V middle_z = _o74.middle_z;
             V reach_x = _o74.reach_x;
+            V later_middle_x = _o74.later_middle_x;
+            V later_reach_x = _o74.later_reach_x;
+            V middle_y = _o74.middle_y;
             V reach_y = _o74.reach_y;
+            V later_middle_y = _o74.later_middle_y;
+            V later_reach_y = _o74.later_reach_y;
+            V middle_z = _o74.middle_z;
             V reach_z = _o74.reach_z;
+            V later_middle_z = _o74.later_middle_z;
+            V later_reach_z = _o74.later_reach_z;
             const LANES(court_backboard_near_out) _o75 =
-                LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
             M reachable = _o75.near;
             const LANES(court_reachable_in_flight_out) _o76 =
                 LANES(court_reachable_in_flight)(kept, reachable);
             reachable = _o76.reachable;
-            lanes_store(lists->middle_x + i, middle_x);
-            lanes_store(lists->middle_y + i, middle_y);
-            lanes_store(lists->middle_z + i, middle_z);
-            lanes_store(lists->reach_x + i, reach_x);
-            lanes_store(lists->reach_y + i, reach_y);
-            lanes_store(lists->reach_z + i, reach_z);
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -10914,9 +10914,6 @@ static void LANES(court_bounded)(const court_job *job)
             M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
             V late = lanes_load(lists->late + i);
-            V middle_x = lanes_load(lists->middle_x + i);
-            V middle_y = lanes_load(lists->middle_y + i);
-            V middle_z = lanes_load(lists->middle_z + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
             const V p_bridge_depth = lanes_load(lists->p_bridge_depth + (i & varying));
@@ -10925,9 +10922,6 @@ static void LANES(court_bounded)(const court_job *job)
             const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             V position_error = lanes_load(lists->position_error + i);
-            V reach_x = lanes_load(lists->reach_x + i);
-            V reach_y = lanes_load(lists->reach_y + i);
-            V reach_z = lanes_load(lists->reach_z + i);
             V speed = lanes_load(lists->speed + i);
             V velocity_error = lanes_load(lists->velocity_error + i);
             V vx = lanes_load(lists->vx + i);
@@ -10938,12 +10932,30 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_bridge_near_out) _o125 =
-                LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-            M reachable = _o125.near;
-            const LANES(court_reachable_in_flight_out) _o126 =
+            const LANES(court_horizon_out) _o125 =
+                LANES(court_horizon)(when, speed, p_gravity);
+            V until = _o125.horizon;
+            V pad = _o125.pad;
+            const LANES(court_halved_out) _o126 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, p_gravity);
+            V middle_x = _o126.middle_x;
+            V reach_x = _o126.reach_x;
+            V later_middle_x = _o126.later_middle_x;
+            V later_reach_x = _o126.later_reach_x;
+            V middle_y = _o126.middle_y;
+            V reach_y = _o126.reach_y;
+            V later_middle_y = _o126.later_middle_y;
+            V later_reach_y = _o126.later_reach_y;
+            V middle_z = _o126.middle_z;
+            V reach_z = _o126.reach_z;
+            V later_middle_z = _o126.later_middle_z;
+            V later_reach_z = _o126.later_reach_z;
+            const LANES(court_bridge_near_out) _o127 =
+                LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+            M reachable = _o127.near;
+            const LANES(court_reachable_in_flight_out) _o128 =
                 LANES(court_reachable_in_flight)(kept, reachable);
-            reachable = _o126.reachable;
+            reachable = _o128.reachable;
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -11004,94 +11016,94 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_horizon_out) _o127 =
+            const LANES(court_horizon_out) _o129 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o127.horizon;
-            V pad = _o127.pad;
-            const LANES(court_bridge_prepare_out) _o128 =
+            V until = _o129.horizon;
+            V pad = _o129.pad;
+            const LANES(court_bridge_prepare_out) _o130 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o128.low0;
-            V high0 = _o128.high0;
-            V low1 = _o128.low1;
-            V high1 = _o128.high1;
-            V ceiling = _o128.ceiling;
-            V latest = _o128.latest;
-            V lost = _o128.lost;
-            const LANES(court_beginning_out) _o129 =
+            V low0 = _o130.low0;
+            V high0 = _o130.high0;
+            V low1 = _o130.low1;
+            V high1 = _o130.high1;
+            V ceiling = _o130.ceiling;
+            V latest = _o130.latest;
+            V lost = _o130.lost;
+            const LANES(court_beginning_out) _o131 =
                 LANES(court_beginning)();
-            V share = _o129.share;
-            V arrival = _o129.arrival;
-            M certain = _o129.certain;
-            const LANES(court_allowance_out) _o130 =
+            V share = _o131.share;
+            V arrival = _o131.arrival;
+            M certain = _o131.certain;
+            const LANES(court_allowance_out) _o132 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o130.position_level;
-            V velocity_level = _o130.velocity_level;
-            V excess = _o130.excess;
-            const LANES(court_bridge_margins_out) _o131 =
+            V position_level = _o132.position_level;
+            V velocity_level = _o132.velocity_level;
+            V excess = _o132.excess;
+            const LANES(court_bridge_margins_out) _o133 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o131.margin;
-            V tilt = _o131.leaving_margin;
-            V rate_slack = _o131.rate_margin;
-            const LANES(court_bridge_enter_out) _o132 =
+            V flat = _o133.margin;
+            V tilt = _o133.leaving_margin;
+            V rate_slack = _o133.rate_margin;
+            const LANES(court_bridge_enter_out) _o134 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o132.t;
-            V end = _o132.end;
-            M searching = _o132.searching;
-            const LANES(court_beyond_windows_out) _o133 =
+            V t = _o134.t;
+            V end = _o134.end;
+            M searching = _o134.searching;
+            const LANES(court_beyond_windows_out) _o135 =
                 LANES(court_beyond_windows)(doubt, excess, late, lost, pad, searching);
-            doubt = _o133.doubt;
-            const M _m134 = lanes_both(rows, searching);
-            if (lanes_any(_m134)) {
-                const LANES(court_nearby_out) _o135 =
+            doubt = _o135.doubt;
+            const M _m136 = lanes_both(rows, searching);
+            if (lanes_any(_m136)) {
+                const LANES(court_nearby_out) _o137 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o135.leaving;
-                V margin = _o135.margin;
-                const LANES(court_bridge_advance_out) _o136 =
+                V leaving = _o137.leaving;
+                V margin = _o137.margin;
+                const LANES(court_bridge_advance_out) _o138 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o136.gap;
-                V rate = _o136.rate;
-                V bend = _o136.bend;
-                V step = _o136.step;
-                V next = _o136.next;
-                V clearance = _o136.clearance;
-                const LANES(court_struck_or_still_out) _o137 =
+                V gap = _o138.gap;
+                V rate = _o138.rate;
+                V bend = _o138.bend;
+                V step = _o138.step;
+                V next = _o138.next;
+                V clearance = _o138.clearance;
+                const LANES(court_struck_or_still_out) _o139 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o137.hit;
-                M sure = _o137.sure;
-                M vague = _o137.vague;
-                const M _m138 = lanes_both(_m134, vague);
-                if (lanes_any(_m138)) {
-                    const LANES(court_finer_out) _o139 =
+                M hit = _o139.hit;
+                M sure = _o139.sure;
+                M vague = _o139.vague;
+                const M _m140 = lanes_both(_m136, vague);
+                if (lanes_any(_m140)) {
+                    const LANES(court_finer_out) _o141 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m138, _o139.share, share);
-                    const LANES(court_allowance_out) _o140 =
+                    share = lanes_select(_m140, _o141.share, share);
+                    const LANES(court_allowance_out) _o142 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o140.position_level;
-                    V velocity_level = _o140.velocity_level;
-                    V excess = _o140.excess;
-                    const LANES(court_bridge_margins_out) _o141 =
+                    V position_level = _o142.position_level;
+                    V velocity_level = _o142.velocity_level;
+                    V excess = _o142.excess;
+                    const LANES(court_bridge_margins_out) _o143 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m138, _o141.margin, flat);
-                    tilt = lanes_select(_m138, _o141.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m138, _o141.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o142 =
+                    flat = lanes_select(_m140, _o143.margin, flat);
+                    tilt = lanes_select(_m140, _o143.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m140, _o143.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o144 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m138, _o142.doubt, doubt);
+                    doubt = lanes_select(_m140, _o144.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o143 =
+                const LANES(court_advanced_out) _o145 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = lanes_select(_m134, _o143.arrival, arrival);
-                certain = lanes_choose(_m134, _o143.certain, certain);
-                M exhausted = _o143.exhausted;
-                searching = lanes_choose(_m134, _o143.searching, searching);
-                t = lanes_select(_m134, _o143.t, t);
-                const M _m144 = lanes_both(_m134, exhausted);
+                arrival = lanes_select(_m136, _o145.arrival, arrival);
+                certain = lanes_choose(_m136, _o145.certain, certain);
+                M exhausted = _o145.exhausted;
+                searching = lanes_choose(_m136, _o145.searching, searching);
+                t = lanes_select(_m136, _o145.t, t);
+                const M _m146 = lanes_both(_m136, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o145 =
+                    const LANES(court_bridge_enter_out) _o147 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m144, _o145.t, t);
-                    end = lanes_select(_m144, _o145.end, end);
-                    searching = lanes_choose(_m144, _o145.searching, searching);
+                    t = lanes_select(_m146, _o147.t, t);
+                    end = lanes_select(_m146, _o147.end, end);
+                    searching = lanes_choose(_m146, _o147.searching, searching);
                 }
             }
             lanes_store(lists->reachable_arrival + i, arrival);
@@ -11234,56 +11246,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o146 =
+                const LANES(court_nearby_out) _o148 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o146.leaving;
-                V margin = _o146.margin;
-                const LANES(court_bridge_advance_out) _o147 =
+                V leaving = _o148.leaving;
+                V margin = _o148.margin;
+                const LANES(court_bridge_advance_out) _o149 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o147.gap;
-                V rate = _o147.rate;
-                V bend = _o147.bend;
-                V step = _o147.step;
-                V next = _o147.next;
-                V clearance = _o147.clearance;
-                const LANES(court_struck_or_still_out) _o148 =
+                V gap = _o149.gap;
+                V rate = _o149.rate;
+                V bend = _o149.bend;
+                V step = _o149.step;
+                V next = _o149.next;
+                V clearance = _o149.clearance;
+                const LANES(court_struck_or_still_out) _o150 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o148.hit;
-                M sure = _o148.sure;
-                M vague = _o148.vague;
-                const M _m149 = lanes_both(active, vague);
-                if (lanes_any(_m149)) {
-                    const LANES(court_finer_out) _o150 =
+                M hit = _o150.hit;
+                M sure = _o150.sure;
+                M vague = _o150.vague;
+                const M _m151 = lanes_both(active, vague);
+                if (lanes_any(_m151)) {
+                    const LANES(court_finer_out) _o152 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m149, _o150.share, share);
-                    const LANES(court_allowance_out) _o151 =
+                    share = lanes_select(_m151, _o152.share, share);
+                    const LANES(court_allowance_out) _o153 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o151.position_level;
-                    V velocity_level = _o151.velocity_level;
-                    V excess = _o151.excess;
-                    const LANES(court_bridge_margins_out) _o152 =
+                    V position_level = _o153.position_level;
+                    V velocity_level = _o153.velocity_level;
+                    V excess = _o153.excess;
+                    const LANES(court_bridge_margins_out) _o154 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m149, _o152.margin, flat);
-                    tilt = lanes_select(_m149, _o152.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m149, _o152.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o153 =
+                    flat = lanes_select(_m151, _o154.margin, flat);
+                    tilt = lanes_select(_m151, _o154.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m151, _o154.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o155 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m149, _o153.doubt, doubt);
+                    doubt = lanes_select(_m151, _o155.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o154 =
+                const LANES(court_advanced_out) _o156 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o154.arrival;
-                certain = _o154.certain;
-                M exhausted = _o154.exhausted;
-                searching = _o154.searching;
-                t = _o154.t;
-                const M _m155 = lanes_both(active, exhausted);
+                arrival = _o156.arrival;
+                certain = _o156.certain;
+                M exhausted = _o156.exhausted;
+                searching = _o156.searching;
+                t = _o156.t;
+                const M _m157 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o156 =
+                    const LANES(court_bridge_enter_out) _o158 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m155, _o156.t, t);
-                    end = lanes_select(_m155, _o156.end, end);
-                    searching = lanes_choose(_m155, _o156.searching, searching);
+                    t = lanes_select(_m157, _o158.t, t);
+                    end = lanes_select(_m157, _o158.end, end);
+                    searching = lanes_choose(_m157, _o158.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -11347,40 +11359,40 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_questioned_out) _o157 =
+            const LANES(court_questioned_out) _o159 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o157.doubt;
-            const LANES(court_found_out) _o158 =
+            doubt = _o159.doubt;
+            const LANES(court_found_out) _o160 =
                 LANES(court_found)(arrival);
-            M arrives = _o158.arrives;
-            M refining = _o158.refining;
-            V rate = _o158.rate;
-            const LANES(court_nearby_out) _o159 =
+            M arrives = _o160.arrives;
+            M refining = _o160.refining;
+            V rate = _o160.rate;
+            const LANES(court_nearby_out) _o161 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o159.leaving;
-            const M _m160 = lanes_both(rows, refining);
-            if (lanes_any(_m160)) {
-                const LANES(court_bridge_refine_out) _o161 =
+            V leaving = _o161.leaving;
+            const M _m162 = lanes_both(rows, refining);
+            if (lanes_any(_m162)) {
+                const LANES(court_bridge_refine_out) _o163 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o161.time;
-                V gap = _o161.gap;
-                rate = lanes_select(_m160, _o161.rate, rate);
-                const LANES(court_polished_out) _o162 =
+                V refined = _o163.time;
+                V gap = _o163.gap;
+                rate = lanes_select(_m162, _o163.rate, rate);
+                const LANES(court_polished_out) _o164 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m160, _o162.arrival, arrival);
-                refining = lanes_choose(_m160, _o162.refining, refining);
+                arrival = lanes_select(_m162, _o164.arrival, arrival);
+                refining = lanes_choose(_m162, _o164.refining, refining);
             }
-            const M _m163 = lanes_both(rows, refining);
-            if (lanes_any(_m163)) {
-                const LANES(court_bridge_refine_out) _o164 =
+            const M _m165 = lanes_both(rows, refining);
+            if (lanes_any(_m165)) {
+                const LANES(court_bridge_refine_out) _o166 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o164.time;
-                V gap = _o164.gap;
-                rate = lanes_select(_m163, _o164.rate, rate);
-                const LANES(court_polished_out) _o165 =
+                V refined = _o166.time;
+                V gap = _o166.gap;
+                rate = lanes_select(_m165, _o166.rate, rate);
+                const LANES(court_polished_out) _o167 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m163, _o165.arrival, arrival);
-                refining = lanes_choose(_m163, _o165.refining, refining);
+                arrival = lanes_select(_m165, _o167.arrival, arrival);
+                refining = lanes_choose(_m165, _o167.refining, refining);
             }
             lanes_store(lists->reachable_arrival + i, arrival);
             lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -11470,15 +11482,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o166 =
+                const LANES(court_bridge_refine_out) _o168 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o166.time;
-                V gap = _o166.gap;
-                V rate = _o166.rate;
-                const LANES(court_polished_out) _o167 =
+                V refined = _o168.time;
+                V gap = _o168.gap;
+                V rate = _o168.rate;
+                const LANES(court_polished_out) _o169 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o167.arrival;
-                refining = _o167.refining;
+                arrival = _o169.arrival;
+                refining = _o169.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -11523,33 +11535,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->reachable_velocity_error + i);
             V when = lanes_load(lists->reachable_when + i);
             V which = lanes_load(lists->reachable_which + i);
-            const LANES(court_bridge_margins_out) _o168 =
+            const LANES(court_bridge_margins_out) _o170 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o168.margin;
-            V tilt = _o168.leaving_margin;
-            V rate_margin = _o168.rate_margin;
-            const LANES(court_own_margin_out) _o169 =
+            V flat = _o170.margin;
+            V tilt = _o170.leaving_margin;
+            V rate_margin = _o170.rate_margin;
+            const LANES(court_own_margin_out) _o171 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o169.margin;
-            const LANES(court_crossing_out) _o170 =
+            V margin = _o171.margin;
+            const LANES(court_crossing_out) _o172 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o170.clearance;
-            V delay = _o170.delay;
-            const LANES(court_landed_out) _o171 =
+            V clearance = _o172.clearance;
+            V delay = _o172.delay;
+            const LANES(court_landed_out) _o173 =
                 LANES(court_landed)(arrival);
-            V time = _o171.time;
-            const LANES(court_landed_surely_out) _o172 =
+            V time = _o173.time;
+            const LANES(court_landed_surely_out) _o174 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o172.delay;
-            doubt = _o172.doubt;
-            const LANES(court_tied_out) _o173 =
+            delay = _o174.delay;
+            doubt = _o174.doubt;
+            const LANES(court_tied_out) _o175 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o173.doubt;
-            late = _o173.late;
-            const LANES(court_sooner_out) _o174 =
+            doubt = _o175.doubt;
+            late = _o175.late;
+            const LANES(court_sooner_out) _o176 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o174.when;
-            which = _o174.which;
+            when = _o176.when;
+            which = _o176.which;
             lanes_store(lists->reachable_doubt + i, doubt);
             lanes_store(lists->reachable_late + i, late);
             lanes_store(lists->reachable_when + i, when);
@@ -11620,22 +11632,22 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m175 = lanes_both(rows, limited);
-            if (lanes_any(_m175)) {
-                const LANES(court_expiry_out) _o176 =
+            const M _m177 = lanes_both(rows, limited);
+            if (lanes_any(_m177)) {
+                const LANES(court_expiry_out) _o178 =
                     LANES(court_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o176.time;
-                V delay = _o176.delay;
-                M arrives = _o176.arrives;
-                doubt = lanes_select(_m175, _o176.doubt, doubt);
-                const LANES(court_tied_out) _o177 =
+                V time = _o178.time;
+                V delay = _o178.delay;
+                M arrives = _o178.arrives;
+                doubt = lanes_select(_m177, _o178.doubt, doubt);
+                const LANES(court_tied_out) _o179 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m175, _o177.doubt, doubt);
-                late = lanes_select(_m175, _o177.late, late);
-                const LANES(court_sooner_out) _o178 =
+                doubt = lanes_select(_m177, _o179.doubt, doubt);
+                late = lanes_select(_m177, _o179.late, late);
+                const LANES(court_sooner_out) _o180 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m175, _o178.when, when);
-                which = lanes_select(_m175, _o178.which, which);
+                when = lanes_select(_m177, _o180.when, when);
+                which = lanes_select(_m177, _o180.which, which);
             }
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->late + i, late);
@@ -11819,90 +11831,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o459 =
+            const LANES(court_departed_out) _o461 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o459.moves;
-            M ends = _o459.ends;
-            M touches = _o459.touches;
-            V reached = _o459.reached;
-            M edge = _o459.edge;
-            const LANES(court_body_of_out) _o460 =
+            M moves = _o461.moves;
+            M ends = _o461.ends;
+            M touches = _o461.touches;
+            V reached = _o461.reached;
+            M edge = _o461.edge;
+            const LANES(court_body_of_out) _o462 =
                 LANES(court_body_of)(which);
-            V body = _o460.body;
-            const M _m461 = lanes_both(rows, moves);
-            if (lanes_any(_m461)) {
-                const LANES(court_passing_doubt_out) _o462 =
+            V body = _o462.body;
+            const M _m463 = lanes_both(rows, moves);
+            if (lanes_any(_m463)) {
+                const LANES(court_passing_doubt_out) _o464 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o462.unsure;
-                const LANES(court_undecided_out) _o463 =
+                M unsure = _o464.unsure;
+                const LANES(court_undecided_out) _o465 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m461, _o463.uncertain, uncertain);
-                const LANES(court_passing_out) _o464 =
+                uncertain = lanes_select(_m463, _o465.uncertain, uncertain);
+                const LANES(court_passing_out) _o466 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m461, _o464.through, through);
-                const LANES(court_flight_out) _o465 =
+                through = lanes_select(_m463, _o466.through, through);
+                const LANES(court_flight_out) _o467 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m461, _o465.x, x);
-                y = lanes_select(_m461, _o465.y, y);
-                z = lanes_select(_m461, _o465.z, z);
-                vx = lanes_select(_m461, _o465.vx, vx);
-                vy = lanes_select(_m461, _o465.vy, vy);
-                vz = lanes_select(_m461, _o465.vz, vz);
-                const LANES(court_ticked_out) _o466 =
+                x = lanes_select(_m463, _o467.x, x);
+                y = lanes_select(_m463, _o467.y, y);
+                z = lanes_select(_m463, _o467.z, z);
+                vx = lanes_select(_m463, _o467.vx, vx);
+                vy = lanes_select(_m463, _o467.vy, vy);
+                vz = lanes_select(_m463, _o467.vz, vz);
+                const LANES(court_ticked_out) _o468 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m461, _o466.clock, clock);
+                clock = lanes_select(_m463, _o468.clock, clock);
             }
-            const M _m467 = lanes_both(rows, limited);
-            if (lanes_any(_m467)) {
-                const LANES(court_expired_out) _o468 =
+            const M _m469 = lanes_both(rows, limited);
+            if (lanes_any(_m469)) {
+                const LANES(court_expired_out) _o470 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m467, _o468.clock, clock);
-                body = lanes_select(_m467, _o468.body, body);
-                reached = lanes_select(_m467, _o468.reached, reached);
-                ends = lanes_choose(_m467, _o468.ends, ends);
+                clock = lanes_select(_m469, _o470.clock, clock);
+                body = lanes_select(_m469, _o470.body, body);
+                reached = lanes_select(_m469, _o470.reached, reached);
+                ends = lanes_choose(_m469, _o470.ends, ends);
             }
-            const LANES(court_unhopped_out) _o469 =
+            const LANES(court_unhopped_out) _o471 =
                 LANES(court_unhopped)();
-            M hopped = _o469.hopped;
-            const M _m470 = lanes_both(rows, kept);
-            if (lanes_any(_m470)) {
-                const LANES(court_kept_on_out) _o471 =
+            M hopped = _o471.hopped;
+            const M _m472 = lanes_both(rows, kept);
+            if (lanes_any(_m472)) {
+                const LANES(court_kept_on_out) _o473 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m470, _o471.body, body);
-                reached = lanes_select(_m470, _o471.reached, reached);
-                doubt = lanes_select(_m470, _o471.doubt, doubt);
-                ends = lanes_choose(_m470, _o471.ends, ends);
-                hopped = lanes_choose(_m470, _o471.hopped, hopped);
-                last = lanes_select(_m470, _o471.last, last);
-                mode = lanes_select(_m470, _o471.mode, mode);
-                held = lanes_select(_m470, _o471.held, held);
-                rolls = lanes_select(_m470, _o471.rolls, rolls);
+                body = lanes_select(_m472, _o473.body, body);
+                reached = lanes_select(_m472, _o473.reached, reached);
+                doubt = lanes_select(_m472, _o473.doubt, doubt);
+                ends = lanes_choose(_m472, _o473.ends, ends);
+                hopped = lanes_choose(_m472, _o473.hopped, hopped);
+                last = lanes_select(_m472, _o473.last, last);
+                mode = lanes_select(_m472, _o473.mode, mode);
+                held = lanes_select(_m472, _o473.held, held);
+                rolls = lanes_select(_m472, _o473.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o472 =
+            const LANES(court_displacement_out) _o474 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o472.margin;
-            const LANES(court_here_out) _o473 =
+            V slack = _o474.margin;
+            const LANES(court_here_out) _o475 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o473.here;
-            const M _m474 = lanes_both(rows, here);
+            M here = _o475.here;
+            const M _m476 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o475 =
+                const LANES(court_end_bounds_out) _o477 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o475.g0;
-                const LANES(court_end_reached_out) _o476 =
+                V g0 = _o477.g0;
+                const LANES(court_end_reached_out) _o478 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m474, _o476.reached, reached);
-                const LANES(court_end_edge_out) _o477 =
+                reached = lanes_select(_m476, _o478.reached, reached);
+                const LANES(court_end_edge_out) _o479 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m474, _o477.edge, edge);
+                edge = lanes_choose(_m476, _o479.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o478 =
+            const LANES(court_doubted_in_contact_out) _o480 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o478.uncertain;
-            const LANES(court_accounted_out) _o479 =
+            uncertain = _o480.uncertain;
+            const LANES(court_accounted_out) _o481 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o479.contacts;
-            V outcome = _o479.outcome;
+            contacts = _o481.contacts;
+            V outcome = _o481.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -11915,260 +11927,260 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o480 =
+            const LANES(court_meeting_out) _o482 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o480.meeting;
-            const LANES(court_unslowed_out) _o481 =
+            M meeting = _o482.meeting;
+            const LANES(court_unslowed_out) _o483 =
                 LANES(court_unslowed)();
-            M slow = _o481.slow;
-            const M _m482 = lanes_both(rows, meeting);
-            if (lanes_any(_m482)) {
-                const LANES(court_end_normal_out) _o483 =
+            M slow = _o483.slow;
+            const M _m484 = lanes_both(rows, meeting);
+            if (lanes_any(_m484)) {
+                const LANES(court_end_normal_out) _o485 =
                     LANES(court_end_normal)();
-                V nx = _o483.nx;
-                V ny = _o483.ny;
-                V nz = _o483.nz;
-                const LANES(court_here_out) _o484 =
+                V nx = _o485.nx;
+                V ny = _o485.ny;
+                V nz = _o485.nz;
+                const LANES(court_here_out) _o486 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o484.here;
-                const M _m485 = lanes_both(_m482, here);
+                M here = _o486.here;
+                const M _m487 = lanes_both(_m484, here);
                 {
-                    const LANES(court_ring_normal_out) _o486 =
+                    const LANES(court_ring_normal_out) _o488 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m485, _o486.nx, nx);
-                    ny = lanes_select(_m485, _o486.ny, ny);
-                    nz = lanes_select(_m485, _o486.nz, nz);
-                    const LANES(court_counted_out) _o487 =
+                    nx = lanes_select(_m487, _o488.nx, nx);
+                    ny = lanes_select(_m487, _o488.ny, ny);
+                    nz = lanes_select(_m487, _o488.nz, nz);
+                    const LANES(court_counted_out) _o489 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m485, _o487.count, count_0);
+                    count_0 = lanes_select(_m487, _o489.count, count_0);
                 }
-                const LANES(court_here_out) _o488 =
+                const LANES(court_here_out) _o490 =
                     LANES(court_here)(K(1.0), which);
-                here = _o488.here;
-                const M _m489 = lanes_both(_m482, here);
+                here = _o490.here;
+                const M _m491 = lanes_both(_m484, here);
                 {
-                    const LANES(court_backboard_normal_out) _o490 =
+                    const LANES(court_backboard_normal_out) _o492 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m489, _o490.nx, nx);
-                    ny = lanes_select(_m489, _o490.ny, ny);
-                    nz = lanes_select(_m489, _o490.nz, nz);
-                    const LANES(court_counted_out) _o491 =
+                    nx = lanes_select(_m491, _o492.nx, nx);
+                    ny = lanes_select(_m491, _o492.ny, ny);
+                    nz = lanes_select(_m491, _o492.nz, nz);
+                    const LANES(court_counted_out) _o493 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m489, _o491.count, count_1);
+                    count_1 = lanes_select(_m491, _o493.count, count_1);
                 }
-                const LANES(court_here_out) _o492 =
+                const LANES(court_here_out) _o494 =
                     LANES(court_here)(K(2.0), which);
-                here = _o492.here;
-                const M _m493 = lanes_both(_m482, here);
+                here = _o494.here;
+                const M _m495 = lanes_both(_m484, here);
                 {
-                    const LANES(court_bridge_normal_out) _o494 =
+                    const LANES(court_bridge_normal_out) _o496 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m493, _o494.nx, nx);
-                    ny = lanes_select(_m493, _o494.ny, ny);
-                    nz = lanes_select(_m493, _o494.nz, nz);
-                    const LANES(court_counted_out) _o495 =
+                    nx = lanes_select(_m495, _o496.nx, nx);
+                    ny = lanes_select(_m495, _o496.ny, ny);
+                    nz = lanes_select(_m495, _o496.nz, nz);
+                    const LANES(court_counted_out) _o497 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m493, _o495.count, count_2);
+                    count_2 = lanes_select(_m495, _o497.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o496 =
+                const LANES(court_elsewhere_out) _o498 =
                     LANES(court_elsewhere)();
-                V curving = _o496.curving;
-                const LANES(court_anew_out) _o497 =
+                V curving = _o498.curving;
+                const LANES(court_anew_out) _o499 =
                     LANES(court_anew)();
-                V left_nx = _o497.left_nx;
-                V left_ny = _o497.left_ny;
-                V left_nz = _o497.left_nz;
-                const LANES(court_again_out) _o498 =
+                V left_nx = _o499.left_nx;
+                V left_ny = _o499.left_ny;
+                V left_nz = _o499.left_nz;
+                const LANES(court_again_out) _o500 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o498.again;
-                const M _m499 = lanes_both(_m482, again);
-                if (lanes_any(_m499)) {
-                    const LANES(court_ring_curvature_out) _o500 =
+                M again = _o500.again;
+                const M _m501 = lanes_both(_m484, again);
+                if (lanes_any(_m501)) {
+                    const LANES(court_ring_curvature_out) _o502 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m499, _o500.curvature, curving);
-                    const LANES(court_started_out) _o501 =
+                    curving = lanes_select(_m501, _o502.curvature, curving);
+                    const LANES(court_started_out) _o503 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o501.from_x;
-                    V from_y = _o501.from_y;
-                    V from_z = _o501.from_z;
-                    const LANES(court_ring_normal_out) _o502 =
+                    V from_x = _o503.from_x;
+                    V from_y = _o503.from_y;
+                    V from_z = _o503.from_z;
+                    const LANES(court_ring_normal_out) _o504 =
                         LANES(court_ring_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    left_nx = lanes_select(_m499, _o502.nx, left_nx);
-                    left_ny = lanes_select(_m499, _o502.ny, left_ny);
-                    left_nz = lanes_select(_m499, _o502.nz, left_nz);
+                    left_nx = lanes_select(_m501, _o504.nx, left_nx);
+                    left_ny = lanes_select(_m501, _o504.ny, left_ny);
+                    left_nz = lanes_select(_m501, _o504.nz, left_nz);
                 }
-                const LANES(court_again_out) _o503 =
+                const LANES(court_again_out) _o505 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o503.again;
-                const M _m504 = lanes_both(_m482, again);
-                if (lanes_any(_m504)) {
-                    const LANES(court_backboard_curvature_out) _o505 =
+                again = _o505.again;
+                const M _m506 = lanes_both(_m484, again);
+                if (lanes_any(_m506)) {
+                    const LANES(court_backboard_curvature_out) _o507 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m504, _o505.curvature, curving);
-                    const LANES(court_started_out) _o506 =
+                    curving = lanes_select(_m506, _o507.curvature, curving);
+                    const LANES(court_started_out) _o508 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o506.from_x;
-                    V from_y = _o506.from_y;
-                    V from_z = _o506.from_z;
-                    const LANES(court_backboard_normal_out) _o507 =
+                    V from_x = _o508.from_x;
+                    V from_y = _o508.from_y;
+                    V from_z = _o508.from_z;
+                    const LANES(court_backboard_normal_out) _o509 =
                         LANES(court_backboard_normal)(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    left_nx = lanes_select(_m504, _o507.nx, left_nx);
-                    left_ny = lanes_select(_m504, _o507.ny, left_ny);
-                    left_nz = lanes_select(_m504, _o507.nz, left_nz);
+                    left_nx = lanes_select(_m506, _o509.nx, left_nx);
+                    left_ny = lanes_select(_m506, _o509.ny, left_ny);
+                    left_nz = lanes_select(_m506, _o509.nz, left_nz);
                 }
-                const LANES(court_again_out) _o508 =
+                const LANES(court_again_out) _o510 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o508.again;
-                const M _m509 = lanes_both(_m482, again);
-                if (lanes_any(_m509)) {
-                    const LANES(court_bridge_curvature_out) _o510 =
+                again = _o510.again;
+                const M _m511 = lanes_both(_m484, again);
+                if (lanes_any(_m511)) {
+                    const LANES(court_bridge_curvature_out) _o512 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m509, _o510.curvature, curving);
-                    const LANES(court_started_out) _o511 =
+                    curving = lanes_select(_m511, _o512.curvature, curving);
+                    const LANES(court_started_out) _o513 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o511.from_x;
-                    V from_y = _o511.from_y;
-                    V from_z = _o511.from_z;
-                    const LANES(court_bridge_normal_out) _o512 =
+                    V from_x = _o513.from_x;
+                    V from_y = _o513.from_y;
+                    V from_z = _o513.from_z;
+                    const LANES(court_bridge_normal_out) _o514 =
                         LANES(court_bridge_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    left_nx = lanes_select(_m509, _o512.nx, left_nx);
-                    left_ny = lanes_select(_m509, _o512.ny, left_ny);
-                    left_nz = lanes_select(_m509, _o512.nz, left_nz);
+                    left_nx = lanes_select(_m511, _o514.nx, left_nx);
+                    left_ny = lanes_select(_m511, _o514.ny, left_ny);
+                    left_nz = lanes_select(_m511, _o514.nz, left_nz);
                 }
-                const LANES(court_carry_flight_out) _o513 =
+                const LANES(court_carry_flight_out) _o515 =
                     LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
-                dx = lanes_select(_m482, _o513.dx, dx);
-                dy = lanes_select(_m482, _o513.dy, dy);
-                dz = lanes_select(_m482, _o513.dz, dz);
-                V lifting = _o513.lifting;
-                dvx = lanes_select(_m482, _o513.dvx, dvx);
-                dvy = lanes_select(_m482, _o513.dvy, dvy);
-                dvz = lanes_select(_m482, _o513.dvz, dvz);
-                V delay = _o513.delay;
-                V shift = _o513.shift;
-                const LANES(court_delayed_out) _o514 =
+                dx = lanes_select(_m484, _o515.dx, dx);
+                dy = lanes_select(_m484, _o515.dy, dy);
+                dz = lanes_select(_m484, _o515.dz, dz);
+                V lifting = _o515.lifting;
+                dvx = lanes_select(_m484, _o515.dvx, dvx);
+                dvy = lanes_select(_m484, _o515.dvy, dvy);
+                dvz = lanes_select(_m484, _o515.dvz, dvz);
+                V delay = _o515.delay;
+                V shift = _o515.shift;
+                const LANES(court_delayed_out) _o516 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m482, _o514.clock_error, clock_error);
-                const M _m515 = lanes_both(_m482, ends);
+                clock_error = lanes_select(_m484, _o516.clock_error, clock_error);
+                const M _m517 = lanes_both(_m484, ends);
                 {
-                    const LANES(court_floored_out) _o516 =
+                    const LANES(court_floored_out) _o518 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m515, _o516.dx, dx);
-                    dy = lanes_select(_m515, _o516.dy, dy);
-                    dz = lanes_select(_m515, _o516.dz, dz);
+                    dx = lanes_select(_m517, _o518.dx, dx);
+                    dy = lanes_select(_m517, _o518.dy, dy);
+                    dz = lanes_select(_m517, _o518.dz, dz);
                 }
-                const LANES(court_unturned_out) _o517 =
+                const LANES(court_unturned_out) _o519 =
                     LANES(court_unturned)();
-                V dnx = _o517.dnx;
-                V dny = _o517.dny;
-                V dnz = _o517.dnz;
-                V turn = _o517.turn;
-                const LANES(court_here_out) _o518 =
+                V dnx = _o519.dnx;
+                V dny = _o519.dny;
+                V dnz = _o519.dnz;
+                V turn = _o519.turn;
+                const LANES(court_here_out) _o520 =
                     LANES(court_here)(K(0.0), which);
-                here = _o518.here;
-                const M _m519 = lanes_both(_m482, here);
-                if (lanes_any(_m519)) {
-                    const LANES(court_ring_carry_normal_out) _o520 =
+                here = _o520.here;
+                const M _m521 = lanes_both(_m484, here);
+                if (lanes_any(_m521)) {
+                    const LANES(court_ring_carry_normal_out) _o522 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m519, _o520.dnx, dnx);
-                    dny = lanes_select(_m519, _o520.dny, dny);
-                    dnz = lanes_select(_m519, _o520.dnz, dnz);
-                    turn = lanes_select(_m519, _o520.turn, turn);
+                    dnx = lanes_select(_m521, _o522.dnx, dnx);
+                    dny = lanes_select(_m521, _o522.dny, dny);
+                    dnz = lanes_select(_m521, _o522.dnz, dnz);
+                    turn = lanes_select(_m521, _o522.turn, turn);
                 }
-                const LANES(court_here_out) _o521 =
+                const LANES(court_here_out) _o523 =
                     LANES(court_here)(K(1.0), which);
-                here = _o521.here;
-                const M _m522 = lanes_both(_m482, here);
+                here = _o523.here;
+                const M _m524 = lanes_both(_m484, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o523 =
+                    const LANES(court_backboard_carry_normal_out) _o525 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m522, _o523.dnx, dnx);
-                    dny = lanes_select(_m522, _o523.dny, dny);
-                    dnz = lanes_select(_m522, _o523.dnz, dnz);
-                    turn = lanes_select(_m522, _o523.turn, turn);
+                    dnx = lanes_select(_m524, _o525.dnx, dnx);
+                    dny = lanes_select(_m524, _o525.dny, dny);
+                    dnz = lanes_select(_m524, _o525.dnz, dnz);
+                    turn = lanes_select(_m524, _o525.turn, turn);
                 }
-                const LANES(court_here_out) _o524 =
+                const LANES(court_here_out) _o526 =
                     LANES(court_here)(K(2.0), which);
-                here = _o524.here;
-                const M _m525 = lanes_both(_m482, here);
+                here = _o526.here;
+                const M _m527 = lanes_both(_m484, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o526 =
+                    const LANES(court_bridge_carry_normal_out) _o528 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m525, _o526.dnx, dnx);
-                    dny = lanes_select(_m525, _o526.dny, dny);
-                    dnz = lanes_select(_m525, _o526.dnz, dnz);
-                    turn = lanes_select(_m525, _o526.turn, turn);
+                    dnx = lanes_select(_m527, _o528.dnx, dnx);
+                    dny = lanes_select(_m527, _o528.dny, dny);
+                    dnz = lanes_select(_m527, _o528.dnz, dnz);
+                    turn = lanes_select(_m527, _o528.turn, turn);
                 }
-                const LANES(court_untaken_out) _o527 =
+                const LANES(court_untaken_out) _o529 =
                     LANES(court_untaken)();
-                M struck_0 = _o527.mine;
-                const LANES(court_ring_impact_taken_out) _o528 =
+                M struck_0 = _o529.mine;
+                const LANES(court_ring_impact_taken_out) _o530 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o528.its_0;
-                V its_1_ring_impact = _o528.its_1;
+                V its_0_ring_impact = _o530.its_0;
+                V its_1_ring_impact = _o530.its_1;
                 {
-                    const double *const _t530[][2] = {
+                    const double *const _t532[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t531[][1] = {
+                    static const double _t533[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k529 = 0; _k529 < 3; _k529++) {
-                        const V own_1 = lanes_load(_t530[_k529][0] + (i & varying));
-                        const V own_2 = lanes_load(_t530[_k529][1] + (i & varying));
-                        const V own_index = K(_t531[_k529][0]);
-                        const LANES(court_here_out) _o532 =
+                    for (size_t _k531 = 0; _k531 < 3; _k531++) {
+                        const V own_1 = lanes_load(_t532[_k531][0] + (i & varying));
+                        const V own_2 = lanes_load(_t532[_k531][1] + (i & varying));
+                        const V own_index = K(_t533[_k531][0]);
+                        const LANES(court_here_out) _o534 =
                             LANES(court_here)(own_index, which);
-                        M here = _o532.here;
-                        const M _m533 = lanes_both(_m482, here);
-                        if (lanes_any(_m533)) {
-                            const LANES(court_ring_impact_taken_out) _o534 =
+                        M here = _o534.here;
+                        const M _m535 = lanes_both(_m484, here);
+                        if (lanes_any(_m535)) {
+                            const LANES(court_ring_impact_taken_out) _o536 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m533, _o534.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m533, _o534.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m533, _o534.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m535, _o536.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m535, _o536.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m535, _o536.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m535 = lanes_both(_m482, struck_0);
-                if (lanes_any(_m535)) {
-                    const LANES(court_ring_impact_doubt_out) _o536 =
+                const M _m537 = lanes_both(_m484, struck_0);
+                if (lanes_any(_m537)) {
+                    const LANES(court_ring_impact_doubt_out) _o538 =
                         LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    M unsure = _o536.unsure;
-                    const LANES(court_undecided_out) _o537 =
+                    M unsure = _o538.unsure;
+                    const LANES(court_undecided_out) _o539 =
                         LANES(court_undecided)(uncertain, unsure);
-                    uncertain = lanes_select(_m535, _o537.uncertain, uncertain);
-                    const LANES(court_carry_ring_impact_out) _o538 =
+                    uncertain = lanes_select(_m537, _o539.uncertain, uncertain);
+                    const LANES(court_carry_ring_impact_out) _o540 =
                         LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    dvx = lanes_select(_m535, _o538.dvx, dvx);
-                    dvy = lanes_select(_m535, _o538.dvy, dvy);
-                    dvz = lanes_select(_m535, _o538.dvz, dvz);
-                    dwx = lanes_select(_m535, _o538.dwx, dwx);
-                    dwy = lanes_select(_m535, _o538.dwy, dwy);
-                    dwz = lanes_select(_m535, _o538.dwz, dwz);
-                    const LANES(court_ring_impact_out) _o539 =
+                    dvx = lanes_select(_m537, _o540.dvx, dvx);
+                    dvy = lanes_select(_m537, _o540.dvy, dvy);
+                    dvz = lanes_select(_m537, _o540.dvz, dvz);
+                    dwx = lanes_select(_m537, _o540.dwx, dwx);
+                    dwy = lanes_select(_m537, _o540.dwy, dwy);
+                    dwz = lanes_select(_m537, _o540.dwz, dwz);
+                    const LANES(court_ring_impact_out) _o541 =
                         LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m535, _o539.vx, vx);
-                    vy = lanes_select(_m535, _o539.vy, vy);
-                    vz = lanes_select(_m535, _o539.vz, vz);
-                    wx = lanes_select(_m535, _o539.wx, wx);
-                    wy = lanes_select(_m535, _o539.wy, wy);
-                    wz = lanes_select(_m535, _o539.wz, wz);
+                    vx = lanes_select(_m537, _o541.vx, vx);
+                    vy = lanes_select(_m537, _o541.vy, vy);
+                    vz = lanes_select(_m537, _o541.vz, vz);
+                    wx = lanes_select(_m537, _o541.wx, wx);
+                    wy = lanes_select(_m537, _o541.wy, wy);
+                    wz = lanes_select(_m537, _o541.wz, wz);
                 }
-                const M _m540 = lanes_both(_m482, touches);
+                const M _m542 = lanes_both(_m484, touches);
                 {
-                    const LANES(court_touched_out) _o541 =
+                    const LANES(court_touched_out) _o543 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m540, _o541.first, first);
-                    last = lanes_select(_m540, _o541.last, last);
-                    const LANES(court_slowed_out) _o542 =
+                    first = lanes_select(_m542, _o543.first, first);
+                    last = lanes_select(_m542, _o543.last, last);
+                    const LANES(court_slowed_out) _o544 =
                         LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, position_error, vx, vy, vz);
-                    slow = lanes_choose(_m540, _o542.slow, slow);
-                    assured = lanes_select(_m540, _o542.assured, assured);
+                    slow = lanes_choose(_m542, _o544.slow, slow);
+                    assured = lanes_select(_m542, _o544.assured, assured);
                 }
             }
             lanes_store(lists->assured + i, assured);
@@ -12305,43 +12317,43 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m594 = lanes_both(rows, limited);
-            if (lanes_any(_m594)) {
-                const LANES(court_timed_out) _o595 =
+            const M _m596 = lanes_both(rows, limited);
+            if (lanes_any(_m596)) {
+                const LANES(court_timed_out) _o597 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o595.timed;
-                const M _m596 = lanes_both(_m594, timed);
-                if (lanes_any(_m596)) {
-                    const LANES(court_carry_time_out) _o597 =
+                M timed = _o597.timed;
+                const M _m598 = lanes_both(_m596, timed);
+                if (lanes_any(_m598)) {
+                    const LANES(court_carry_time_out) _o599 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m596, _o597.dx, dx);
-                    dy = lanes_select(_m596, _o597.dy, dy);
-                    dz = lanes_select(_m596, _o597.dz, dz);
-                    dvx = lanes_select(_m596, _o597.dvx, dvx);
-                    dvy = lanes_select(_m596, _o597.dvy, dvy);
-                    dvz = lanes_select(_m596, _o597.dvz, dvz);
-                    clock_error = lanes_select(_m596, _o597.clock_error, clock_error);
+                    dx = lanes_select(_m598, _o599.dx, dx);
+                    dy = lanes_select(_m598, _o599.dy, dy);
+                    dz = lanes_select(_m598, _o599.dz, dz);
+                    dvx = lanes_select(_m598, _o599.dvx, dvx);
+                    dvy = lanes_select(_m598, _o599.dvy, dvy);
+                    dvz = lanes_select(_m598, _o599.dvz, dvz);
+                    clock_error = lanes_select(_m598, _o599.clock_error, clock_error);
                 }
             }
-            const M _m598 = lanes_both(rows, hopped);
-            if (lanes_any(_m598)) {
-                const LANES(court_carry_hop_out) _o599 =
+            const M _m600 = lanes_both(rows, hopped);
+            if (lanes_any(_m600)) {
+                const LANES(court_carry_hop_out) _o601 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m598, _o599.dx, dx);
-                dy = lanes_select(_m598, _o599.dy, dy);
-                dz = lanes_select(_m598, _o599.dz, dz);
+                dx = lanes_select(_m600, _o601.dx, dx);
+                dy = lanes_select(_m600, _o601.dy, dy);
+                dz = lanes_select(_m600, _o601.dz, dz);
             }
-            const LANES(court_closing_out) _o600 =
+            const LANES(court_closing_out) _o602 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o600.closed;
-            const M _m601 = lanes_both(rows, closed);
+            M closed = _o602.closed;
+            const M _m603 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o602 =
+                const LANES(court_claimed_errors_out) _o604 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m601, _o602.position_error, position_claim);
-                velocity_claim = lanes_select(_m601, _o602.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m601, _o602.spin_error, spin_claim);
-                time_claim = lanes_select(_m601, _o602.time_error, time_claim);
+                position_claim = lanes_select(_m603, _o604.position_error, position_claim);
+                velocity_claim = lanes_select(_m603, _o604.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m603, _o604.spin_error, spin_claim);
+                time_claim = lanes_select(_m603, _o604.time_error, time_claim);
             }
             lanes_store(lists->clock_error + i, clock_error);
             lanes_store(lists->dvx + i, dvx);

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation b518d3b1118d80e6,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 17608efa79d077d6,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -478,35 +478,42 @@ LANES(court_passing_in_contact)(M over, V p_ring_radius, V through, V x, V y, V 
     return (LANES(court_passing_in_contact_out)){ lanes_select(lanes_both(lanes_both(lanes_both(over, lanes_less(z, K(0.0))), _s0), lanes_equal(_s1, K(0.0))), K(1.0), _s1) };
 }
 
-/* A box that the ball is within until the horizon: its middle, and its half sizes.
-   Eq. 3, its ends and its apex. 59 operations: 14 additions, 4 subtractions, 20 multiplications, 1 division, 10 comparisons, 10 selections. */
+/* The same of its first and its second half.
+   Eq. 3, the chords of both and what it is off them. 62 operations: 21 additions, 5 subtractions, 27 multiplications, 1 negation, 6 absolute values, 1 comparison, 1 selection. */
 typedef struct {
     V middle_x;
-    V middle_y;
-    V middle_z;
     V reach_x;
+    V later_middle_x;
+    V later_reach_x;
+    V middle_y;
     V reach_y;
+    V later_middle_y;
+    V later_reach_y;
+    V middle_z;
     V reach_z;
-} LANES(court_swept_out);
+    V later_middle_z;
+    V later_reach_z;
+} LANES(court_halved_out);
 
-LANES_INLINE LANES(court_swept_out)
-LANES(court_swept)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V late, V pad, V p_gravity)
+LANES_INLINE LANES(court_halved_out)
+LANES(court_halved)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V late, V pad, V p_gravity)
 {
-    const V _s0 = lanes_add(x, lanes_mul(horizon, vx));
-    const V _s1 = lanes_max(x, _s0);
-    const V _s2 = lanes_min(_s0, x);
-    const V _s3 = lanes_add(y, lanes_mul(horizon, vy));
-    const V _s4 = lanes_max(y, _s3);
-    const V _s5 = lanes_min(_s3, y);
-    const V _s6 = lanes_select(lanes_less(K(0.0), vz), lanes_add(z, lanes_div(lanes_mul(K(0.5), lanes_mul(vz, vz)), p_gravity)), z);
-    const V _s7 = lanes_add(z, lanes_mul(horizon, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), horizon))));
-    const V _s8 = lanes_min(_s7, z);
-    const V _s9 = lanes_min(_s6, _s8);
-    const V _s10 = lanes_max(z, _s7);
-    const V _s11 = lanes_max(_s10, _s6);
-    const V _s12 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))))));
-    const V _s13 = lanes_select(lanes_less(pad, late), K(INFINITY), _s12);
-    return (LANES(court_swept_out)){ lanes_mul(K(0.5), lanes_add(_s1, _s2)), lanes_mul(K(0.5), lanes_add(_s4, _s5)), lanes_mul(K(0.5), lanes_add(_s9, _s11)), lanes_mul(K(1.0000000009313226), lanes_add(lanes_mul(K(0.5), lanes_sub(_s1, _s2)), _s13)), lanes_mul(K(1.0000000009313226), lanes_add(lanes_mul(K(0.5), lanes_sub(_s4, _s5)), _s13)), lanes_mul(K(1.0000000009313226), lanes_add(lanes_mul(K(0.5), lanes_sub(_s11, _s9)), _s13)) };
+    const V _s0 = lanes_mul(K(0.5), horizon);
+    const V _s1 = lanes_mul(vx, _s0);
+    const V _s2 = lanes_mul(K(0.5), _s1);
+    const V _s3 = lanes_abs(K(0.0));
+    const V _s4 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))))));
+    const V _s5 = lanes_select(lanes_less(pad, late), K(INFINITY), _s4);
+    const V _s6 = lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s3, lanes_mul(K(0.5), lanes_abs(_s1))), _s5));
+    const V _s7 = lanes_mul(vy, _s0);
+    const V _s8 = lanes_mul(K(0.5), _s7);
+    const V _s9 = lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s3, lanes_mul(K(0.5), lanes_abs(_s7))), _s5));
+    const V _s10 = lanes_mul(lanes_mul(K(0.5), p_gravity), _s0);
+    const V _s11 = lanes_mul(_s0, lanes_sub(vz, _s10));
+    const V _s12 = lanes_neg(lanes_mul(lanes_mul(K(0.0625), p_gravity), lanes_mul(_s0, _s0)));
+    const V _s13 = lanes_abs(_s12);
+    const V _s14 = lanes_mul(_s0, lanes_sub(lanes_sub(vz, lanes_mul(p_gravity, _s0)), _s10));
+    return (LANES(court_halved_out)){ lanes_add(x, _s2), _s6, lanes_add(_s2, lanes_add(x, _s1)), _s6, lanes_add(y, _s8), _s9, lanes_add(_s8, lanes_add(y, _s7)), _s9, lanes_sub(lanes_add(z, lanes_mul(K(0.5), _s11)), _s12), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s13, lanes_mul(K(0.5), lanes_abs(_s11))), _s5)), lanes_sub(lanes_add(lanes_mul(K(0.5), _s14), lanes_add(z, _s11)), _s12), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s13, lanes_mul(K(0.5), lanes_abs(_s14))), _s5)) };
 }
 
 /* An event that is on no surface of a kind yet.
@@ -4534,24 +4541,37 @@ LANES(court_backboard_advance)(V t, V end, V leaving, V margin, V rate_margin, V
 }
 
 /* Where a flight may reach the box of a surface at all.
-   boxes that do not meet. 37 operations: 7 additions, 6 subtractions, 11 multiplications, 2 negations, 3 absolute values, 4 comparisons, 1 complement, 3 selections. */
+   boxes that do not meet. 62 operations: 12 additions, 11 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
 typedef struct {
     M near;
 } LANES(court_backboard_near_out);
 
 LANES_INLINE LANES(court_backboard_near_out)
-LANES(court_backboard_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness)
+LANES(court_backboard_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V later_middle_x, V later_middle_y, V later_middle_z, V later_reach_x, V later_reach_y, V later_reach_z, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness)
 {
-    const V _s0 = lanes_mul(K(0.5), p_board_thickness);
-    const V _s1 = lanes_sub(lanes_abs(lanes_sub(lanes_neg(lanes_add(p_board_distance, _s0)), middle_x)), lanes_add(reach_x, lanes_mul(K(1.0000000009313226), _s0)));
-    const V _s2 = lanes_max(_s1, K(0.0));
-    const V _s3 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, lanes_mul(K(1.0000000009313226), p_board_half_width)));
-    const V _s4 = lanes_max(_s3, K(0.0));
-    const V _s5 = lanes_mul(K(0.5), p_board_bottom);
-    const V _s6 = lanes_mul(K(0.5), p_board_top);
-    const V _s7 = lanes_sub(lanes_abs(lanes_sub(lanes_add(_s5, _s6), middle_z)), lanes_add(reach_z, lanes_mul(K(1.0000000009313226), lanes_sub(_s6, _s5))));
+    const V _s0 = lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius));
+    const V _s1 = lanes_mul(K(0.5), p_board_thickness);
+    const V _s2 = lanes_neg(lanes_add(p_board_distance, _s1));
+    const V _s3 = lanes_mul(K(1.0000000009313226), _s1);
+    const V _s4 = lanes_sub(lanes_abs(lanes_sub(_s2, middle_x)), lanes_add(reach_x, _s3));
+    const V _s5 = lanes_max(_s4, K(0.0));
+    const V _s6 = lanes_mul(K(1.0000000009313226), p_board_half_width);
+    const V _s7 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, _s6));
     const V _s8 = lanes_max(_s7, K(0.0));
-    return (LANES(court_backboard_near_out)){ lanes_not(lanes_less(lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)), lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s4, _s4)), lanes_mul(_s8, _s8)))) };
+    const V _s9 = lanes_mul(K(0.5), p_board_bottom);
+    const V _s10 = lanes_mul(K(0.5), p_board_top);
+    const V _s11 = lanes_add(_s9, _s10);
+    const V _s12 = lanes_mul(K(1.0000000009313226), lanes_sub(_s10, _s9));
+    const V _s13 = lanes_sub(lanes_abs(lanes_sub(_s11, middle_z)), lanes_add(reach_z, _s12));
+    const V _s14 = lanes_max(_s13, K(0.0));
+    const V _s15 = lanes_sub(lanes_abs(lanes_sub(_s2, later_middle_x)), lanes_add(later_reach_x, _s3));
+    const V _s16 = lanes_max(_s15, K(0.0));
+    const V _s17 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _s6));
+    const V _s18 = lanes_max(_s17, K(0.0));
+    const V _s19 = lanes_sub(lanes_abs(lanes_sub(_s11, later_middle_z)), lanes_add(later_reach_z, _s12));
+    const V _s20 = lanes_max(_s19, K(0.0));
+    const M _s21 = lanes_not(lanes_both(lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s8, _s8)), lanes_mul(_s14, _s14))), lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s18, _s18)), lanes_mul(_s20, _s20)))));
+    return (LANES(court_backboard_near_out)){ _s21 };
 }
 
 /* The distance, its rate, and how fast it bends down at most, by the squared speed.
@@ -5129,24 +5149,37 @@ LANES(court_bridge_advance)(V t, V end, V leaving, V margin, V rate_margin, V ce
 }
 
 /* Where a flight may reach the box of a surface at all.
-   boxes that do not meet. 37 operations: 6 additions, 7 subtractions, 11 multiplications, 2 negations, 3 absolute values, 4 comparisons, 1 complement, 3 selections. */
+   boxes that do not meet. 62 operations: 11 additions, 12 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
 typedef struct {
     M near;
 } LANES(court_bridge_near_out);
 
 LANES_INLINE LANES(court_bridge_near_out)
-LANES(court_bridge_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth)
+LANES(court_bridge_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V later_middle_x, V later_middle_y, V later_middle_z, V later_reach_x, V later_reach_y, V later_reach_z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth)
 {
-    const V _s0 = lanes_mul(K(0.5), p_board_distance);
-    const V _s1 = lanes_mul(K(0.5), p_ring_radius);
-    const V _s2 = lanes_sub(lanes_abs(lanes_sub(lanes_neg(lanes_add(_s0, _s1)), middle_x)), lanes_add(reach_x, lanes_mul(K(1.0000000009313226), lanes_sub(_s0, _s1))));
-    const V _s3 = lanes_max(_s2, K(0.0));
-    const V _s4 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, lanes_mul(K(1.0000000009313226), p_bridge_half_width)));
-    const V _s5 = lanes_max(_s4, K(0.0));
-    const V _s6 = lanes_mul(K(0.5), p_bridge_depth);
-    const V _s7 = lanes_sub(lanes_abs(lanes_sub(lanes_sub(p_wire_radius, _s6), middle_z)), lanes_add(reach_z, lanes_mul(K(1.0000000009313226), _s6)));
-    const V _s8 = lanes_max(_s7, K(0.0));
-    return (LANES(court_bridge_near_out)){ lanes_not(lanes_less(lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)), lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)))) };
+    const V _s0 = lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius));
+    const V _s1 = lanes_mul(K(0.5), p_board_distance);
+    const V _s2 = lanes_mul(K(0.5), p_ring_radius);
+    const V _s3 = lanes_neg(lanes_add(_s1, _s2));
+    const V _s4 = lanes_mul(K(1.0000000009313226), lanes_sub(_s1, _s2));
+    const V _s5 = lanes_sub(lanes_abs(lanes_sub(_s3, middle_x)), lanes_add(reach_x, _s4));
+    const V _s6 = lanes_max(_s5, K(0.0));
+    const V _s7 = lanes_mul(K(1.0000000009313226), p_bridge_half_width);
+    const V _s8 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, _s7));
+    const V _s9 = lanes_max(_s8, K(0.0));
+    const V _s10 = lanes_mul(K(0.5), p_bridge_depth);
+    const V _s11 = lanes_sub(p_wire_radius, _s10);
+    const V _s12 = lanes_mul(K(1.0000000009313226), _s10);
+    const V _s13 = lanes_sub(lanes_abs(lanes_sub(_s11, middle_z)), lanes_add(reach_z, _s12));
+    const V _s14 = lanes_max(_s13, K(0.0));
+    const V _s15 = lanes_sub(lanes_abs(lanes_sub(_s3, later_middle_x)), lanes_add(later_reach_x, _s4));
+    const V _s16 = lanes_max(_s15, K(0.0));
+    const V _s17 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _s7));
+    const V _s18 = lanes_max(_s17, K(0.0));
+    const V _s19 = lanes_sub(lanes_abs(lanes_sub(_s11, later_middle_z)), lanes_add(later_reach_z, _s12));
+    const V _s20 = lanes_max(_s19, K(0.0));
+    const M _s21 = lanes_not(lanes_both(lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s6, _s6), lanes_mul(_s9, _s9)), lanes_mul(_s14, _s14))), lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s18, _s18)), lanes_mul(_s20, _s20)))));
+    return (LANES(court_bridge_near_out)){ _s21 };
 }
 
 /* The distance, its rate, and how fast it bends down at most, by the squared speed.

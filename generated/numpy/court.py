@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation b518d3b1118d80e6,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 17608efa79d077d6,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -251,7 +251,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "passing_doubt": ("t", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ring_radius", "p_gravity",),
     "passing_from": ("z",),
     "passing_in_contact": ("over", "p_ring_radius", "through", "x", "y", "z",),
-    "swept": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "late", "pad", "p_gravity",),
+    "halved": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "late", "pad", "p_gravity",),
     "untaken": (),
     "left": ("index", "last",),
     "meeting_plane": ("bend", "rate", "time",),
@@ -413,7 +413,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "backboard_margins": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_gravity",),
     "backboard_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_gravity",),
     "backboard_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_gravity",),
-    "backboard_near": ("middle_x", "middle_y", "middle_z", "reach_x", "reach_y", "reach_z", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness",),
+    "backboard_near": ("middle_x", "middle_y", "middle_z", "reach_x", "reach_y", "reach_z", "later_middle_x", "later_middle_y", "later_middle_z", "later_reach_x", "later_reach_y", "later_reach_z", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness",),
     "backboard_beside": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "vx", "vy", "vz", "x", "y", "z",),
     "backboard_closing": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "nx", "ny", "nz", "rolled_x", "rolled_y", "rolled_z", "thrust_x", "thrust_y", "thrust_z", "x", "y", "z",),
     "backboard_off": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "x", "y", "z",),
@@ -435,7 +435,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "bridge_margins": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth", "p_gravity",),
     "bridge_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth", "p_gravity",),
     "bridge_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth", "p_gravity",),
-    "bridge_near": ("middle_x", "middle_y", "middle_z", "reach_x", "reach_y", "reach_z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth",),
+    "bridge_near": ("middle_x", "middle_y", "middle_z", "reach_x", "reach_y", "reach_z", "later_middle_x", "later_middle_y", "later_middle_z", "later_reach_x", "later_reach_y", "later_reach_z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth",),
     "bridge_beside": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
     "bridge_closing": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "nx", "ny", "nz", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "thrust_x", "thrust_y", "thrust_z", "p_wire_radius", "x", "y", "z",),
     "bridge_off": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "p_wire_radius", "x", "y", "z",),
@@ -500,7 +500,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "passing_doubt": ("unsure",),
     "passing_from": ("over",),
     "passing_in_contact": ("through",),
-    "swept": ("middle_x", "middle_y", "middle_z", "reach_x", "reach_y", "reach_z",),
+    "halved": ("middle_x", "reach_x", "later_middle_x", "later_reach_x", "middle_y", "reach_y", "later_middle_y", "later_reach_y", "middle_z", "reach_z", "later_middle_z", "later_reach_z",),
     "untaken": ("mine",),
     "left": ("leaving",),
     "meeting_plane": ("arrives", "ceiling",),
@@ -1240,28 +1240,29 @@ def passing_in_contact(over: Any, p_ring_radius: Any, through: Any, x: Any, y: A
     return _where(_logical_and(_logical_and(_logical_and(over, (z < 0.0)), _s0), (_s1 == 0.0)), 1.0, _s1),
 
 
-def swept(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, late: Any, pad: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """A box that the ball is within until the horizon: its middle, and its half sizes.
+def halved(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, late: Any, pad: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The same of its first and its second half.
 
-    Eq. 3, its ends and its apex. 59 operations: 14 additions, 4 subtractions, 20 multiplications, 1 division, 10 comparisons, 10 selections.
-    Returns middle_x, middle_y, middle_z, reach_x, reach_y, reach_z.
+    Eq. 3, the chords of both and what it is off them. 62 operations: 21 additions, 5 subtractions, 27 multiplications, 1 negation, 6 absolute values, 1 comparison, 1 selection.
+    Returns middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z, later_reach_z.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
-    _s0 = _add(x, _multiply(horizon, vx, _r0), _r0)
-    _s1 = _select(x < _s0, _s0, x, _r1)
-    _s2 = _select(_s0 < x, _s0, x, _r2)
-    _s3 = _add(y, _multiply(horizon, vy, _r3), _r3)
-    _s4 = _select(y < _s3, _s3, y, _r4)
-    _s5 = _select(_s3 < y, _s3, y, _r5)
-    _s6 = _select(0.0 < vz, _add(z, _divide(_multiply(0.5, _multiply(vz, vz, _r6), _r6), p_gravity, _r6), _r6), z, _r7)
-    _s7 = _add(z, _multiply(horizon, _subtract(vz, _multiply(0.5 * p_gravity, horizon, _r8), _r8), _r8), _r8)
-    _s8 = _select(_s7 < z, _s7, z, _r9)
-    _s9 = _select(_s6 < _s8, _s6, _s8, _r10)
-    _s10 = _select(z < _s7, _s7, z, _r11)
-    _s11 = _select(_s10 < _s6, _s6, _s10, _r12)
-    _s12 = _add(_add(position_error, _multiply(horizon, velocity_error, _r13), _r13), _multiply(9.313225746154785e-10, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r14), _r14), _r14), _r14), _r14), _r14)
-    _s13 = _select(pad < late, _inf, _s12, _r13)
-    return 0.5 * _add(_s1, _s2, _r15), 0.5 * _add(_s4, _s5, _r15), 0.5 * _add(_s9, _s11, _r15), 1.0000000009313226 * _add(_multiply(0.5, _subtract(_s1, _s2, _r2), _r2), _s13, _r2), 1.0000000009313226 * _add(_multiply(0.5, _subtract(_s4, _s5, _r5), _r5), _s13, _r5), 1.0000000009313226 * _add(_multiply(0.5, _subtract(_s11, _s9, _r12), _r12), _s13, _r12)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
+    _s0 = _multiply(0.5, horizon, _r0)
+    _s1 = _multiply(vx, _s0, _r1)
+    _s2 = _multiply(0.5, _s1, _r2)
+    _s3 = _absolute(0.0)
+    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(9.313225746154785e-10, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s5 = _select(pad < late, _inf, _s4, _r3)
+    _s6 = 1.0000000009313226 * _add(_add(_s3, _multiply(0.5, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
+    _s7 = _multiply(vy, _s0, _r5)
+    _s8 = _multiply(0.5, _s7, _r6)
+    _s9 = 1.0000000009313226 * _add(_add(_s3, _multiply(0.5, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
+    _s10 = _multiply(0.5 * p_gravity, _s0, _r7)
+    _s11 = _multiply(_s0, _subtract(vz, _s10, _r8), _r8)
+    _s12 = _negative(_multiply(0.0625 * p_gravity, _multiply(_s0, _s0, _r9), _r9), _r9)
+    _s13 = _absolute(_s12, _r10)
+    _s14 = _multiply(_s0, _subtract(_subtract(vz, _multiply(p_gravity, _s0, _r11), _r11), _s10, _r11), _r11)
+    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(0.5, _s11, _r5), _r5) - _s12, 1.0000000009313226 * _add(_add(_s13, _multiply(0.5, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(0.5, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, 1.0000000009313226 * _add(_add(_s13, _multiply(0.5, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
 
 
 def untaken() -> tuple[Any, ...]:
@@ -4454,23 +4455,36 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     return _s27, _s29, _s31, _s52, t + _s52, _result(0.0 < _s53, _subtract(_multiply(_s53, _s53, _r9), _multiply(_multiply(8.0, ceiling, _r0), _add(margin, _s43, _r7), _r0), _r0), _s53, _r0)
 
 
-def backboard_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def backboard_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a flight may reach the box of a surface at all.
 
-    boxes that do not meet. 37 operations: 7 additions, 6 subtractions, 11 multiplications, 2 negations, 3 absolute values, 4 comparisons, 1 complement, 3 selections.
+    boxes that do not meet. 62 operations: 12 additions, 11 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections.
     Returns near.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
-    _s0 = 0.5 * p_board_thickness
-    _s1 = _subtract(_absolute(_subtract(-(p_board_distance + _s0), middle_x, _r0), _r0), _add(reach_x, 1.0000000009313226 * _s0, _r1), _r1)
-    _s2 = _select(_s1 < 0.0, 0.0, _s1, _r0)
-    _s3 = _subtract(_absolute(_negative(middle_y, _r2), _r2), _add(reach_y, 1.0000000009313226 * p_board_half_width, _r3), _r3)
-    _s4 = _select(_s3 < 0.0, 0.0, _s3, _r2)
-    _s5 = 0.5 * p_board_bottom
-    _s6 = 0.5 * p_board_top
-    _s7 = _subtract(_absolute(_subtract(_s5 + _s6, middle_z, _r4), _r4), _add(reach_z, 1.0000000009313226 * (_s6 - _s5), _r5), _r5)
-    _s8 = _select(_s7 < 0.0, 0.0, _s7, _r4)
-    return _logical_not(((1.0000000009313226 * (p_ball_radius * p_ball_radius)) < _add(_add(_multiply(_s2, _s2, _r0), _multiply(_s4, _s4, _r2), _r2), _multiply(_s8, _s8, _r4), _r4))),
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
+    _s0 = 1.0000000009313226 * (p_ball_radius * p_ball_radius)
+    _s1 = 0.5 * p_board_thickness
+    _s2 = -(p_board_distance + _s1)
+    _s3 = 1.0000000009313226 * _s1
+    _s4 = _subtract(_absolute(_subtract(_s2, middle_x, _r0), _r0), _add(reach_x, _s3, _r1), _r1)
+    _s5 = _select(_s4 < 0.0, 0.0, _s4, _r0)
+    _s6 = 1.0000000009313226 * p_board_half_width
+    _s7 = _subtract(_absolute(_negative(middle_y, _r2), _r2), _add(reach_y, _s6, _r3), _r3)
+    _s8 = _select(_s7 < 0.0, 0.0, _s7, _r2)
+    _s9 = 0.5 * p_board_bottom
+    _s10 = 0.5 * p_board_top
+    _s11 = _s9 + _s10
+    _s12 = 1.0000000009313226 * (_s10 - _s9)
+    _s13 = _subtract(_absolute(_subtract(_s11, middle_z, _r4), _r4), _add(reach_z, _s12, _r5), _r5)
+    _s14 = _select(_s13 < 0.0, 0.0, _s13, _r4)
+    _s15 = _subtract(_absolute(_subtract(_s2, later_middle_x, _r6), _r6), _add(later_reach_x, _s3, _r7), _r7)
+    _s16 = _select(_s15 < 0.0, 0.0, _s15, _r6)
+    _s17 = _subtract(_absolute(_negative(later_middle_y, _r8), _r8), _add(later_reach_y, _s6, _r9), _r9)
+    _s18 = _select(_s17 < 0.0, 0.0, _s17, _r8)
+    _s19 = _subtract(_absolute(_subtract(_s11, later_middle_z, _r10), _r10), _add(later_reach_z, _s12, _r11), _r11)
+    _s20 = _select(_s19 < 0.0, 0.0, _s19, _r10)
+    _s21 = _logical_not(_logical_and((_s0 < _add(_add(_multiply(_s5, _s5, _r0), _multiply(_s8, _s8, _r2), _r2), _multiply(_s14, _s14, _r4), _r4)), (_s0 < _add(_add(_multiply(_s16, _s16, _r6), _multiply(_s18, _s18, _r8), _r8), _multiply(_s20, _s20, _r10), _r10))))
+    return _s21,
 
 
 def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4950,23 +4964,36 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     return _s27, _s29, _s31, _s52, t + _s52, _result(0.0 < _s53, _subtract(_multiply(_s53, _s53, _r5), _multiply(_multiply(8.0, ceiling, _r2), _add(margin, _s43, _r6), _r2), _r2), _s53, _r0)
 
 
-def bridge_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def bridge_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a flight may reach the box of a surface at all.
 
-    boxes that do not meet. 37 operations: 6 additions, 7 subtractions, 11 multiplications, 2 negations, 3 absolute values, 4 comparisons, 1 complement, 3 selections.
+    boxes that do not meet. 62 operations: 11 additions, 12 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections.
     Returns near.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
-    _s0 = 0.5 * p_board_distance
-    _s1 = 0.5 * p_ring_radius
-    _s2 = _subtract(_absolute(_subtract(-(_s0 + _s1), middle_x, _r0), _r0), _add(reach_x, 1.0000000009313226 * (_s0 - _s1), _r1), _r1)
-    _s3 = _select(_s2 < 0.0, 0.0, _s2, _r0)
-    _s4 = _subtract(_absolute(_negative(middle_y, _r2), _r2), _add(reach_y, 1.0000000009313226 * p_bridge_half_width, _r3), _r3)
-    _s5 = _select(_s4 < 0.0, 0.0, _s4, _r2)
-    _s6 = 0.5 * p_bridge_depth
-    _s7 = _subtract(_absolute(_subtract(p_wire_radius - _s6, middle_z, _r4), _r4), _add(reach_z, 1.0000000009313226 * _s6, _r5), _r5)
-    _s8 = _select(_s7 < 0.0, 0.0, _s7, _r4)
-    return _logical_not(((1.0000000009313226 * (p_ball_radius * p_ball_radius)) < _add(_add(_multiply(_s3, _s3, _r0), _multiply(_s5, _s5, _r2), _r2), _multiply(_s8, _s8, _r4), _r4))),
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
+    _s0 = 1.0000000009313226 * (p_ball_radius * p_ball_radius)
+    _s1 = 0.5 * p_board_distance
+    _s2 = 0.5 * p_ring_radius
+    _s3 = -(_s1 + _s2)
+    _s4 = 1.0000000009313226 * (_s1 - _s2)
+    _s5 = _subtract(_absolute(_subtract(_s3, middle_x, _r0), _r0), _add(reach_x, _s4, _r1), _r1)
+    _s6 = _select(_s5 < 0.0, 0.0, _s5, _r0)
+    _s7 = 1.0000000009313226 * p_bridge_half_width
+    _s8 = _subtract(_absolute(_negative(middle_y, _r2), _r2), _add(reach_y, _s7, _r3), _r3)
+    _s9 = _select(_s8 < 0.0, 0.0, _s8, _r2)
+    _s10 = 0.5 * p_bridge_depth
+    _s11 = p_wire_radius - _s10
+    _s12 = 1.0000000009313226 * _s10
+    _s13 = _subtract(_absolute(_subtract(_s11, middle_z, _r4), _r4), _add(reach_z, _s12, _r5), _r5)
+    _s14 = _select(_s13 < 0.0, 0.0, _s13, _r4)
+    _s15 = _subtract(_absolute(_subtract(_s3, later_middle_x, _r6), _r6), _add(later_reach_x, _s4, _r7), _r7)
+    _s16 = _select(_s15 < 0.0, 0.0, _s15, _r6)
+    _s17 = _subtract(_absolute(_negative(later_middle_y, _r8), _r8), _add(later_reach_y, _s7, _r9), _r9)
+    _s18 = _select(_s17 < 0.0, 0.0, _s17, _r8)
+    _s19 = _subtract(_absolute(_subtract(_s11, later_middle_z, _r10), _r10), _add(later_reach_z, _s12, _r11), _r11)
+    _s20 = _select(_s19 < 0.0, 0.0, _s19, _r10)
+    _s21 = _logical_not(_logical_and((_s0 < _add(_add(_multiply(_s6, _s6, _r0), _multiply(_s9, _s9, _r2), _r2), _multiply(_s14, _s14, _r4), _r4)), (_s0 < _add(_add(_multiply(_s16, _s16, _r6), _multiply(_s18, _s18, _r8), _r8), _multiply(_s20, _s20, _r10), _r10))))
+    return _s21,
 
 
 def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -6071,8 +6098,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _when_0 = _put(_when_0, _rows1, _when_1, shots)
         _which_0 = _put(_which_0, _rows1, _which_1, shots)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
-    _middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0 = swept(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, 0.0, _pad_0, _p_gravity_0, _room_0)
-    _reachable_0, = backboard_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _room_0)
+    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = halved(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, 0.0, _pad_0, _p_gravity_0, _room_0)
+    _reachable_0, = backboard_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _room_0)
     _reachable_0, = reachable_in_flight(_kept_0, _reachable_0)
     _rows24, _count25 = _rows(_reachable_0, shots)
     if _count25:
@@ -6390,7 +6417,9 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _when_1, _which_1 = sooner(_arrives_1, 1.0, _time_1, _when_1, _which_1)
         _when_0 = _put(_when_0, _rows24, _when_1, shots)
         _which_0 = _put(_which_0, _rows24, _which_1, shots)
-    _reachable_0, = bridge_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _room_0)
+    _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
+    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = halved(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, 0.0, _pad_0, _p_gravity_0, _room_0)
+    _reachable_0, = bridge_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _room_0)
     _reachable_0, = reachable_in_flight(_kept_0, _reachable_0)
     _rows44, _count45 = _rows(_reachable_0, shots)
     if _count45:
@@ -8638,8 +8667,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _when_0 = _put(_when_0, _rows1, _when_1, shots)
         _which_0 = _put(_which_0, _rows1, _which_1, shots)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
-    _middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0 = swept(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _late_0, _pad_0, _p_gravity_0, _room_0)
-    _reachable_0, = backboard_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _room_0)
+    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = halved(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _late_0, _pad_0, _p_gravity_0, _room_0)
+    _reachable_0, = backboard_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _room_0)
     _reachable_0, = reachable_in_flight(_kept_0, _reachable_0)
     _rows24, _count25 = _rows(_reachable_0, shots)
     if _count25:
@@ -9003,7 +9032,9 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _late_0 = _put(_late_0, _rows24, _late_1, shots)
         _when_0 = _put(_when_0, _rows24, _when_1, shots)
         _which_0 = _put(_which_0, _rows24, _which_1, shots)
-    _reachable_0, = bridge_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _room_0)
+    _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
+    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = halved(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _late_0, _pad_0, _p_gravity_0, _room_0)
+    _reachable_0, = bridge_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _room_0)
     _reachable_0, = reachable_in_flight(_kept_0, _reachable_0)
     _rows44, _count45 = _rows(_reachable_0, shots)
     if _count45:
