@@ -43,7 +43,7 @@ from .search.decisions import pad
 from .search.plate import reachable
 from .search.search import Formula, Search
 from .studies import ARGUMENTS, study_kernels
-from .surfaces import Surface
+from .surfaces import Box, Surface
 
 LARGEST = sp.Integer(2) ** 450
 """Squares of larger coordinates and velocities come near to overflow: no result is certain."""
@@ -52,6 +52,8 @@ FRAME = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"n{i + 1}{j + 1}", real=True))
 """The contact frame's components, R of Eq. 10."""
 
 MOTION = (*VELOCITY, *SPIN)
+
+_NEAR = "Where a flight may reach the box of a surface at all."
 
 RESTITUTION = sp.Symbol("restitution", nonnegative=True)
 """That of the impact through the frame, which no scene has a law for."""
@@ -108,7 +110,8 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     searching = (t, events.end, events.leaving, events.margin, events.rate_margin)
     crossing = (events.rate, events.ceiling, events.delay, events.share, events.horizon)
     sizes = (extent, speed, position_error, velocity_error)
-    boxes = (validity.lengths, pad, *far.MIDDLES, *far.REACHES, *far.LEASTS, *far.MOSTS, *far.WIDES)
+    halves = (*far.MIDDLES, *far.REACHES, *far.LATER_MIDDLES, *far.LATER_REACHES)
+    boxes = (validity.lengths, pad, *halves, *far.LEASTS, *far.MOSTS, *far.WIDES)
     own = (s for surface in scene.surfaces for s in search(surface, scene.flight).constants)
     return (
         *(*searching, *crossing, *STATE, *NORMAL, *FRAME, *sizes),
@@ -363,10 +366,11 @@ def _surface_kernels(
         sizes = [symbol for symbol in scene.symbols if symbol in differing]
         formulas["taken"] = (of_kinds.taken(sizes), "The sizes of one surface of a kind.", "data")
         if not found.closed and (near := far.near(surface)):
-            said = "Where a flight may reach the box of a surface at all."
-            formulas["near"] = (near, said, "boxes that do not meet")
+            formulas["near"] = (near, _NEAR, "boxes that do not meet")
             if alike >= groups.FEWEST:
                 formulas |= _of_groups(surface)
+    elif isinstance(surface, Box):
+        formulas["near"] = (far.near_box(surface), _NEAR, "boxes that do not meet")
     kernels = {
         part: kernel(
             f"{surface.name}_{part}", outputs, order, summary, equation, part in found.single
@@ -474,8 +478,15 @@ def build(scene: Scene) -> Model:
         "A box that the ball is within until the horizon: its middle, and its half sizes.",
         "Eq. 3, its ends and its apex",
     )
+    halved = kernel(
+        "halved",
+        far.halved(scene.flight),
+        order,
+        "The same of its first and its second half.",
+        "Eq. 3, the chords of both and what it is off them",
+    )
     choices = (
-        {"swept": swept}
+        {"swept": swept, "halved": halved}
         | of_kinds.KERNELS
         | decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
     )

@@ -636,3 +636,14 @@ def test_each_function_states_equation_and_operations(files: dict[str, str]) -> 
         assert stated(document) == numpy_operations(functions[made.name])
     assert set(comments) == called, "C has what its loop evaluates"
     assert set(functions) > {made.name for made in model().kernels}
+
+
+def test_what_is_rarely_done_and_long_is_a_function_of_its_own() -> None:
+    """Whether bounces end: in the function of all flights it would take their registers."""
+    text = (ROOT / "generated" / "c" / "court_engine.h").read_text()
+    parts = re.split(r"^static void (?=LANES)", text, flags=re.M)
+    functions = {part.split("(", 2)[1].split(")")[0]: part for part in parts[1:]}
+    for loop in ("court_plain", "court_bounded"):
+        assert "_settling)" in functions[f"{loop}_slow"]
+        assert "_settling)" not in functions[loop]
+        assert f"LANES({loop}_slow)(" in functions[loop]

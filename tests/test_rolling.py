@@ -211,8 +211,10 @@ def test_without_errors_a_bounce_is_looked_at_when_it_may_be_the_last() -> None:
 
     def looked(speed: float, error: float) -> tuple[bool, bool]:
         given = at | {"vx": 0.5, "vz": speed, "position_error": error}
-        values = court.slowed(*(given[name] for name in court.ARGUMENTS["slowed"]))
-        found = dict(zip(court.OUTPUTS["slowed"], values, strict=True))
+        found: dict[str, Any] = {}
+        for name in ("slowed", "nearly"):
+            values = getattr(court, name)(*(given[one] for one in court.ARGUMENTS[name]))
+            found |= dict(zip(court.OUTPUTS[name], values, strict=True))
         return bool(found["slow"]), bool(found["nearly"])
 
     assert looked(1e-3, 1e-12) == (False, False)

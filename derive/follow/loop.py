@@ -197,7 +197,7 @@ def _on_any(common: Parts, kind: Kind) -> Iterator[Node]:
     """Propose the first arrival on any surface of a kind."""
     if "near" in kind.first.parts:
         yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
-        yield Do(common["swept"], {"horizon": "until"})
+        yield Do(common["swept" if kind.several else "halved"], {"horizon": "until"})
     yield from each(kind.contacts, lambda s, index: _arriving(common, s, index), {})
 
 
@@ -215,8 +215,10 @@ def _arriving(common: Parts, surface: Contact, index: Value) -> Iterator[Node]:
     if "near" not in surface.parts:
         yield from nodes
         return
-    yield Do(surface.parts["near"])
-    yield Guard("near", tuple(nodes))
+    yield Do(surface.parts["near"], {}, {"near": "reachable"})
+    if "kept" in common:
+        yield Do(common["reachable_in_flight"])
+    yield Guard("reachable", tuple(nodes))
 
 
 def _meet(
@@ -224,7 +226,11 @@ def _meet(
 ) -> Iterator[Node]:
     """Give the ball its motion after the contact (Eqs. 7-17), and its errors theirs."""
     yield Do(common["meeting"])
+    if "kept" in common:
+        yield Do(common["unslowed"])
     yield Guard("meeting", tuple(_contact(common, contacts, gates, fields)))
+    if "kept" in common:
+        yield from staying.settled(common, contacts, gates)
     timed = Do(common["timed"], {"index": len(contacts) + len(gates)})
     carried = Guard("timed", (Do(common["carry_time"], {"t": "when"}),), rare=True)
     yield Guard("limited", (timed, carried), rare=True)
@@ -268,9 +274,8 @@ def _contact(
     yield from _laws(common, contacts)
     for kind in kinds:
         yield from kind.on(common, "place")
-    yield Guard("touches", (Do(common["touched"]),))
-    if "kept" in common:
-        yield Guard("touches", tuple(staying.settled(common, contacts, gates)))
+    slowed = (Do(common["slowed"]),) if "kept" in common else ()
+    yield Guard("touches", (Do(common["touched"]), *slowed))
 
 
 def _counted(common: Parts, surface: Contact, fields: Set[str]) -> list[Do]:

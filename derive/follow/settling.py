@@ -313,11 +313,17 @@ def _starting(strength: sp.Expr, ball_radius: sp.Expr) -> tuple[Kernel, ...]:
             "slowed",
             {
                 "slow": some(closely, every(hardly, Less(0, position_error))),
-                "nearly": closely,
                 "assured": 0,
             },
             "Where a ball hardly leaves the surface that it has touched, and is looked at.",
             "a hop of less than a micrometre",
+        ),
+        made("unslowed", {"slow": Nowhere()}, "A ball that has touched nothing.", "Table 1"),
+        made(
+            "nearly",
+            {"nearly": closely},
+            "Where its bounces are so small that this may be the last.",
+            "half a hop's height",
         ),
         made(
             "gripped",
@@ -628,6 +634,12 @@ def _events(faces: Sequence[int], codes: Codes, outcomes: Mapping[str, int]) -> 
             "opens_in_flight",
             {"open": every(Not(Less(0, clear)), Not(Truth("kept")))},
             "Where a surface is not certainly missed by a ball in flight.",
+            "Table 1",
+        ),
+        made(
+            "reachable_in_flight",
+            {"reachable": every(Truth("reachable"), Not(Truth("kept")))},
+            "Where a ball in flight may reach a surface.",
             "Table 1",
         ),
         made(

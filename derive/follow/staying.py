@@ -15,7 +15,7 @@ from ..flight import circling, rolling
 from ..ground.symbols import STATE, normal
 from ..ground.tree import Do, Guard, Node, Repeat, given_as
 from ..search.search import Parts
-from .kinds import Contact
+from .kinds import Contact, on
 
 LIMIT = 1 << 4
 """Steps of a ball in contact in one turn of the loop; it goes on in the next. What rolls longer
@@ -248,12 +248,15 @@ def _on(node: Do, names: Mapping[str, str]) -> Do:
 
 
 def settled(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]) -> Iterator[Node]:
-    """Look whether a ball that has bounced stays on the surface."""
-    yield Do(common["slowed"])
-    looked: list[Node] = []
-    for surface in contacts:
-        if "tube" not in surface.parts:
-            continue
+    """Look whether a ball that has bounced, and hardly leaves the surface, stays on it."""
+    holders = [surface for surface in contacts if "tube" in surface.parts]
+    if not holders:
+        return
+    looked: list[Node] = [_part(holders[0], "normal")]
+    for surface in holders[1:]:
+        looked += on(common, surface.index, _part(surface, "normal"))
+    looked += [Do(common["nearly"]), Do(common["gripped"])]
+    for surface in holders:
         own = (
             _part(surface, "turning"),
             Do(common["pressed_on"]),
@@ -262,8 +265,8 @@ def settled(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]
             given_as(Do(surface.law["settling"]), surface.law_sizes),
             Do(common["settled"], {"index": surface.index}),
         )
-        looked += [Do(common["here"], {"index": surface.index}), Guard("here", own)]
-    yield Guard("slow", (Do(common["gripped"]), *looked), rare=True)
+        looked += on(common, surface.index, *own)
+    yield Guard("slow", tuple(looked), rare=True)
 
 
 def _apart(

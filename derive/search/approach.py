@@ -85,9 +85,9 @@ class Approach(ABC):
         return sp.Integer(0)
 
     @property
-    def clear(self) -> sp.Expr:
-        """Positive if there certainly is no contact before the horizon; by default unknown."""
-        return sp.Integer(0)
+    def clear(self) -> sp.Expr | None:
+        """Positive if there certainly is no contact before the horizon; None: it is not asked."""
+        return None
 
     @abstractmethod
     def curvature(self, width: sp.Expr) -> sp.Expr:

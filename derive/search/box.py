@@ -23,7 +23,7 @@ from ..surfaces import Box
 from .approach import Approach
 from .bernstein import BEYOND
 from .events import Window, ceiling, horizon, time_rounding
-from .windows import WIDER, clear, lost, windows
+from .windows import WIDER, lost, windows
 
 EXCESS = sp.symbols("ex ey ez", real=True)
 
@@ -55,11 +55,6 @@ class BoxApproach(Approach):
     def lost(self) -> sp.Expr:
         """Errors near to what the windows are wider by."""
         return lost(self.box.about, self.box.halves, self.flight.acceleration)
-
-    @property
-    def clear(self) -> sp.Expr:
-        """Positive if no window opens before the horizon."""
-        return clear(self.windows, self.lost)
 
     def _moving(self) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
         """Return e, velocity and acceleration of each coordinate at time t."""

@@ -58,11 +58,7 @@ class CurvedSearch(Search):
                 "Error of the normal, from that of the position.",
                 "derivative of Table 2's normal",
             ),
-            "clear": (
-                {"clear": approach.clear},
-                "Positive if there certainly is no contact before the horizon.",
-                _BOUNDS,
-            ),
+            **({} if approach.clear is None else _clear(approach.clear)),
             "prepare": (
                 approach.prepare(),
                 "Constants and windows of the search along a flight, and the errors it allows for.",
@@ -105,25 +101,45 @@ class CurvedSearch(Search):
     def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Search the first arrival; what certainly misses the surface sits out."""
         yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
-        yield given(own["clear"], horizon="until")
-        yield Do(common.get("opens_in_flight", KERNELS["opens"]))
-        step = _bounded_step if self.surface.bounds else _step
+        step = tuple(self._step(common, own, index))
         prepared = given(own["prepare"], horizon="until")
         allowing = tuple(_allowing(common, own))
         found = (
-            Repeat("searching", STEP_LIMIT, tuple(step(common, own, index))),
+            Repeat("searching", STEP_LIMIT, step),
             Do(KERNELS["questioned"], {"unsure": "searching", "time": "t"}),
         )
         if self.coarse is None:
             first = Do(own["enter"], {"after": 0.0, "t": 0.0, "end": 0.0})
-            begun = (prepared, Do(KERNELS["beginning"]), *allowing, Do(KERNELS["beyond"]), first)
-            search: tuple[Node, ...] = (*begun, Do(KERNELS["outside"]), *found)
+            begun = (prepared, Do(KERNELS["beginning"]), *allowing, Do(KERNELS["outside"]))
+            if "clear" in own:
+                begun = (*begun, Do(KERNELS["beyond"]), first)
+            else:
+                # Most searches end with the first step: it needs no list.
+                begun = (*begun, first, Do(KERNELS["beyond_windows"]), Guard("searching", step))
+            search: tuple[Node, ...] = (*begun, *found)
         else:
             entered = Do(own["enter"], {"after": "t", "end": 0.0})
             again = (prepared, *allowing, entered, *found)
             leaping = _leaping(common, own, index)
             search = (*leaping, Guard("searching", again))
-        yield Guard("open", (*search, *_landing(common, own, index), *proposed(index)))
+        searched = (*search, *_landing(common, own, index), *proposed(index))
+        if "clear" not in own:
+            yield from searched
+            return
+        yield given(own["clear"], horizon="until")
+        yield Do(common.get("opens_in_flight", KERNELS["opens"]))
+        yield Guard("open", searched)
+
+    def _step(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
+        """Step as far as there can be no root, or take the one that is there."""
+        if self.surface.bounds:
+            return _bounded_step(common, own, index)
+        return _step(common, own, index, "struck" if self.coarse else "struck_or_still")
+
+
+def _clear(clear: sp.Expr) -> dict[str, Formula]:
+    said = "Positive if there certainly is no contact before the horizon."
+    return {"clear": ({"clear": clear}, said, _BOUNDS)}
 
 
 def _coarse(coarse: CoarseRing) -> dict[str, Formula]:
@@ -199,11 +215,11 @@ def _allowing(common: Parts, own: Parts) -> Iterator[Node]:
     yield Do(margins.kernel, margins.inputs, renamed)
 
 
-def _step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
-    """Step as far as there can be no root, or take the one that is there."""
+def _step(common: Parts, own: Parts, index: Value, struck: str) -> Iterator[Node]:
+    """Step as far as there can be no root, or take the one that is there, as a decision says."""
     yield Do(KERNELS["nearby"], {"index": index})
     yield given(own["advance"], rate_margin="rate_slack")
-    yield Do(KERNELS["struck"], {"rate_margin": "rate_slack"})
+    yield Do(KERNELS[struck], {"rate_margin": "rate_slack"})
     # A root that is not certain is looked at again, with smaller errors allowed.
     finer = (Do(KERNELS["finer"]), *_allowing(common, own), Do(KERNELS["exceeded"]))
     yield Guard("vague", finer)

@@ -65,9 +65,11 @@ _falling = some(Less(rate, 0), every(AtMost(rate, rate_margin), Less(bend, 0)))
 _clears = every(_falling, Less(0, clearance))
 _strikes = every(_falling, some(AtMost(gap - margin, margin), Less(0, clearance)))
 _unclear = every(_strikes, Not(_clears), Less(0, share))
+_still = every(Less(t, end), Not(Less(t, following)))
 _sunk = Less(gap, -margin)
 _lands = every(met, arrives)
 _near = every(Equal(last, index), Less(tilt * t, flat))
+_strays = every(searching, some(Less(0, excess), Less(pad, late)))
 _exhausted = every(Not(hit), Not(vague), AtMost(end - t, step))
 
 KERNELS = {
@@ -140,6 +142,11 @@ KERNELS = {
             "Nothing is certain where the errors exceed what the search allows for.",
         ),
         decision(
+            "beyond_windows",
+            {"doubt": Choose(some(_strays, Less(0, lost)), 0, doubt)},
+            "The same where a search has windows: with none its errors do not matter.",
+        ),
+        decision(
             "nearby",
             {
                 "leaving": Choose(_near, 1, 0),
@@ -182,6 +189,15 @@ KERNELS = {
                 "vague": _unclear,
             },
             "Whether the gap closes, surely, or is to be looked at with smaller errors allowed.",
+        ),
+        decision(
+            "struck_or_still",
+            {
+                "hit": every(_strikes, Not(_unclear)),
+                "sure": _clears,
+                "vague": some(_unclear, every(Not(_strikes), _still, Less(0, share))),
+            },
+            "The same; or that it is, as no step is possible with errors as large as these.",
         ),
         decision(
             "finer",

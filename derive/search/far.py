@@ -16,6 +16,16 @@ With the smallest and the largest of their c, and the largest of their h, it is 
 
 Whatever is rounded is no smaller for what is larger. So where this holds as computed, what is above
 holds as computed, for each of the bodies: to leave them out changes nothing.
+
+Of a box that the ball meets all around, with half sides s, what can be touched is round: a flight
+is apart from it, too, where its box is further from that one than the ball's radius, for
+
+    d = |c - m| - (1 + W) (s + r)   along each axis, or zero if that is less,
+
+where Σ d² > (1 + W) R_B². A flight that goes over it is told better by two boxes, of its first and
+its second half. In each, q long and beginning with the velocity v, the ball moves by v q + a q²/2;
+in between it is off the chord by a q²/8 at most, against a: the box's middle is a q²/16 off the
+chord's, and its half size |v q + a q²/2| / 2 + |a| q²/16.
 """
 
 from __future__ import annotations
@@ -24,10 +34,10 @@ import sympy as sp
 
 from ..errors.tangent import late
 from ..flight.parabola import Parabola
-from ..ground.choice import IfLess, Less, Not, hold, largest, size, smallest, some
+from ..ground.choice import IfLess, Less, Not, every, hold, largest, size, smallest, some
 from ..ground.rounding import position_error, velocity_error
 from ..ground.symbols import POSITION, VELOCITY
-from ..surfaces import Surface
+from ..surfaces import Box, Surface
 from .decisions import pad
 from .events import horizon
 
@@ -38,6 +48,10 @@ MIDDLES = sp.symbols("middle_x middle_y middle_z", real=True)
 REACHES = sp.symbols("reach_x reach_y reach_z", real=True)
 """The middle and the half sizes of a flight's box; these times 1 + W."""
 
+
+LATER_MIDDLES = sp.symbols("later_middle_x later_middle_y later_middle_z", real=True)
+LATER_REACHES = sp.symbols("later_reach_x later_reach_y later_reach_z", real=True)
+"""The same of the second half of a flight."""
 
 LEASTS = sp.symbols("least_x least_y least_z", real=True)
 MOSTS = sp.symbols("most_x most_y most_z", real=True)
@@ -51,9 +65,7 @@ def swept(flight: Parabola) -> dict[str, sp.Expr]:
     Against free fall it is never higher than v²/2g above its start, and lowest at an end. Where
     the earliest arrival may be later than the horizon, the box has no end.
     """
-    furthest, _ = flight.size(horizon)
-    shift = hold(position_error + velocity_error * horizon + SHARE * furthest)
-    spare = hold(IfLess(pad, late, sp.oo, shift))
+    spare = _spare(flight)
     middles, reaches = {}, {}
     for k, (place, v, a) in enumerate(zip(POSITION, VELOCITY, flight.acceleration, strict=True)):
         there = hold(place + hold(v + a * horizon / 2) * horizon)
@@ -66,6 +78,28 @@ def swept(flight: Parabola) -> dict[str, sp.Expr]:
         middles[MIDDLES[k].name] = hold(low + high) / 2
         reaches[REACHES[k].name] = (1 + SHARE) * hold(hold(high - low) / 2 + spare)
     return middles | reaches
+
+
+def _spare(flight: Parabola) -> sp.Expr:
+    """Return what is not exact; endless where the earliest arrival may be after the horizon."""
+    furthest, _ = flight.size(horizon)
+    shift = hold(position_error + velocity_error * horizon + SHARE * furthest)
+    return hold(IfLess(pad, late, sp.oo, shift))
+
+
+def halved(flight: Parabola) -> dict[str, sp.Expr]:
+    """Return the boxes of the first and the second half of a flight until the horizon."""
+    spare, half = _spare(flight), hold(horizon / 2)
+    outputs: dict[str, sp.Expr] = {}
+    for k, (place, v, a) in enumerate(zip(POSITION, VELOCITY, flight.acceleration, strict=True)):
+        bulge = hold(a * half**2 / 16)
+        begun, swift = place, v
+        for middles, reaches in ((MIDDLES, REACHES), (LATER_MIDDLES, LATER_REACHES)):
+            moved = hold(hold(swift + a * half / 2) * half)
+            outputs[middles[k].name] = hold(begun + moved / 2) - bulge
+            outputs[reaches[k].name] = (1 + SHARE) * hold(size(moved) / 2 + size(bulge) + spare)
+            begun, swift = hold(begun + moved), hold(swift + a * half)
+    return outputs
 
 
 def _sides(surface: Surface) -> list[tuple[int, sp.Expr, sp.Expr]]:
@@ -83,6 +117,19 @@ def near(surface: Surface) -> dict[str, sp.Basic]:
         Less(wide + REACHES[k], size(centre - MIDDLES[k])) for k, centre, wide in _sides(surface)
     ]
     return {"near": Not(some(*apart))} if apart else {}
+
+
+def near_box(box: Box) -> dict[str, sp.Basic]:
+    """Return where a flight may reach a box, whose edges and corners are round to the ball."""
+    apart = []
+    for middles, reaches in ((MIDDLES, REACHES), (LATER_MIDDLES, LATER_REACHES)):
+        square: sp.Expr = sp.Integer(0)
+        for low, high, m, r in zip(box.low, box.high, middles, reaches, strict=True):
+            side = hold((1 + SHARE) * hold((high - low) / 2))
+            between = hold(size(hold(hold((low + high) / 2) - m)) - hold(side + r))
+            square = hold(square + hold(largest(between, 0)) ** 2)
+        apart.append(Less((1 + SHARE) * hold(box.radius**2), square))
+    return {"near": Not(every(*apart))}
 
 
 def box(surface: Surface) -> dict[str, sp.Expr]:

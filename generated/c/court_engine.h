@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation cdcc360d52f646f3,
+   Generated from templates/c/engine.h.j2, scene court, derivation 17608efa79d077d6,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -275,35 +275,94 @@ typedef struct {
     LANES(court_column) open_refining_x;
     LANES(court_column) open_refining_y;
     LANES(court_column) open_refining_z;
-    LANES(court_column) open_p_board_bottom;
-    LANES(court_column) open_p_board_distance;
-    LANES(court_column) open_p_board_half_width;
-    LANES(court_column) open_p_board_thickness;
-    LANES(court_column) open_p_board_top;
-    LANES(court_column) open_searching_end;
-    LANES(court_column) open_searching_high0;
-    LANES(court_column) open_searching_high1;
-    LANES(court_column) open_searching_latest;
-    LANES(court_column) open_searching_low0;
-    LANES(court_column) open_searching_low1;
-    LANES(court_column) open_searching_p_board_bottom;
-    LANES(court_column) open_searching_p_board_distance;
-    LANES(court_column) open_searching_p_board_half_width;
-    LANES(court_column) open_searching_p_board_thickness;
-    LANES(court_column) open_searching_p_board_top;
-    LANES(court_column) open_searching_rate_slack;
-    LANES(court_column) open_searching_searching;
-    LANES(court_column) open_refining_p_board_bottom;
-    LANES(court_column) open_refining_p_board_distance;
-    LANES(court_column) open_refining_p_board_half_width;
-    LANES(court_column) open_refining_p_board_thickness;
-    LANES(court_column) open_refining_p_board_top;
-    LANES(court_column) open_p_bridge_depth;
-    LANES(court_column) open_p_bridge_half_width;
-    LANES(court_column) open_searching_p_bridge_depth;
-    LANES(court_column) open_searching_p_bridge_half_width;
-    LANES(court_column) open_refining_p_bridge_depth;
-    LANES(court_column) open_refining_p_bridge_half_width;
+    LANES(court_column) reachable_row;
+    LANES(court_column) reachable_extent;
+    LANES(court_column) reachable_last;
+    LANES(court_column) reachable_p_ball_radius;
+    LANES(court_column) reachable_p_board_bottom;
+    LANES(court_column) reachable_p_board_distance;
+    LANES(court_column) reachable_p_board_half_width;
+    LANES(court_column) reachable_p_board_thickness;
+    LANES(court_column) reachable_p_board_top;
+    LANES(court_column) reachable_p_gravity;
+    LANES(court_column) reachable_speed;
+    LANES(court_column) reachable_vx;
+    LANES(court_column) reachable_vy;
+    LANES(court_column) reachable_vz;
+    LANES(court_column) reachable_when;
+    LANES(court_column) reachable_which;
+    LANES(court_column) reachable_x;
+    LANES(court_column) reachable_y;
+    LANES(court_column) reachable_z;
+    LANES(court_column) reachable_arrival;
+    LANES(court_column) reachable_ceiling;
+    LANES(court_column) reachable_certain;
+    LANES(court_column) reachable_flat;
+    LANES(court_column) reachable_tilt;
+    LANES(court_column) reachable_searching_row;
+    LANES(court_column) reachable_searching_arrival;
+    LANES(court_column) reachable_searching_ceiling;
+    LANES(court_column) reachable_searching_certain;
+    LANES(court_column) reachable_searching_end;
+    LANES(court_column) reachable_searching_extent;
+    LANES(court_column) reachable_searching_flat;
+    LANES(court_column) reachable_searching_high0;
+    LANES(court_column) reachable_searching_high1;
+    LANES(court_column) reachable_searching_last;
+    LANES(court_column) reachable_searching_latest;
+    LANES(court_column) reachable_searching_low0;
+    LANES(court_column) reachable_searching_low1;
+    LANES(court_column) reachable_searching_p_ball_radius;
+    LANES(court_column) reachable_searching_p_board_bottom;
+    LANES(court_column) reachable_searching_p_board_distance;
+    LANES(court_column) reachable_searching_p_board_half_width;
+    LANES(court_column) reachable_searching_p_board_thickness;
+    LANES(court_column) reachable_searching_p_board_top;
+    LANES(court_column) reachable_searching_p_gravity;
+    LANES(court_column) reachable_searching_rate_slack;
+    LANES(court_column) reachable_searching_searching;
+    LANES(court_column) reachable_searching_share;
+    LANES(court_column) reachable_searching_speed;
+    LANES(court_column) reachable_searching_t;
+    LANES(court_column) reachable_searching_tilt;
+    LANES(court_column) reachable_searching_vx;
+    LANES(court_column) reachable_searching_vy;
+    LANES(court_column) reachable_searching_vz;
+    LANES(court_column) reachable_searching_x;
+    LANES(court_column) reachable_searching_y;
+    LANES(court_column) reachable_searching_z;
+    LANES(court_column) reachable_arrives;
+    LANES(court_column) reachable_refining_row;
+    LANES(court_column) reachable_refining_arrival;
+    LANES(court_column) reachable_refining_ceiling;
+    LANES(court_column) reachable_refining_certain;
+    LANES(court_column) reachable_refining_leaving;
+    LANES(court_column) reachable_refining_p_ball_radius;
+    LANES(court_column) reachable_refining_p_board_bottom;
+    LANES(court_column) reachable_refining_p_board_distance;
+    LANES(court_column) reachable_refining_p_board_half_width;
+    LANES(court_column) reachable_refining_p_board_thickness;
+    LANES(court_column) reachable_refining_p_board_top;
+    LANES(court_column) reachable_refining_p_gravity;
+    LANES(court_column) reachable_refining_refining;
+    LANES(court_column) reachable_refining_vx;
+    LANES(court_column) reachable_refining_vy;
+    LANES(court_column) reachable_refining_vz;
+    LANES(court_column) reachable_refining_x;
+    LANES(court_column) reachable_refining_y;
+    LANES(court_column) reachable_refining_z;
+    LANES(court_column) reachable_p_bridge_depth;
+    LANES(court_column) reachable_p_bridge_half_width;
+    LANES(court_column) reachable_p_ring_radius;
+    LANES(court_column) reachable_p_wire_radius;
+    LANES(court_column) reachable_searching_p_bridge_depth;
+    LANES(court_column) reachable_searching_p_bridge_half_width;
+    LANES(court_column) reachable_searching_p_ring_radius;
+    LANES(court_column) reachable_searching_p_wire_radius;
+    LANES(court_column) reachable_refining_p_bridge_depth;
+    LANES(court_column) reachable_refining_p_bridge_half_width;
+    LANES(court_column) reachable_refining_p_ring_radius;
+    LANES(court_column) reachable_refining_p_wire_radius;
     LANES(court_column) kept_row;
     LANES(court_column) kept_circled;
     LANES(court_column) kept_clock;
@@ -403,6 +462,65 @@ typedef struct {
     LANES(court_column) kept_circling_x;
     LANES(court_column) kept_circling_y;
     LANES(court_column) kept_circling_z;
+    LANES(court_column) kept_leaves_row;
+    LANES(court_column) kept_leaves_held;
+    LANES(court_column) kept_leaves_lift;
+    LANES(court_column) kept_leaves_p_ball_radius;
+    LANES(court_column) kept_leaves_p_board_bottom;
+    LANES(court_column) kept_leaves_p_board_distance;
+    LANES(court_column) kept_leaves_p_board_half_width;
+    LANES(court_column) kept_leaves_p_board_thickness;
+    LANES(court_column) kept_leaves_p_board_top;
+    LANES(court_column) kept_leaves_p_bridge_depth;
+    LANES(court_column) kept_leaves_p_bridge_half_width;
+    LANES(court_column) kept_leaves_p_end_depth;
+    LANES(court_column) kept_leaves_p_gravity;
+    LANES(court_column) kept_leaves_p_ring_radius;
+    LANES(court_column) kept_leaves_p_wire_radius;
+    LANES(court_column) kept_leaves_per_reach;
+    LANES(court_column) kept_leaves_snap;
+    LANES(court_column) kept_leaves_surge;
+    LANES(court_column) kept_leaves_vx;
+    LANES(court_column) kept_leaves_vy;
+    LANES(court_column) kept_leaves_vz;
+    LANES(court_column) kept_leaves_x;
+    LANES(court_column) kept_leaves_y;
+    LANES(court_column) kept_leaves_z;
+    LANES(court_column) kept_leaves_when;
+    LANES(court_column) kept_leaves_which;
+    LANES(court_column) slow_row;
+    LANES(court_column) slow_held;
+    LANES(court_column) slow_mode;
+    LANES(court_column) slow_outcome;
+    LANES(court_column) slow_p_backboard_friction;
+    LANES(court_column) slow_p_backboard_restitution;
+    LANES(court_column) slow_p_ball_radius;
+    LANES(court_column) slow_p_board_bottom;
+    LANES(court_column) slow_p_board_distance;
+    LANES(court_column) slow_p_board_half_width;
+    LANES(court_column) slow_p_board_thickness;
+    LANES(court_column) slow_p_board_top;
+    LANES(court_column) slow_p_bridge_depth;
+    LANES(court_column) slow_p_bridge_friction;
+    LANES(court_column) slow_p_bridge_half_width;
+    LANES(court_column) slow_p_bridge_restitution;
+    LANES(court_column) slow_p_end_depth;
+    LANES(court_column) slow_p_gravity;
+    LANES(court_column) slow_p_ring_friction;
+    LANES(court_column) slow_p_ring_radius;
+    LANES(court_column) slow_p_ring_restitution;
+    LANES(court_column) slow_p_wire_radius;
+    LANES(court_column) slow_slip_left;
+    LANES(court_column) slow_vx;
+    LANES(court_column) slow_vy;
+    LANES(court_column) slow_vz;
+    LANES(court_column) slow_which;
+    LANES(court_column) slow_wx;
+    LANES(court_column) slow_wy;
+    LANES(court_column) slow_wz;
+    LANES(court_column) slow_x;
+    LANES(court_column) slow_y;
+    LANES(court_column) slow_z;
 } LANES(court_plain_lists);
 
 /* Put the next shots into rows, from one on. */
@@ -756,6 +874,257 @@ LANES_INLINE size_t LANES(court_plain_leave)(LANES(court_plain_lists) *lists, si
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
+static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t kept_leaves_shots, size_t varying)
+{
+    for (size_t i = 0; i < kept_leaves_shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(kept_leaves_shots - i);
+        V held = lanes_load(lists->kept_leaves_held + i);
+        V lift = lanes_load(lists->kept_leaves_lift + i);
+        const V p_ball_radius = lanes_load(varying ? lists->kept_leaves_p_ball_radius + i : lists->p_ball_radius);
+        const V p_board_bottom = lanes_load(varying ? lists->kept_leaves_p_board_bottom + i : lists->p_board_bottom);
+        const V p_board_distance = lanes_load(varying ? lists->kept_leaves_p_board_distance + i : lists->p_board_distance);
+        const V p_board_half_width = lanes_load(varying ? lists->kept_leaves_p_board_half_width + i : lists->p_board_half_width);
+        const V p_board_thickness = lanes_load(varying ? lists->kept_leaves_p_board_thickness + i : lists->p_board_thickness);
+        const V p_board_top = lanes_load(varying ? lists->kept_leaves_p_board_top + i : lists->p_board_top);
+        const V p_bridge_depth = lanes_load(varying ? lists->kept_leaves_p_bridge_depth + i : lists->p_bridge_depth);
+        const V p_bridge_half_width = lanes_load(varying ? lists->kept_leaves_p_bridge_half_width + i : lists->p_bridge_half_width);
+        const V p_end_depth = lanes_load(varying ? lists->kept_leaves_p_end_depth + i : lists->p_end_depth);
+        const V p_gravity = lanes_load(varying ? lists->kept_leaves_p_gravity + i : lists->p_gravity);
+        const V p_ring_radius = lanes_load(varying ? lists->kept_leaves_p_ring_radius + i : lists->p_ring_radius);
+        const V p_wire_radius = lanes_load(varying ? lists->kept_leaves_p_wire_radius + i : lists->p_wire_radius);
+        V per_reach = lanes_load(lists->kept_leaves_per_reach + i);
+        V snap = lanes_load(lists->kept_leaves_snap + i);
+        V surge = lanes_load(lists->kept_leaves_surge + i);
+        V vx = lanes_load(lists->kept_leaves_vx + i);
+        V vy = lanes_load(lists->kept_leaves_vy + i);
+        V vz = lanes_load(lists->kept_leaves_vz + i);
+        V x = lanes_load(lists->kept_leaves_x + i);
+        V y = lanes_load(lists->kept_leaves_y + i);
+        V z = lanes_load(lists->kept_leaves_z + i);
+        const LANES(court_holding_out) _o290 =
+            LANES(court_holding)(held, K(0.0));
+        M here = _o290.here;
+        const M _m291 = lanes_both(rows, here);
+        if (lanes_any(_m291)) {
+            const LANES(court_ring_tube_out) _o292 =
+                LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
+            per_reach = lanes_select(_m291, _o292.per_reach, per_reach);
+            const LANES(court_ring_parting_out) _o293 =
+                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+            lift = lanes_select(_m291, _o293.lift, lift);
+            surge = lanes_select(_m291, _o293.surge, surge);
+            snap = lanes_select(_m291, _o293.snap, snap);
+        }
+        const LANES(court_holding_out) _o294 =
+            LANES(court_holding)(held, K(1.0));
+        here = _o294.here;
+        const M _m295 = lanes_both(rows, here);
+        if (lanes_any(_m295)) {
+            const LANES(court_backboard_tube_out) _o296 =
+                LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            per_reach = lanes_select(_m295, _o296.per_reach, per_reach);
+            const LANES(court_backboard_parting_out) _o297 =
+                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+            lift = lanes_select(_m295, _o297.lift, lift);
+            surge = lanes_select(_m295, _o297.surge, surge);
+            snap = lanes_select(_m295, _o297.snap, snap);
+        }
+        const LANES(court_holding_out) _o298 =
+            LANES(court_holding)(held, K(2.0));
+        here = _o298.here;
+        const M _m299 = lanes_both(rows, here);
+        if (lanes_any(_m299)) {
+            const LANES(court_bridge_tube_out) _o300 =
+                LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            per_reach = lanes_select(_m299, _o300.per_reach, per_reach);
+            const LANES(court_bridge_parting_out) _o301 =
+                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            lift = lanes_select(_m299, _o301.lift, lift);
+            surge = lanes_select(_m299, _o301.surge, surge);
+            snap = lanes_select(_m299, _o301.snap, snap);
+        }
+        const LANES(court_unmet_out) _o302 =
+            LANES(court_unmet)();
+        V spare = _o302.spare;
+        const LANES(court_beside_out) _o303 =
+            LANES(court_beside)(held, K(0.0));
+        M beside = _o303.beside;
+        const M _m304 = lanes_both(rows, beside);
+        if (lanes_any(_m304)) {
+            const LANES(court_ring_beside_out) _o305 =
+                LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            V gap = _o305.gap;
+            V nearing = _o305.nearing;
+            V dent = _o305.dent;
+            const LANES(court_spared_out) _o306 =
+                LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+            spare = lanes_select(_m304, _o306.spare, spare);
+        }
+        const LANES(court_beside_out) _o307 =
+            LANES(court_beside)(held, K(1.0));
+        beside = _o307.beside;
+        const M _m308 = lanes_both(rows, beside);
+        if (lanes_any(_m308)) {
+            const LANES(court_backboard_beside_out) _o309 =
+                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            V gap = _o309.gap;
+            V nearing = _o309.nearing;
+            V dent = _o309.dent;
+            const LANES(court_spared_out) _o310 =
+                LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+            spare = lanes_select(_m308, _o310.spare, spare);
+        }
+        const LANES(court_beside_out) _o311 =
+            LANES(court_beside)(held, K(2.0));
+        beside = _o311.beside;
+        const M _m312 = lanes_both(rows, beside);
+        if (lanes_any(_m312)) {
+            const LANES(court_bridge_beside_out) _o313 =
+                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            V gap = _o313.gap;
+            V nearing = _o313.nearing;
+            V dent = _o313.dent;
+            const LANES(court_spared_out) _o314 =
+                LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+            spare = lanes_select(_m312, _o314.spare, spare);
+        }
+        const LANES(court_beside_out) _o315 =
+            LANES(court_beside)(held, K(3.0));
+        beside = _o315.beside;
+        const M _m316 = lanes_both(rows, beside);
+        if (lanes_any(_m316)) {
+            const LANES(court_end_beside_out) _o317 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            V gap = _o317.gap;
+            V nearing = _o317.nearing;
+            V dent = _o317.dent;
+            const LANES(court_spared_out) _o318 =
+                LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+            spare = lanes_select(_m316, _o318.spare, spare);
+        }
+        const LANES(court_holding_out) _o319 =
+            LANES(court_holding)(held, K(1.0));
+        here = _o319.here;
+        const M _m320 = lanes_both(rows, here);
+        if (lanes_any(_m320)) {
+            const LANES(court_backboard_seam0_out) _o321 =
+                LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+            V gap = _o321.gap;
+            V nearing = _o321.nearing;
+            V near = _o321.near;
+            const LANES(court_spared_seam_out) _o322 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m320, _o322.spare, spare);
+            const LANES(court_backboard_seam1_out) _o323 =
+                LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+            gap = _o323.gap;
+            nearing = _o323.nearing;
+            near = _o323.near;
+            const LANES(court_spared_seam_out) _o324 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m320, _o324.spare, spare);
+            const LANES(court_backboard_seam2_out) _o325 =
+                LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+            gap = _o325.gap;
+            nearing = _o325.nearing;
+            near = _o325.near;
+            const LANES(court_spared_seam_out) _o326 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m320, _o326.spare, spare);
+            const LANES(court_backboard_seam3_out) _o327 =
+                LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+            gap = _o327.gap;
+            nearing = _o327.nearing;
+            near = _o327.near;
+            const LANES(court_spared_seam_out) _o328 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m320, _o328.spare, spare);
+            const LANES(court_backboard_seam4_out) _o329 =
+                LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+            gap = _o329.gap;
+            nearing = _o329.nearing;
+            near = _o329.near;
+            const LANES(court_spared_seam_out) _o330 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m320, _o330.spare, spare);
+            const LANES(court_backboard_seam5_out) _o331 =
+                LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+            gap = _o331.gap;
+            nearing = _o331.nearing;
+            near = _o331.near;
+            const LANES(court_spared_seam_out) _o332 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m320, _o332.spare, spare);
+        }
+        const LANES(court_holding_out) _o333 =
+            LANES(court_holding)(held, K(2.0));
+        here = _o333.here;
+        const M _m334 = lanes_both(rows, here);
+        if (lanes_any(_m334)) {
+            const LANES(court_bridge_seam0_out) _o335 =
+                LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+            V gap = _o335.gap;
+            V nearing = _o335.nearing;
+            V near = _o335.near;
+            const LANES(court_spared_seam_out) _o336 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m334, _o336.spare, spare);
+            const LANES(court_bridge_seam1_out) _o337 =
+                LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+            gap = _o337.gap;
+            nearing = _o337.nearing;
+            near = _o337.near;
+            const LANES(court_spared_seam_out) _o338 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m334, _o338.spare, spare);
+            const LANES(court_bridge_seam2_out) _o339 =
+                LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+            gap = _o339.gap;
+            nearing = _o339.nearing;
+            near = _o339.near;
+            const LANES(court_spared_seam_out) _o340 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m334, _o340.spare, spare);
+            const LANES(court_bridge_seam3_out) _o341 =
+                LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+            gap = _o341.gap;
+            nearing = _o341.nearing;
+            near = _o341.near;
+            const LANES(court_spared_seam_out) _o342 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m334, _o342.spare, spare);
+            const LANES(court_bridge_seam4_out) _o343 =
+                LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+            gap = _o343.gap;
+            nearing = _o343.nearing;
+            near = _o343.near;
+            const LANES(court_spared_seam_out) _o344 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m334, _o344.spare, spare);
+            const LANES(court_bridge_seam5_out) _o345 =
+                LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+            gap = _o345.gap;
+            nearing = _o345.nearing;
+            near = _o345.near;
+            const LANES(court_spared_seam_out) _o346 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m334, _o346.spare, spare);
+        }
+        const LANES(court_parted_out) _o347 =
+            LANES(court_parted)(K(INFINITY), p_gravity, lift, per_reach, K(0.0), snap, spare, surge, K(0.0), vx, vy, vz);
+        V when = _o347.when;
+        const LANES(court_hopping_out) _o348 =
+            LANES(court_hopping)();
+        V which = _o348.which;
+        lanes_store(lists->kept_leaves_when + i, when);
+        lanes_store(lists->kept_leaves_which + i, which);
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
 static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept_shots, size_t varying, V time_limit)
 {
     {
@@ -788,114 +1157,114 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o120 =
+        const LANES(court_resumed_out) _o146 =
             LANES(court_resumed)(clock, mode, K(0.0), K(0.0));
-        V which = _o120.which;
-        V began = _o120.began;
-        M begins = _o120.begins;
-        M rolling = _o120.rolling;
-        M leaves = _o120.leaves;
-        V nx = _o120.nx;
-        V ny = _o120.ny;
-        V nz = _o120.nz;
-        V gap = _o120.gap;
-        V bent_x = _o120.bent_x;
-        V bent_y = _o120.bent_y;
-        V bent_z = _o120.bent_z;
-        V lift = _o120.lift;
-        V surge = _o120.surge;
-        V snap = _o120.snap;
-        V per_reach = _o120.per_reach;
-        const M _m121 = lanes_both(rows, begins);
-        if (lanes_any(_m121)) {
-            const LANES(court_holding_out) _o122 =
+        V which = _o146.which;
+        V began = _o146.began;
+        M begins = _o146.begins;
+        M rolling = _o146.rolling;
+        M leaves = _o146.leaves;
+        V nx = _o146.nx;
+        V ny = _o146.ny;
+        V nz = _o146.nz;
+        V gap = _o146.gap;
+        V bent_x = _o146.bent_x;
+        V bent_y = _o146.bent_y;
+        V bent_z = _o146.bent_z;
+        V lift = _o146.lift;
+        V surge = _o146.surge;
+        V snap = _o146.snap;
+        V per_reach = _o146.per_reach;
+        const M _m147 = lanes_both(rows, begins);
+        if (lanes_any(_m147)) {
+            const LANES(court_holding_out) _o148 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o122.here;
-            const M _m123 = lanes_both(_m121, here);
+            M here = _o148.here;
+            const M _m149 = lanes_both(_m147, here);
             {
-                const LANES(court_ring_normal_out) _o124 =
+                const LANES(court_ring_normal_out) _o150 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m123, _o124.nx, nx);
-                ny = lanes_select(_m123, _o124.ny, ny);
-                nz = lanes_select(_m123, _o124.nz, nz);
+                nx = lanes_select(_m149, _o150.nx, nx);
+                ny = lanes_select(_m149, _o150.ny, ny);
+                nz = lanes_select(_m149, _o150.nz, nz);
             }
-            const LANES(court_holding_out) _o125 =
+            const LANES(court_holding_out) _o151 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o125.here;
-            const M _m126 = lanes_both(_m121, here);
+            here = _o151.here;
+            const M _m152 = lanes_both(_m147, here);
             {
-                const LANES(court_backboard_normal_out) _o127 =
+                const LANES(court_backboard_normal_out) _o153 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m126, _o127.nx, nx);
-                ny = lanes_select(_m126, _o127.ny, ny);
-                nz = lanes_select(_m126, _o127.nz, nz);
+                nx = lanes_select(_m152, _o153.nx, nx);
+                ny = lanes_select(_m152, _o153.ny, ny);
+                nz = lanes_select(_m152, _o153.nz, nz);
             }
-            const LANES(court_holding_out) _o128 =
+            const LANES(court_holding_out) _o154 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o128.here;
-            const M _m129 = lanes_both(_m121, here);
+            here = _o154.here;
+            const M _m155 = lanes_both(_m147, here);
             {
-                const LANES(court_bridge_normal_out) _o130 =
+                const LANES(court_bridge_normal_out) _o156 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m129, _o130.nx, nx);
-                ny = lanes_select(_m129, _o130.ny, ny);
-                nz = lanes_select(_m129, _o130.nz, nz);
+                nx = lanes_select(_m155, _o156.nx, nx);
+                ny = lanes_select(_m155, _o156.ny, ny);
+                nz = lanes_select(_m155, _o156.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o131 =
+            const LANES(court_roll_turn_rate_out) _o157 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o131.turn_rate;
-            const LANES(court_gripped_out) _o132 =
+            V turn_rate = _o157.turn_rate;
+            const LANES(court_gripped_out) _o158 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o132.rolled_x;
-            V rolled_y = _o132.rolled_y;
-            V rolled_z = _o132.rolled_z;
-            const LANES(court_holding_out) _o133 =
+            V rolled_x = _o158.rolled_x;
+            V rolled_y = _o158.rolled_y;
+            V rolled_z = _o158.rolled_z;
+            const LANES(court_holding_out) _o159 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o133.here;
-            const M _m134 = lanes_both(_m121, here);
+            here = _o159.here;
+            const M _m160 = lanes_both(_m147, here);
             {
-                const LANES(court_ring_off_out) _o135 =
+                const LANES(court_ring_off_out) _o161 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m134, _o135.gap, gap);
+                gap = lanes_select(_m160, _o161.gap, gap);
             }
-            const LANES(court_holding_out) _o136 =
+            const LANES(court_holding_out) _o162 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o136.here;
-            const M _m137 = lanes_both(_m121, here);
+            here = _o162.here;
+            const M _m163 = lanes_both(_m147, here);
             {
-                const LANES(court_backboard_off_out) _o138 =
+                const LANES(court_backboard_off_out) _o164 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m137, _o138.gap, gap);
+                gap = lanes_select(_m163, _o164.gap, gap);
             }
-            const LANES(court_holding_out) _o139 =
+            const LANES(court_holding_out) _o165 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o139.here;
-            const M _m140 = lanes_both(_m121, here);
+            here = _o165.here;
+            const M _m166 = lanes_both(_m147, here);
             {
-                const LANES(court_bridge_off_out) _o141 =
+                const LANES(court_bridge_off_out) _o167 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m140, _o141.gap, gap);
+                gap = lanes_select(_m166, _o167.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o142 =
+            const LANES(court_roll_placed_out) _o168 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m121, _o142.x, x);
-            y = lanes_select(_m121, _o142.y, y);
-            z = lanes_select(_m121, _o142.z, z);
-            vx = lanes_select(_m121, _o142.vx, vx);
-            vy = lanes_select(_m121, _o142.vy, vy);
-            vz = lanes_select(_m121, _o142.vz, vz);
-            wx = lanes_select(_m121, _o142.wx, wx);
-            wy = lanes_select(_m121, _o142.wy, wy);
-            wz = lanes_select(_m121, _o142.wz, wz);
-            const LANES(court_beginning_contact_out) _o143 =
+            x = lanes_select(_m147, _o168.x, x);
+            y = lanes_select(_m147, _o168.y, y);
+            z = lanes_select(_m147, _o168.z, z);
+            vx = lanes_select(_m147, _o168.vx, vx);
+            vy = lanes_select(_m147, _o168.vy, vy);
+            vz = lanes_select(_m147, _o168.vz, vz);
+            wx = lanes_select(_m147, _o168.wx, wx);
+            wy = lanes_select(_m147, _o168.wy, wy);
+            wz = lanes_select(_m147, _o168.wz, wz);
+            const LANES(court_beginning_contact_out) _o169 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m121, _o143.which, which);
-            circled = lanes_select(_m121, _o143.circled, circled);
+            which = lanes_select(_m147, _o169.which, which);
+            circled = lanes_select(_m147, _o169.circled, circled);
         }
-        const LANES(court_circles_out) _o144 =
+        const LANES(court_circles_out) _o170 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o144.circling;
-        rolling = _o144.rolling;
+        M circling = _o170.circling;
+        rolling = _o170.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -1048,388 +1417,388 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_holding_out) _o145 =
+            const LANES(court_holding_out) _o171 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o145.here;
-            const M _m146 = lanes_both(active, here);
-            if (lanes_any(_m146)) {
-                const LANES(court_backboard_normal_out) _o147 =
+            M here = _o171.here;
+            const M _m172 = lanes_both(active, here);
+            if (lanes_any(_m172)) {
+                const LANES(court_backboard_normal_out) _o173 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m146, _o147.nx, nx);
-                ny = lanes_select(_m146, _o147.ny, ny);
-                nz = lanes_select(_m146, _o147.nz, nz);
-                const LANES(court_backboard_tube_out) _o148 =
+                nx = lanes_select(_m172, _o173.nx, nx);
+                ny = lanes_select(_m172, _o173.ny, ny);
+                nz = lanes_select(_m172, _o173.nz, nz);
+                const LANES(court_backboard_tube_out) _o174 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m146, _o148.bent_x, bent_x);
-                bent_y = lanes_select(_m146, _o148.bent_y, bent_y);
-                bent_z = lanes_select(_m146, _o148.bent_z, bent_z);
-                per_reach = lanes_select(_m146, _o148.per_reach, per_reach);
+                bent_x = lanes_select(_m172, _o174.bent_x, bent_x);
+                bent_y = lanes_select(_m172, _o174.bent_y, bent_y);
+                bent_z = lanes_select(_m172, _o174.bent_z, bent_z);
+                per_reach = lanes_select(_m172, _o174.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o149 =
+            const LANES(court_holding_out) _o175 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o149.here;
-            const M _m150 = lanes_both(active, here);
-            if (lanes_any(_m150)) {
-                const LANES(court_bridge_normal_out) _o151 =
+            here = _o175.here;
+            const M _m176 = lanes_both(active, here);
+            if (lanes_any(_m176)) {
+                const LANES(court_bridge_normal_out) _o177 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m150, _o151.nx, nx);
-                ny = lanes_select(_m150, _o151.ny, ny);
-                nz = lanes_select(_m150, _o151.nz, nz);
-                const LANES(court_bridge_tube_out) _o152 =
+                nx = lanes_select(_m176, _o177.nx, nx);
+                ny = lanes_select(_m176, _o177.ny, ny);
+                nz = lanes_select(_m176, _o177.nz, nz);
+                const LANES(court_bridge_tube_out) _o178 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m150, _o152.bent_x, bent_x);
-                bent_y = lanes_select(_m150, _o152.bent_y, bent_y);
-                bent_z = lanes_select(_m150, _o152.bent_z, bent_z);
-                per_reach = lanes_select(_m150, _o152.per_reach, per_reach);
+                bent_x = lanes_select(_m176, _o178.bent_x, bent_x);
+                bent_y = lanes_select(_m176, _o178.bent_y, bent_y);
+                bent_z = lanes_select(_m176, _o178.bent_z, bent_z);
+                per_reach = lanes_select(_m176, _o178.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o153 =
+            const LANES(court_roll_start_out) _o179 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o153.vx_0;
-            V vy_0 = _o153.vy_0;
-            V vz_0 = _o153.vz_0;
-            V nx_0 = _o153.nx_0;
-            V ny_0 = _o153.ny_0;
-            V nz_0 = _o153.nz_0;
-            V turn_rate_0 = _o153.turn_rate_0;
-            const LANES(court_roll_0_out) _o154 =
+            V vx_0 = _o179.vx_0;
+            V vy_0 = _o179.vy_0;
+            V vz_0 = _o179.vz_0;
+            V nx_0 = _o179.nx_0;
+            V ny_0 = _o179.ny_0;
+            V nz_0 = _o179.nz_0;
+            V turn_rate_0 = _o179.turn_rate_0;
+            const LANES(court_roll_0_out) _o180 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o154.lift_0;
-            V tx_0 = _o154.tx_0;
-            V ty_0 = _o154.ty_0;
-            V tz_0 = _o154.tz_0;
-            V vx_1 = _o154.vx_1;
-            V vy_1 = _o154.vy_1;
-            V vz_1 = _o154.vz_1;
-            V nx_1 = _o154.nx_1;
-            V ny_1 = _o154.ny_1;
-            V nz_1 = _o154.nz_1;
-            V turn_rate_1 = _o154.turn_rate_1;
-            const LANES(court_roll_1_out) _o155 =
+            V lift_0 = _o180.lift_0;
+            V tx_0 = _o180.tx_0;
+            V ty_0 = _o180.ty_0;
+            V tz_0 = _o180.tz_0;
+            V vx_1 = _o180.vx_1;
+            V vy_1 = _o180.vy_1;
+            V vz_1 = _o180.vz_1;
+            V nx_1 = _o180.nx_1;
+            V ny_1 = _o180.ny_1;
+            V nz_1 = _o180.nz_1;
+            V turn_rate_1 = _o180.turn_rate_1;
+            const LANES(court_roll_1_out) _o181 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o155.lift_1;
-            V tx_1 = _o155.tx_1;
-            V ty_1 = _o155.ty_1;
-            V tz_1 = _o155.tz_1;
-            V vx_2 = _o155.vx_2;
-            V vy_2 = _o155.vy_2;
-            V vz_2 = _o155.vz_2;
-            V nx_2 = _o155.nx_2;
-            V ny_2 = _o155.ny_2;
-            V nz_2 = _o155.nz_2;
-            V turn_rate_2 = _o155.turn_rate_2;
-            const LANES(court_roll_2_out) _o156 =
+            V lift_1 = _o181.lift_1;
+            V tx_1 = _o181.tx_1;
+            V ty_1 = _o181.ty_1;
+            V tz_1 = _o181.tz_1;
+            V vx_2 = _o181.vx_2;
+            V vy_2 = _o181.vy_2;
+            V vz_2 = _o181.vz_2;
+            V nx_2 = _o181.nx_2;
+            V ny_2 = _o181.ny_2;
+            V nz_2 = _o181.nz_2;
+            V turn_rate_2 = _o181.turn_rate_2;
+            const LANES(court_roll_2_out) _o182 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o156.lift_2;
-            V tx_2 = _o156.tx_2;
-            V ty_2 = _o156.ty_2;
-            V tz_2 = _o156.tz_2;
-            V vx_3 = _o156.vx_3;
-            V vy_3 = _o156.vy_3;
-            V vz_3 = _o156.vz_3;
-            V nx_3 = _o156.nx_3;
-            V ny_3 = _o156.ny_3;
-            V nz_3 = _o156.nz_3;
-            V turn_rate_3 = _o156.turn_rate_3;
-            const LANES(court_roll_3_out) _o157 =
+            V lift_2 = _o182.lift_2;
+            V tx_2 = _o182.tx_2;
+            V ty_2 = _o182.ty_2;
+            V tz_2 = _o182.tz_2;
+            V vx_3 = _o182.vx_3;
+            V vy_3 = _o182.vy_3;
+            V vz_3 = _o182.vz_3;
+            V nx_3 = _o182.nx_3;
+            V ny_3 = _o182.ny_3;
+            V nz_3 = _o182.nz_3;
+            V turn_rate_3 = _o182.turn_rate_3;
+            const LANES(court_roll_3_out) _o183 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o157.lift_3;
-            V tx_3 = _o157.tx_3;
-            V ty_3 = _o157.ty_3;
-            V tz_3 = _o157.tz_3;
-            V vx_4 = _o157.vx_4;
-            V vy_4 = _o157.vy_4;
-            V vz_4 = _o157.vz_4;
-            V nx_4 = _o157.nx_4;
-            V ny_4 = _o157.ny_4;
-            V nz_4 = _o157.nz_4;
-            V turn_rate_4 = _o157.turn_rate_4;
-            const LANES(court_roll_4_out) _o158 =
+            V lift_3 = _o183.lift_3;
+            V tx_3 = _o183.tx_3;
+            V ty_3 = _o183.ty_3;
+            V tz_3 = _o183.tz_3;
+            V vx_4 = _o183.vx_4;
+            V vy_4 = _o183.vy_4;
+            V vz_4 = _o183.vz_4;
+            V nx_4 = _o183.nx_4;
+            V ny_4 = _o183.ny_4;
+            V nz_4 = _o183.nz_4;
+            V turn_rate_4 = _o183.turn_rate_4;
+            const LANES(court_roll_4_out) _o184 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o158.lift_4;
-            V tx_4 = _o158.tx_4;
-            V ty_4 = _o158.ty_4;
-            V tz_4 = _o158.tz_4;
-            V vx_5 = _o158.vx_5;
-            V vy_5 = _o158.vy_5;
-            V vz_5 = _o158.vz_5;
-            V nx_5 = _o158.nx_5;
-            V ny_5 = _o158.ny_5;
-            V nz_5 = _o158.nz_5;
-            V turn_rate_5 = _o158.turn_rate_5;
-            const LANES(court_roll_5_out) _o159 =
+            V lift_4 = _o184.lift_4;
+            V tx_4 = _o184.tx_4;
+            V ty_4 = _o184.ty_4;
+            V tz_4 = _o184.tz_4;
+            V vx_5 = _o184.vx_5;
+            V vy_5 = _o184.vy_5;
+            V vz_5 = _o184.vz_5;
+            V nx_5 = _o184.nx_5;
+            V ny_5 = _o184.ny_5;
+            V nz_5 = _o184.nz_5;
+            V turn_rate_5 = _o184.turn_rate_5;
+            const LANES(court_roll_5_out) _o185 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o159.lift_5;
-            V tx_5 = _o159.tx_5;
-            V ty_5 = _o159.ty_5;
-            V tz_5 = _o159.tz_5;
-            V vx_6 = _o159.vx_6;
-            V vy_6 = _o159.vy_6;
-            V vz_6 = _o159.vz_6;
-            V nx_6 = _o159.nx_6;
-            V ny_6 = _o159.ny_6;
-            V nz_6 = _o159.nz_6;
-            V turn_rate_6 = _o159.turn_rate_6;
-            const LANES(court_roll_6_out) _o160 =
+            V lift_5 = _o185.lift_5;
+            V tx_5 = _o185.tx_5;
+            V ty_5 = _o185.ty_5;
+            V tz_5 = _o185.tz_5;
+            V vx_6 = _o185.vx_6;
+            V vy_6 = _o185.vy_6;
+            V vz_6 = _o185.vz_6;
+            V nx_6 = _o185.nx_6;
+            V ny_6 = _o185.ny_6;
+            V nz_6 = _o185.nz_6;
+            V turn_rate_6 = _o185.turn_rate_6;
+            const LANES(court_roll_6_out) _o186 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o160.lift_6;
-            V tx_6 = _o160.tx_6;
-            V ty_6 = _o160.ty_6;
-            V tz_6 = _o160.tz_6;
-            V vx_7 = _o160.vx_7;
-            V vy_7 = _o160.vy_7;
-            V vz_7 = _o160.vz_7;
-            V nx_7 = _o160.nx_7;
-            V ny_7 = _o160.ny_7;
-            V nz_7 = _o160.nz_7;
-            V turn_rate_7 = _o160.turn_rate_7;
-            const LANES(court_roll_7_out) _o161 =
+            V lift_6 = _o186.lift_6;
+            V tx_6 = _o186.tx_6;
+            V ty_6 = _o186.ty_6;
+            V tz_6 = _o186.tz_6;
+            V vx_7 = _o186.vx_7;
+            V vy_7 = _o186.vy_7;
+            V vz_7 = _o186.vz_7;
+            V nx_7 = _o186.nx_7;
+            V ny_7 = _o186.ny_7;
+            V nz_7 = _o186.nz_7;
+            V turn_rate_7 = _o186.turn_rate_7;
+            const LANES(court_roll_7_out) _o187 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o161.lift_7;
-            V vx_8 = _o161.vx_8;
-            V vy_8 = _o161.vy_8;
-            V vz_8 = _o161.vz_8;
-            V nx_8 = _o161.nx_8;
-            V ny_8 = _o161.ny_8;
-            V nz_8 = _o161.nz_8;
-            V turn_rate_8 = _o161.turn_rate_8;
-            const LANES(court_roll_pace_out) _o162 =
+            V lift_7 = _o187.lift_7;
+            V vx_8 = _o187.vx_8;
+            V vy_8 = _o187.vy_8;
+            V vz_8 = _o187.vz_8;
+            V nx_8 = _o187.nx_8;
+            V ny_8 = _o187.ny_8;
+            V nz_8 = _o187.nz_8;
+            V turn_rate_8 = _o187.turn_rate_8;
+            const LANES(court_roll_pace_out) _o188 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o162.stride;
-            V strongest = _o162.strongest;
-            V fastest = _o162.fastest;
-            V force = _o162.force;
-            V force_rate = _o162.force_rate;
-            V force_bend = _o162.force_bend;
-            V brace = _o162.brace;
-            const LANES(court_leaving_force_out) _o163 =
+            V stride = _o188.stride;
+            V strongest = _o188.strongest;
+            V fastest = _o188.fastest;
+            V force = _o188.force;
+            V force_rate = _o188.force_rate;
+            V force_bend = _o188.force_bend;
+            V brace = _o188.brace;
+            const LANES(court_leaving_force_out) _o189 =
                 LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o163.stride;
-            which = _o163.which;
-            M rests = _o163.rests;
-            const LANES(court_beside_out) _o164 =
+            stride = _o189.stride;
+            which = _o189.which;
+            M rests = _o189.rests;
+            const LANES(court_beside_out) _o190 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o164.beside;
-            const M _m165 = lanes_both(active, beside);
-            if (lanes_any(_m165)) {
-                const LANES(court_ring_beside_out) _o166 =
+            M beside = _o190.beside;
+            const M _m191 = lanes_both(active, beside);
+            if (lanes_any(_m191)) {
+                const LANES(court_ring_beside_out) _o192 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o166.gap;
-                V nearing = _o166.nearing;
-                V dent = _o166.dent;
-                const LANES(court_beside_body_out) _o167 =
+                V gap = _o192.gap;
+                V nearing = _o192.nearing;
+                V dent = _o192.dent;
+                const LANES(court_beside_body_out) _o193 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(0.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m165, _o167.stride, stride);
-                which = lanes_select(_m165, _o167.which, which);
+                stride = lanes_select(_m191, _o193.stride, stride);
+                which = lanes_select(_m191, _o193.which, which);
             }
-            const LANES(court_beside_out) _o168 =
+            const LANES(court_beside_out) _o194 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o168.beside;
-            const M _m169 = lanes_both(active, beside);
-            if (lanes_any(_m169)) {
-                const LANES(court_backboard_beside_out) _o170 =
+            beside = _o194.beside;
+            const M _m195 = lanes_both(active, beside);
+            if (lanes_any(_m195)) {
+                const LANES(court_backboard_beside_out) _o196 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o170.gap;
-                V nearing = _o170.nearing;
-                V dent = _o170.dent;
-                const LANES(court_beside_body_out) _o171 =
+                V gap = _o196.gap;
+                V nearing = _o196.nearing;
+                V dent = _o196.dent;
+                const LANES(court_beside_body_out) _o197 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m169, _o171.stride, stride);
-                which = lanes_select(_m169, _o171.which, which);
+                stride = lanes_select(_m195, _o197.stride, stride);
+                which = lanes_select(_m195, _o197.which, which);
             }
-            const LANES(court_beside_out) _o172 =
+            const LANES(court_beside_out) _o198 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o172.beside;
-            const M _m173 = lanes_both(active, beside);
-            if (lanes_any(_m173)) {
-                const LANES(court_bridge_beside_out) _o174 =
+            beside = _o198.beside;
+            const M _m199 = lanes_both(active, beside);
+            if (lanes_any(_m199)) {
+                const LANES(court_bridge_beside_out) _o200 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o174.gap;
-                V nearing = _o174.nearing;
-                V dent = _o174.dent;
-                const LANES(court_beside_body_out) _o175 =
+                V gap = _o200.gap;
+                V nearing = _o200.nearing;
+                V dent = _o200.dent;
+                const LANES(court_beside_body_out) _o201 =
                     LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-                stride = lanes_select(_m173, _o175.stride, stride);
-                which = lanes_select(_m173, _o175.which, which);
+                stride = lanes_select(_m199, _o201.stride, stride);
+                which = lanes_select(_m199, _o201.which, which);
             }
-            const LANES(court_end_beside_out) _o176 =
+            const LANES(court_end_beside_out) _o202 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o176.gap;
-            V nearing = _o176.nearing;
-            V dent = _o176.dent;
-            const LANES(court_beside_gate_out) _o177 =
+            V gap = _o202.gap;
+            V nearing = _o202.nearing;
+            V dent = _o202.dent;
+            const LANES(court_beside_gate_out) _o203 =
                 LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o177.stride;
-            which = _o177.which;
-            const LANES(court_holding_out) _o178 =
+            stride = _o203.stride;
+            which = _o203.which;
+            const LANES(court_holding_out) _o204 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o178.here;
-            const M _m179 = lanes_both(active, here);
-            if (lanes_any(_m179)) {
-                const LANES(court_backboard_seam0_out) _o180 =
+            here = _o204.here;
+            const M _m205 = lanes_both(active, here);
+            if (lanes_any(_m205)) {
+                const LANES(court_backboard_seam0_out) _o206 =
                     LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m179, _o180.gap, gap);
-                V nearing = _o180.nearing;
-                V near = _o180.near;
-                const LANES(court_beside_seam_out) _o181 =
+                gap = lanes_select(_m205, _o206.gap, gap);
+                V nearing = _o206.nearing;
+                V near = _o206.near;
+                const LANES(court_beside_seam_out) _o207 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m179, _o181.stride, stride);
-                const LANES(court_backboard_seam1_out) _o182 =
+                stride = lanes_select(_m205, _o207.stride, stride);
+                const LANES(court_backboard_seam1_out) _o208 =
                     LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m179, _o182.gap, gap);
-                nearing = _o182.nearing;
-                near = _o182.near;
-                const LANES(court_beside_seam_out) _o183 =
+                gap = lanes_select(_m205, _o208.gap, gap);
+                nearing = _o208.nearing;
+                near = _o208.near;
+                const LANES(court_beside_seam_out) _o209 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m179, _o183.stride, stride);
-                const LANES(court_backboard_seam2_out) _o184 =
+                stride = lanes_select(_m205, _o209.stride, stride);
+                const LANES(court_backboard_seam2_out) _o210 =
                     LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m179, _o184.gap, gap);
-                nearing = _o184.nearing;
-                near = _o184.near;
-                const LANES(court_beside_seam_out) _o185 =
+                gap = lanes_select(_m205, _o210.gap, gap);
+                nearing = _o210.nearing;
+                near = _o210.near;
+                const LANES(court_beside_seam_out) _o211 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m179, _o185.stride, stride);
-                const LANES(court_backboard_seam3_out) _o186 =
+                stride = lanes_select(_m205, _o211.stride, stride);
+                const LANES(court_backboard_seam3_out) _o212 =
                     LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m179, _o186.gap, gap);
-                nearing = _o186.nearing;
-                near = _o186.near;
-                const LANES(court_beside_seam_out) _o187 =
+                gap = lanes_select(_m205, _o212.gap, gap);
+                nearing = _o212.nearing;
+                near = _o212.near;
+                const LANES(court_beside_seam_out) _o213 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m179, _o187.stride, stride);
-                const LANES(court_backboard_seam4_out) _o188 =
+                stride = lanes_select(_m205, _o213.stride, stride);
+                const LANES(court_backboard_seam4_out) _o214 =
                     LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m179, _o188.gap, gap);
-                nearing = _o188.nearing;
-                near = _o188.near;
-                const LANES(court_beside_seam_out) _o189 =
+                gap = lanes_select(_m205, _o214.gap, gap);
+                nearing = _o214.nearing;
+                near = _o214.near;
+                const LANES(court_beside_seam_out) _o215 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m179, _o189.stride, stride);
-                const LANES(court_backboard_seam5_out) _o190 =
+                stride = lanes_select(_m205, _o215.stride, stride);
+                const LANES(court_backboard_seam5_out) _o216 =
                     LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m179, _o190.gap, gap);
-                nearing = _o190.nearing;
-                near = _o190.near;
-                const LANES(court_beside_seam_out) _o191 =
+                gap = lanes_select(_m205, _o216.gap, gap);
+                nearing = _o216.nearing;
+                near = _o216.near;
+                const LANES(court_beside_seam_out) _o217 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m179, _o191.stride, stride);
+                stride = lanes_select(_m205, _o217.stride, stride);
             }
-            const LANES(court_holding_out) _o192 =
+            const LANES(court_holding_out) _o218 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o192.here;
-            const M _m193 = lanes_both(active, here);
-            if (lanes_any(_m193)) {
-                const LANES(court_bridge_seam0_out) _o194 =
+            here = _o218.here;
+            const M _m219 = lanes_both(active, here);
+            if (lanes_any(_m219)) {
+                const LANES(court_bridge_seam0_out) _o220 =
                     LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m193, _o194.gap, gap);
-                V nearing = _o194.nearing;
-                V near = _o194.near;
-                const LANES(court_beside_seam_out) _o195 =
+                gap = lanes_select(_m219, _o220.gap, gap);
+                V nearing = _o220.nearing;
+                V near = _o220.near;
+                const LANES(court_beside_seam_out) _o221 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m193, _o195.stride, stride);
-                const LANES(court_bridge_seam1_out) _o196 =
+                stride = lanes_select(_m219, _o221.stride, stride);
+                const LANES(court_bridge_seam1_out) _o222 =
                     LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m193, _o196.gap, gap);
-                nearing = _o196.nearing;
-                near = _o196.near;
-                const LANES(court_beside_seam_out) _o197 =
+                gap = lanes_select(_m219, _o222.gap, gap);
+                nearing = _o222.nearing;
+                near = _o222.near;
+                const LANES(court_beside_seam_out) _o223 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m193, _o197.stride, stride);
-                const LANES(court_bridge_seam2_out) _o198 =
+                stride = lanes_select(_m219, _o223.stride, stride);
+                const LANES(court_bridge_seam2_out) _o224 =
                     LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m193, _o198.gap, gap);
-                nearing = _o198.nearing;
-                near = _o198.near;
-                const LANES(court_beside_seam_out) _o199 =
+                gap = lanes_select(_m219, _o224.gap, gap);
+                nearing = _o224.nearing;
+                near = _o224.near;
+                const LANES(court_beside_seam_out) _o225 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m193, _o199.stride, stride);
-                const LANES(court_bridge_seam3_out) _o200 =
+                stride = lanes_select(_m219, _o225.stride, stride);
+                const LANES(court_bridge_seam3_out) _o226 =
                     LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m193, _o200.gap, gap);
-                nearing = _o200.nearing;
-                near = _o200.near;
-                const LANES(court_beside_seam_out) _o201 =
+                gap = lanes_select(_m219, _o226.gap, gap);
+                nearing = _o226.nearing;
+                near = _o226.near;
+                const LANES(court_beside_seam_out) _o227 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m193, _o201.stride, stride);
-                const LANES(court_bridge_seam4_out) _o202 =
+                stride = lanes_select(_m219, _o227.stride, stride);
+                const LANES(court_bridge_seam4_out) _o228 =
                     LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m193, _o202.gap, gap);
-                nearing = _o202.nearing;
-                near = _o202.near;
-                const LANES(court_beside_seam_out) _o203 =
+                gap = lanes_select(_m219, _o228.gap, gap);
+                nearing = _o228.nearing;
+                near = _o228.near;
+                const LANES(court_beside_seam_out) _o229 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m193, _o203.stride, stride);
-                const LANES(court_bridge_seam5_out) _o204 =
+                stride = lanes_select(_m219, _o229.stride, stride);
+                const LANES(court_bridge_seam5_out) _o230 =
                     LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m193, _o204.gap, gap);
-                nearing = _o204.nearing;
-                near = _o204.near;
-                const LANES(court_beside_seam_out) _o205 =
+                gap = lanes_select(_m219, _o230.gap, gap);
+                nearing = _o230.nearing;
+                near = _o230.near;
+                const LANES(court_beside_seam_out) _o231 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m193, _o205.stride, stride);
+                stride = lanes_select(_m219, _o231.stride, stride);
             }
-            const LANES(court_beside_time_out) _o206 =
+            const LANES(court_beside_time_out) _o232 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o206.stride;
-            which = _o206.which;
-            const LANES(court_passing_from_out) _o207 =
+            stride = _o232.stride;
+            which = _o232.which;
+            const LANES(court_passing_from_out) _o233 =
                 LANES(court_passing_from)(z);
-            M over = _o207.over;
-            const LANES(court_roll_moved_out) _o208 =
+            M over = _o233.over;
+            const LANES(court_roll_moved_out) _o234 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o208.x;
-            vx = _o208.vx;
-            y = _o208.y;
-            vy = _o208.vy;
-            z = _o208.z;
-            vz = _o208.vz;
-            V turn_rate = _o208.turn_rate;
-            const LANES(court_holding_out) _o209 =
+            x = _o234.x;
+            vx = _o234.vx;
+            y = _o234.y;
+            vy = _o234.vy;
+            z = _o234.z;
+            vz = _o234.vz;
+            V turn_rate = _o234.turn_rate;
+            const LANES(court_holding_out) _o235 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o209.here;
-            const M _m210 = lanes_both(active, here);
-            if (lanes_any(_m210)) {
-                const LANES(court_backboard_normal_out) _o211 =
+            here = _o235.here;
+            const M _m236 = lanes_both(active, here);
+            if (lanes_any(_m236)) {
+                const LANES(court_backboard_normal_out) _o237 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m210, _o211.nx, nx);
-                ny = lanes_select(_m210, _o211.ny, ny);
-                nz = lanes_select(_m210, _o211.nz, nz);
-                const LANES(court_backboard_off_out) _o212 =
+                nx = lanes_select(_m236, _o237.nx, nx);
+                ny = lanes_select(_m236, _o237.ny, ny);
+                nz = lanes_select(_m236, _o237.nz, nz);
+                const LANES(court_backboard_off_out) _o238 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m210, _o212.gap, gap);
+                gap = lanes_select(_m236, _o238.gap, gap);
             }
-            const LANES(court_holding_out) _o213 =
+            const LANES(court_holding_out) _o239 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o213.here;
-            const M _m214 = lanes_both(active, here);
-            if (lanes_any(_m214)) {
-                const LANES(court_bridge_normal_out) _o215 =
+            here = _o239.here;
+            const M _m240 = lanes_both(active, here);
+            if (lanes_any(_m240)) {
+                const LANES(court_bridge_normal_out) _o241 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m214, _o215.nx, nx);
-                ny = lanes_select(_m214, _o215.ny, ny);
-                nz = lanes_select(_m214, _o215.nz, nz);
-                const LANES(court_bridge_off_out) _o216 =
+                nx = lanes_select(_m240, _o241.nx, nx);
+                ny = lanes_select(_m240, _o241.ny, ny);
+                nz = lanes_select(_m240, _o241.nz, nz);
+                const LANES(court_bridge_off_out) _o242 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m214, _o216.gap, gap);
+                gap = lanes_select(_m240, _o242.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o217 =
+            const LANES(court_roll_placed_out) _o243 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o217.x;
-            y = _o217.y;
-            z = _o217.z;
-            vx = _o217.vx;
-            vy = _o217.vy;
-            vz = _o217.vz;
-            wx = _o217.wx;
-            wy = _o217.wy;
-            wz = _o217.wz;
-            const LANES(court_passing_in_contact_out) _o218 =
+            x = _o243.x;
+            y = _o243.y;
+            z = _o243.z;
+            vx = _o243.vx;
+            vy = _o243.vy;
+            vz = _o243.vz;
+            wx = _o243.wx;
+            wy = _o243.wy;
+            wz = _o243.wz;
+            const LANES(court_passing_in_contact_out) _o244 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o218.through;
-            const LANES(court_rolled_on_out) _o219 =
+            through = _o244.through;
+            const LANES(court_rolled_on_out) _o245 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o219.clock;
-            rolling = _o219.rolling;
+            clock = _o245.clock;
+            rolling = _o245.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -1632,320 +2001,320 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_ring_tube_out) _o220 =
+            const LANES(court_ring_tube_out) _o246 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o220.per_reach;
-            const LANES(court_ring_round_start_out) _o221 =
+            V per_reach = _o246.per_reach;
+            const LANES(court_ring_round_start_out) _o247 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o221.cosine_0;
-            V sine_0 = _o221.sine_0;
-            V climb_0 = _o221.climb_0;
-            V along_0 = _o221.along_0;
-            V turn_rate_0 = _o221.turn_rate_0;
-            V cos_0 = _o221.cos_0;
-            V sin_0 = _o221.sin_0;
-            V near_0 = _o221.near_0;
-            const LANES(court_ring_round_0_out) _o222 =
+            V cosine_0 = _o247.cosine_0;
+            V sine_0 = _o247.sine_0;
+            V climb_0 = _o247.climb_0;
+            V along_0 = _o247.along_0;
+            V turn_rate_0 = _o247.turn_rate_0;
+            V cos_0 = _o247.cos_0;
+            V sin_0 = _o247.sin_0;
+            V near_0 = _o247.near_0;
+            const LANES(court_ring_round_0_out) _o248 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o222.omega_0;
-            V around_0 = _o222.around_0;
-            V tilted_0 = _o222.tilted_0;
-            V pressed_0 = _o222.pressed_0;
-            V force_0 = _o222.force_0;
-            V cosine_1 = _o222.cosine_1;
-            V sine_1 = _o222.sine_1;
-            V climb_1 = _o222.climb_1;
-            V along_1 = _o222.along_1;
-            V turn_rate_1 = _o222.turn_rate_1;
-            V cos_1 = _o222.cos_1;
-            V sin_1 = _o222.sin_1;
-            const LANES(court_ring_round_1_out) _o223 =
+            V omega_0 = _o248.omega_0;
+            V around_0 = _o248.around_0;
+            V tilted_0 = _o248.tilted_0;
+            V pressed_0 = _o248.pressed_0;
+            V force_0 = _o248.force_0;
+            V cosine_1 = _o248.cosine_1;
+            V sine_1 = _o248.sine_1;
+            V climb_1 = _o248.climb_1;
+            V along_1 = _o248.along_1;
+            V turn_rate_1 = _o248.turn_rate_1;
+            V cos_1 = _o248.cos_1;
+            V sin_1 = _o248.sin_1;
+            const LANES(court_ring_round_1_out) _o249 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o223.near_1;
-            V omega_1 = _o223.omega_1;
-            V around_1 = _o223.around_1;
-            V tilted_1 = _o223.tilted_1;
-            V pressed_1 = _o223.pressed_1;
-            V force_1 = _o223.force_1;
-            V cosine_2 = _o223.cosine_2;
-            V sine_2 = _o223.sine_2;
-            V climb_2 = _o223.climb_2;
-            V along_2 = _o223.along_2;
-            V turn_rate_2 = _o223.turn_rate_2;
-            V cos_2 = _o223.cos_2;
-            V sin_2 = _o223.sin_2;
-            const LANES(court_ring_round_2_out) _o224 =
+            V near_1 = _o249.near_1;
+            V omega_1 = _o249.omega_1;
+            V around_1 = _o249.around_1;
+            V tilted_1 = _o249.tilted_1;
+            V pressed_1 = _o249.pressed_1;
+            V force_1 = _o249.force_1;
+            V cosine_2 = _o249.cosine_2;
+            V sine_2 = _o249.sine_2;
+            V climb_2 = _o249.climb_2;
+            V along_2 = _o249.along_2;
+            V turn_rate_2 = _o249.turn_rate_2;
+            V cos_2 = _o249.cos_2;
+            V sin_2 = _o249.sin_2;
+            const LANES(court_ring_round_2_out) _o250 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o224.near_2;
-            V omega_2 = _o224.omega_2;
-            V around_2 = _o224.around_2;
-            V tilted_2 = _o224.tilted_2;
-            V pressed_2 = _o224.pressed_2;
-            V force_2 = _o224.force_2;
-            V cosine_3 = _o224.cosine_3;
-            V sine_3 = _o224.sine_3;
-            V climb_3 = _o224.climb_3;
-            V along_3 = _o224.along_3;
-            V turn_rate_3 = _o224.turn_rate_3;
-            V cos_3 = _o224.cos_3;
-            V sin_3 = _o224.sin_3;
-            const LANES(court_ring_round_3_out) _o225 =
+            V near_2 = _o250.near_2;
+            V omega_2 = _o250.omega_2;
+            V around_2 = _o250.around_2;
+            V tilted_2 = _o250.tilted_2;
+            V pressed_2 = _o250.pressed_2;
+            V force_2 = _o250.force_2;
+            V cosine_3 = _o250.cosine_3;
+            V sine_3 = _o250.sine_3;
+            V climb_3 = _o250.climb_3;
+            V along_3 = _o250.along_3;
+            V turn_rate_3 = _o250.turn_rate_3;
+            V cos_3 = _o250.cos_3;
+            V sin_3 = _o250.sin_3;
+            const LANES(court_ring_round_3_out) _o251 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o225.near_3;
-            V omega_3 = _o225.omega_3;
-            V around_3 = _o225.around_3;
-            V tilted_3 = _o225.tilted_3;
-            V pressed_3 = _o225.pressed_3;
-            V force_3 = _o225.force_3;
-            V cosine_4 = _o225.cosine_4;
-            V sine_4 = _o225.sine_4;
-            V climb_4 = _o225.climb_4;
-            V along_4 = _o225.along_4;
-            V turn_rate_4 = _o225.turn_rate_4;
-            V cos_4 = _o225.cos_4;
-            V sin_4 = _o225.sin_4;
-            const LANES(court_ring_round_4_out) _o226 =
+            V near_3 = _o251.near_3;
+            V omega_3 = _o251.omega_3;
+            V around_3 = _o251.around_3;
+            V tilted_3 = _o251.tilted_3;
+            V pressed_3 = _o251.pressed_3;
+            V force_3 = _o251.force_3;
+            V cosine_4 = _o251.cosine_4;
+            V sine_4 = _o251.sine_4;
+            V climb_4 = _o251.climb_4;
+            V along_4 = _o251.along_4;
+            V turn_rate_4 = _o251.turn_rate_4;
+            V cos_4 = _o251.cos_4;
+            V sin_4 = _o251.sin_4;
+            const LANES(court_ring_round_4_out) _o252 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o226.near_4;
-            V omega_4 = _o226.omega_4;
-            V around_4 = _o226.around_4;
-            V tilted_4 = _o226.tilted_4;
-            V pressed_4 = _o226.pressed_4;
-            V force_4 = _o226.force_4;
-            V cosine_5 = _o226.cosine_5;
-            V sine_5 = _o226.sine_5;
-            V climb_5 = _o226.climb_5;
-            V along_5 = _o226.along_5;
-            V turn_rate_5 = _o226.turn_rate_5;
-            V cos_5 = _o226.cos_5;
-            V sin_5 = _o226.sin_5;
-            const LANES(court_ring_round_5_out) _o227 =
+            V near_4 = _o252.near_4;
+            V omega_4 = _o252.omega_4;
+            V around_4 = _o252.around_4;
+            V tilted_4 = _o252.tilted_4;
+            V pressed_4 = _o252.pressed_4;
+            V force_4 = _o252.force_4;
+            V cosine_5 = _o252.cosine_5;
+            V sine_5 = _o252.sine_5;
+            V climb_5 = _o252.climb_5;
+            V along_5 = _o252.along_5;
+            V turn_rate_5 = _o252.turn_rate_5;
+            V cos_5 = _o252.cos_5;
+            V sin_5 = _o252.sin_5;
+            const LANES(court_ring_round_5_out) _o253 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o227.near_5;
-            V omega_5 = _o227.omega_5;
-            V around_5 = _o227.around_5;
-            V tilted_5 = _o227.tilted_5;
-            V pressed_5 = _o227.pressed_5;
-            V force_5 = _o227.force_5;
-            V cosine_6 = _o227.cosine_6;
-            V sine_6 = _o227.sine_6;
-            V climb_6 = _o227.climb_6;
-            V along_6 = _o227.along_6;
-            V turn_rate_6 = _o227.turn_rate_6;
-            V cos_6 = _o227.cos_6;
-            V sin_6 = _o227.sin_6;
-            const LANES(court_ring_round_6_out) _o228 =
+            V near_5 = _o253.near_5;
+            V omega_5 = _o253.omega_5;
+            V around_5 = _o253.around_5;
+            V tilted_5 = _o253.tilted_5;
+            V pressed_5 = _o253.pressed_5;
+            V force_5 = _o253.force_5;
+            V cosine_6 = _o253.cosine_6;
+            V sine_6 = _o253.sine_6;
+            V climb_6 = _o253.climb_6;
+            V along_6 = _o253.along_6;
+            V turn_rate_6 = _o253.turn_rate_6;
+            V cos_6 = _o253.cos_6;
+            V sin_6 = _o253.sin_6;
+            const LANES(court_ring_round_6_out) _o254 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o228.near_6;
-            V omega_6 = _o228.omega_6;
-            V around_6 = _o228.around_6;
-            V tilted_6 = _o228.tilted_6;
-            V pressed_6 = _o228.pressed_6;
-            V force_6 = _o228.force_6;
-            V cosine_7 = _o228.cosine_7;
-            V sine_7 = _o228.sine_7;
-            V climb_7 = _o228.climb_7;
-            V along_7 = _o228.along_7;
-            V turn_rate_7 = _o228.turn_rate_7;
-            V cos_7 = _o228.cos_7;
-            V sin_7 = _o228.sin_7;
-            const LANES(court_ring_round_7_out) _o229 =
+            V near_6 = _o254.near_6;
+            V omega_6 = _o254.omega_6;
+            V around_6 = _o254.around_6;
+            V tilted_6 = _o254.tilted_6;
+            V pressed_6 = _o254.pressed_6;
+            V force_6 = _o254.force_6;
+            V cosine_7 = _o254.cosine_7;
+            V sine_7 = _o254.sine_7;
+            V climb_7 = _o254.climb_7;
+            V along_7 = _o254.along_7;
+            V turn_rate_7 = _o254.turn_rate_7;
+            V cos_7 = _o254.cos_7;
+            V sin_7 = _o254.sin_7;
+            const LANES(court_ring_round_7_out) _o255 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o229.near_7;
-            V omega_7 = _o229.omega_7;
-            V around_7 = _o229.around_7;
-            V tilted_7 = _o229.tilted_7;
-            V pressed_7 = _o229.pressed_7;
-            V force_7 = _o229.force_7;
-            V cosine_8 = _o229.cosine_8;
-            V sine_8 = _o229.sine_8;
-            V climb_8 = _o229.climb_8;
-            V along_8 = _o229.along_8;
-            V turn_rate_8 = _o229.turn_rate_8;
-            V cos_8 = _o229.cos_8;
-            V sin_8 = _o229.sin_8;
-            const LANES(court_ring_round_8_out) _o230 =
+            V near_7 = _o255.near_7;
+            V omega_7 = _o255.omega_7;
+            V around_7 = _o255.around_7;
+            V tilted_7 = _o255.tilted_7;
+            V pressed_7 = _o255.pressed_7;
+            V force_7 = _o255.force_7;
+            V cosine_8 = _o255.cosine_8;
+            V sine_8 = _o255.sine_8;
+            V climb_8 = _o255.climb_8;
+            V along_8 = _o255.along_8;
+            V turn_rate_8 = _o255.turn_rate_8;
+            V cos_8 = _o255.cos_8;
+            V sin_8 = _o255.sin_8;
+            const LANES(court_ring_round_8_out) _o256 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o230.near_8;
-            V omega_8 = _o230.omega_8;
-            V around_8 = _o230.around_8;
-            V tilted_8 = _o230.tilted_8;
-            V pressed_8 = _o230.pressed_8;
-            V force_8 = _o230.force_8;
-            V cosine_9 = _o230.cosine_9;
-            V sine_9 = _o230.sine_9;
-            V climb_9 = _o230.climb_9;
-            V along_9 = _o230.along_9;
-            V turn_rate_9 = _o230.turn_rate_9;
-            V cos_9 = _o230.cos_9;
-            V sin_9 = _o230.sin_9;
-            const LANES(court_ring_round_9_out) _o231 =
+            V near_8 = _o256.near_8;
+            V omega_8 = _o256.omega_8;
+            V around_8 = _o256.around_8;
+            V tilted_8 = _o256.tilted_8;
+            V pressed_8 = _o256.pressed_8;
+            V force_8 = _o256.force_8;
+            V cosine_9 = _o256.cosine_9;
+            V sine_9 = _o256.sine_9;
+            V climb_9 = _o256.climb_9;
+            V along_9 = _o256.along_9;
+            V turn_rate_9 = _o256.turn_rate_9;
+            V cos_9 = _o256.cos_9;
+            V sin_9 = _o256.sin_9;
+            const LANES(court_ring_round_9_out) _o257 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o231.near_9;
-            V omega_9 = _o231.omega_9;
-            V around_9 = _o231.around_9;
-            V tilted_9 = _o231.tilted_9;
-            V pressed_9 = _o231.pressed_9;
-            V force_9 = _o231.force_9;
-            V cosine_10 = _o231.cosine_10;
-            V sine_10 = _o231.sine_10;
-            V climb_10 = _o231.climb_10;
-            V along_10 = _o231.along_10;
-            V turn_rate_10 = _o231.turn_rate_10;
-            V cos_10 = _o231.cos_10;
-            V sin_10 = _o231.sin_10;
-            const LANES(court_ring_round_10_out) _o232 =
+            V near_9 = _o257.near_9;
+            V omega_9 = _o257.omega_9;
+            V around_9 = _o257.around_9;
+            V tilted_9 = _o257.tilted_9;
+            V pressed_9 = _o257.pressed_9;
+            V force_9 = _o257.force_9;
+            V cosine_10 = _o257.cosine_10;
+            V sine_10 = _o257.sine_10;
+            V climb_10 = _o257.climb_10;
+            V along_10 = _o257.along_10;
+            V turn_rate_10 = _o257.turn_rate_10;
+            V cos_10 = _o257.cos_10;
+            V sin_10 = _o257.sin_10;
+            const LANES(court_ring_round_10_out) _o258 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o232.near_10;
-            V omega_10 = _o232.omega_10;
-            V around_10 = _o232.around_10;
-            V tilted_10 = _o232.tilted_10;
-            V pressed_10 = _o232.pressed_10;
-            V force_10 = _o232.force_10;
-            V cosine_11 = _o232.cosine_11;
-            V sine_11 = _o232.sine_11;
-            V climb_11 = _o232.climb_11;
-            V along_11 = _o232.along_11;
-            V turn_rate_11 = _o232.turn_rate_11;
-            V cos_11 = _o232.cos_11;
-            V sin_11 = _o232.sin_11;
-            const LANES(court_ring_round_11_out) _o233 =
+            V near_10 = _o258.near_10;
+            V omega_10 = _o258.omega_10;
+            V around_10 = _o258.around_10;
+            V tilted_10 = _o258.tilted_10;
+            V pressed_10 = _o258.pressed_10;
+            V force_10 = _o258.force_10;
+            V cosine_11 = _o258.cosine_11;
+            V sine_11 = _o258.sine_11;
+            V climb_11 = _o258.climb_11;
+            V along_11 = _o258.along_11;
+            V turn_rate_11 = _o258.turn_rate_11;
+            V cos_11 = _o258.cos_11;
+            V sin_11 = _o258.sin_11;
+            const LANES(court_ring_round_11_out) _o259 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o233.force_11;
-            V cosine_12 = _o233.cosine_12;
-            V sine_12 = _o233.sine_12;
-            V climb_12 = _o233.climb_12;
-            V along_12 = _o233.along_12;
-            V turn_rate_12 = _o233.turn_rate_12;
-            V cos_12 = _o233.cos_12;
-            V sin_12 = _o233.sin_12;
-            const LANES(court_ring_round_pace_out) _o234 =
+            V force_11 = _o259.force_11;
+            V cosine_12 = _o259.cosine_12;
+            V sine_12 = _o259.sine_12;
+            V climb_12 = _o259.climb_12;
+            V along_12 = _o259.along_12;
+            V turn_rate_12 = _o259.turn_rate_12;
+            V cos_12 = _o259.cos_12;
+            V sin_12 = _o259.sin_12;
+            const LANES(court_ring_round_pace_out) _o260 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, p_wire_radius);
-            V stride = _o234.stride;
-            V strongest = _o234.strongest;
-            V fastest = _o234.fastest;
-            V sway = _o234.sway;
-            V force = _o234.force;
-            V force_rate = _o234.force_rate;
-            V force_bend = _o234.force_bend;
-            V brace = _o234.brace;
-            V vx_1 = _o234.vx_1;
-            V vy_1 = _o234.vy_1;
-            V vz_1 = _o234.vz_1;
-            const LANES(court_leaving_force_out) _o235 =
+            V stride = _o260.stride;
+            V strongest = _o260.strongest;
+            V fastest = _o260.fastest;
+            V sway = _o260.sway;
+            V force = _o260.force;
+            V force_rate = _o260.force_rate;
+            V force_bend = _o260.force_bend;
+            V brace = _o260.brace;
+            V vx_1 = _o260.vx_1;
+            V vy_1 = _o260.vy_1;
+            V vz_1 = _o260.vz_1;
+            const LANES(court_leaving_force_out) _o261 =
                 LANES(court_leaving_force)(p_ball_radius, brace, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o235.stride;
-            which = _o235.which;
-            M rests = _o235.rests;
-            const LANES(court_backboard_beside_out) _o236 =
-                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o236.gap;
-            V nearing = _o236.nearing;
-            V dent = _o236.dent;
-            const LANES(court_beside_body_out) _o237 =
-                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o237.stride;
-            which = _o237.which;
-            const LANES(court_bridge_beside_out) _o238 =
-                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o238.gap;
-            nearing = _o238.nearing;
-            dent = _o238.dent;
-            const LANES(court_beside_body_out) _o239 =
-                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o239.stride;
-            which = _o239.which;
-            const LANES(court_end_beside_out) _o240 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o240.gap;
-            nearing = _o240.nearing;
-            dent = _o240.dent;
-            const LANES(court_beside_gate_out) _o241 =
-                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
-            stride = _o241.stride;
-            which = _o241.which;
-            const LANES(court_beside_time_out) _o242 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o242.stride;
-            which = _o242.which;
-            const LANES(court_passing_from_out) _o243 =
-                LANES(court_passing_from)(z);
-            M over = _o243.over;
-            const LANES(court_alone_out) _o244 =
-                LANES(court_alone)();
-            V berth = _o244.nearest;
-            const LANES(court_leaps_out) _o245 =
-                LANES(court_leaps)(stride);
-            V forth = _o245.forth;
-            V back = _o245.back;
-            const LANES(court_backboard_around_out) _o246 =
-                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o246.gap;
-            nearing = _o246.nearing;
-            const LANES(court_cleared_out) _o247 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o247.berth;
-            const LANES(court_bridge_around_out) _o248 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o248.gap;
-            nearing = _o248.nearing;
-            const LANES(court_cleared_out) _o249 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o249.berth;
-            const LANES(court_end_around_out) _o250 =
-                LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o250.gap;
-            nearing = _o250.nearing;
-            const LANES(court_cleared_out) _o251 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o251.berth;
-            const LANES(court_ring_round_moved_out) _o252 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o252.x;
-            y = _o252.y;
-            z = _o252.z;
-            vx = _o252.vx;
-            vy = _o252.vy;
-            vz = _o252.vz;
-            wx = _o252.wx;
-            wy = _o252.wy;
-            wz = _o252.wz;
-            V climb = _o252.climb;
-            const LANES(court_passing_in_contact_out) _o253 =
-                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o253.through;
-            const LANES(court_backboard_around_out) _o254 =
-                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o254.gap;
-            nearing = _o254.nearing;
-            const LANES(court_cleared_out) _o255 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o255.berth;
-            const LANES(court_bridge_around_out) _o256 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o256.gap;
-            nearing = _o256.nearing;
-            const LANES(court_cleared_out) _o257 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o257.berth;
-            const LANES(court_end_around_out) _o258 =
-                LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o258.gap;
-            nearing = _o258.nearing;
-            const LANES(court_cleared_out) _o259 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o259.berth;
-            const LANES(court_ring_swung_out) _o260 =
-                LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, K(0.0), stride, sway, K(0.0), which, p_wire_radius);
-            circled = _o260.circled;
-            M endless = _o260.endless;
-            const LANES(court_for_ever_out) _o261 =
-                LANES(court_for_ever)(endless, which);
+            stride = _o261.stride;
             which = _o261.which;
-            const LANES(court_rolled_on_out) _o262 =
+            M rests = _o261.rests;
+            const LANES(court_backboard_beside_out) _o262 =
+                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            V gap = _o262.gap;
+            V nearing = _o262.nearing;
+            V dent = _o262.dent;
+            const LANES(court_beside_body_out) _o263 =
+                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o263.stride;
+            which = _o263.which;
+            const LANES(court_bridge_beside_out) _o264 =
+                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o264.gap;
+            nearing = _o264.nearing;
+            dent = _o264.dent;
+            const LANES(court_beside_body_out) _o265 =
+                LANES(court_beside_body)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o265.stride;
+            which = _o265.which;
+            const LANES(court_end_beside_out) _o266 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o266.gap;
+            nearing = _o266.nearing;
+            dent = _o266.dent;
+            const LANES(court_beside_gate_out) _o267 =
+                LANES(court_beside_gate)(p_ball_radius, dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z);
+            stride = _o267.stride;
+            which = _o267.which;
+            const LANES(court_beside_time_out) _o268 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o268.stride;
+            which = _o268.which;
+            const LANES(court_passing_from_out) _o269 =
+                LANES(court_passing_from)(z);
+            M over = _o269.over;
+            const LANES(court_alone_out) _o270 =
+                LANES(court_alone)();
+            V berth = _o270.nearest;
+            const LANES(court_leaps_out) _o271 =
+                LANES(court_leaps)(stride);
+            V forth = _o271.forth;
+            V back = _o271.back;
+            const LANES(court_backboard_around_out) _o272 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o272.gap;
+            nearing = _o272.nearing;
+            const LANES(court_cleared_out) _o273 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o273.berth;
+            const LANES(court_bridge_around_out) _o274 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o274.gap;
+            nearing = _o274.nearing;
+            const LANES(court_cleared_out) _o275 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o275.berth;
+            const LANES(court_end_around_out) _o276 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o276.gap;
+            nearing = _o276.nearing;
+            const LANES(court_cleared_out) _o277 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o277.berth;
+            const LANES(court_ring_round_moved_out) _o278 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            x = _o278.x;
+            y = _o278.y;
+            z = _o278.z;
+            vx = _o278.vx;
+            vy = _o278.vy;
+            vz = _o278.vz;
+            wx = _o278.wx;
+            wy = _o278.wy;
+            wz = _o278.wz;
+            V climb = _o278.climb;
+            const LANES(court_passing_in_contact_out) _o279 =
+                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
+            through = _o279.through;
+            const LANES(court_backboard_around_out) _o280 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o280.gap;
+            nearing = _o280.nearing;
+            const LANES(court_cleared_out) _o281 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o281.berth;
+            const LANES(court_bridge_around_out) _o282 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o282.gap;
+            nearing = _o282.nearing;
+            const LANES(court_cleared_out) _o283 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o283.berth;
+            const LANES(court_end_around_out) _o284 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o284.gap;
+            nearing = _o284.nearing;
+            const LANES(court_cleared_out) _o285 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o285.berth;
+            const LANES(court_ring_swung_out) _o286 =
+                LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, K(0.0), stride, sway, K(0.0), which, p_wire_radius);
+            circled = _o286.circled;
+            M endless = _o286.endless;
+            const LANES(court_for_ever_out) _o287 =
+                LANES(court_for_ever)(endless, which);
+            which = _o287.which;
+            const LANES(court_rolled_on_out) _o288 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o262.clock;
-            circling = _o262.rolling;
+            clock = _o288.clock;
+            circling = _o288.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -2009,6 +2378,8 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         }
     }
     }
+    {
+    size_t kept_leaves_shots = 0;
     for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(kept_shots - i);
         M circling = lanes_less(K(0.0), lanes_load(lists->kept_circling + i));
@@ -2034,235 +2405,340 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V vx = lanes_load(lists->kept_vx + i);
         V vy = lanes_load(lists->kept_vy + i);
         V vz = lanes_load(lists->kept_vz + i);
-        V when = lanes_load(lists->kept_when + i);
-        V which = lanes_load(lists->kept_which + i);
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o263 =
+        const LANES(court_rejoined_out) _o289 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o263.rolling;
-        const M _m264 = lanes_both(rows, leaves);
-        if (lanes_any(_m264)) {
-            const LANES(court_holding_out) _o265 =
-                LANES(court_holding)(held, K(0.0));
-            M here = _o265.here;
-            const M _m266 = lanes_both(_m264, here);
-            if (lanes_any(_m266)) {
-                const LANES(court_ring_tube_out) _o267 =
-                    LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-                per_reach = lanes_select(_m266, _o267.per_reach, per_reach);
-                const LANES(court_ring_parting_out) _o268 =
-                    LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m266, _o268.lift, lift);
-                surge = lanes_select(_m266, _o268.surge, surge);
-                snap = lanes_select(_m266, _o268.snap, snap);
-            }
-            const LANES(court_holding_out) _o269 =
-                LANES(court_holding)(held, K(1.0));
-            here = _o269.here;
-            const M _m270 = lanes_both(_m264, here);
-            if (lanes_any(_m270)) {
-                const LANES(court_backboard_tube_out) _o271 =
-                    LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                per_reach = lanes_select(_m270, _o271.per_reach, per_reach);
-                const LANES(court_backboard_parting_out) _o272 =
-                    LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m270, _o272.lift, lift);
-                surge = lanes_select(_m270, _o272.surge, surge);
-                snap = lanes_select(_m270, _o272.snap, snap);
-            }
-            const LANES(court_holding_out) _o273 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o273.here;
-            const M _m274 = lanes_both(_m264, here);
-            if (lanes_any(_m274)) {
-                const LANES(court_bridge_tube_out) _o275 =
-                    LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                per_reach = lanes_select(_m274, _o275.per_reach, per_reach);
-                const LANES(court_bridge_parting_out) _o276 =
-                    LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                lift = lanes_select(_m274, _o276.lift, lift);
-                surge = lanes_select(_m274, _o276.surge, surge);
-                snap = lanes_select(_m274, _o276.snap, snap);
-            }
-            const LANES(court_unmet_out) _o277 =
-                LANES(court_unmet)();
-            V spare = _o277.spare;
-            const LANES(court_beside_out) _o278 =
-                LANES(court_beside)(held, K(0.0));
-            M beside = _o278.beside;
-            const M _m279 = lanes_both(_m264, beside);
-            if (lanes_any(_m279)) {
-                const LANES(court_ring_beside_out) _o280 =
-                    LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o280.gap;
-                V nearing = _o280.nearing;
-                V dent = _o280.dent;
-                const LANES(court_spared_out) _o281 =
-                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-                spare = lanes_select(_m279, _o281.spare, spare);
-            }
-            const LANES(court_beside_out) _o282 =
-                LANES(court_beside)(held, K(1.0));
-            beside = _o282.beside;
-            const M _m283 = lanes_both(_m264, beside);
-            if (lanes_any(_m283)) {
-                const LANES(court_backboard_beside_out) _o284 =
-                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o284.gap;
-                V nearing = _o284.nearing;
-                V dent = _o284.dent;
-                const LANES(court_spared_out) _o285 =
-                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-                spare = lanes_select(_m283, _o285.spare, spare);
-            }
-            const LANES(court_beside_out) _o286 =
-                LANES(court_beside)(held, K(2.0));
-            beside = _o286.beside;
-            const M _m287 = lanes_both(_m264, beside);
-            if (lanes_any(_m287)) {
-                const LANES(court_bridge_beside_out) _o288 =
-                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o288.gap;
-                V nearing = _o288.nearing;
-                V dent = _o288.dent;
-                const LANES(court_spared_out) _o289 =
-                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-                spare = lanes_select(_m287, _o289.spare, spare);
-            }
-            const LANES(court_beside_out) _o290 =
-                LANES(court_beside)(held, K(3.0));
-            beside = _o290.beside;
-            const M _m291 = lanes_both(_m264, beside);
-            if (lanes_any(_m291)) {
-                const LANES(court_end_beside_out) _o292 =
-                    LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o292.gap;
-                V nearing = _o292.nearing;
-                V dent = _o292.dent;
-                const LANES(court_spared_out) _o293 =
-                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-                spare = lanes_select(_m291, _o293.spare, spare);
-            }
-            const LANES(court_holding_out) _o294 =
-                LANES(court_holding)(held, K(1.0));
-            here = _o294.here;
-            const M _m295 = lanes_both(_m264, here);
-            if (lanes_any(_m295)) {
-                const LANES(court_backboard_seam0_out) _o296 =
-                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                V gap = _o296.gap;
-                V nearing = _o296.nearing;
-                V near = _o296.near;
-                const LANES(court_spared_seam_out) _o297 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m295, _o297.spare, spare);
-                const LANES(court_backboard_seam1_out) _o298 =
-                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = _o298.gap;
-                nearing = _o298.nearing;
-                near = _o298.near;
-                const LANES(court_spared_seam_out) _o299 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m295, _o299.spare, spare);
-                const LANES(court_backboard_seam2_out) _o300 =
-                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = _o300.gap;
-                nearing = _o300.nearing;
-                near = _o300.near;
-                const LANES(court_spared_seam_out) _o301 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m295, _o301.spare, spare);
-                const LANES(court_backboard_seam3_out) _o302 =
-                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = _o302.gap;
-                nearing = _o302.nearing;
-                near = _o302.near;
-                const LANES(court_spared_seam_out) _o303 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m295, _o303.spare, spare);
-                const LANES(court_backboard_seam4_out) _o304 =
-                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = _o304.gap;
-                nearing = _o304.nearing;
-                near = _o304.near;
-                const LANES(court_spared_seam_out) _o305 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m295, _o305.spare, spare);
-                const LANES(court_backboard_seam5_out) _o306 =
-                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = _o306.gap;
-                nearing = _o306.nearing;
-                near = _o306.near;
-                const LANES(court_spared_seam_out) _o307 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m295, _o307.spare, spare);
-            }
-            const LANES(court_holding_out) _o308 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o308.here;
-            const M _m309 = lanes_both(_m264, here);
-            if (lanes_any(_m309)) {
-                const LANES(court_bridge_seam0_out) _o310 =
-                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                V gap = _o310.gap;
-                V nearing = _o310.nearing;
-                V near = _o310.near;
-                const LANES(court_spared_seam_out) _o311 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m309, _o311.spare, spare);
-                const LANES(court_bridge_seam1_out) _o312 =
-                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = _o312.gap;
-                nearing = _o312.nearing;
-                near = _o312.near;
-                const LANES(court_spared_seam_out) _o313 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m309, _o313.spare, spare);
-                const LANES(court_bridge_seam2_out) _o314 =
-                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = _o314.gap;
-                nearing = _o314.nearing;
-                near = _o314.near;
-                const LANES(court_spared_seam_out) _o315 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m309, _o315.spare, spare);
-                const LANES(court_bridge_seam3_out) _o316 =
-                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = _o316.gap;
-                nearing = _o316.nearing;
-                near = _o316.near;
-                const LANES(court_spared_seam_out) _o317 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m309, _o317.spare, spare);
-                const LANES(court_bridge_seam4_out) _o318 =
-                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = _o318.gap;
-                nearing = _o318.nearing;
-                near = _o318.near;
-                const LANES(court_spared_seam_out) _o319 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m309, _o319.spare, spare);
-                const LANES(court_bridge_seam5_out) _o320 =
-                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = _o320.gap;
-                nearing = _o320.nearing;
-                near = _o320.near;
-                const LANES(court_spared_seam_out) _o321 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m309, _o321.spare, spare);
-            }
-            const LANES(court_parted_out) _o322 =
-                LANES(court_parted)(K(INFINITY), p_gravity, lift, per_reach, K(0.0), snap, spare, surge, K(0.0), vx, vy, vz);
-            when = lanes_select(_m264, _o322.when, when);
-            const LANES(court_hopping_out) _o323 =
-                LANES(court_hopping)();
-            which = lanes_select(_m264, _o323.which, which);
-        }
+        rolling = _o289.rolling;
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
-        lanes_store(lists->kept_when + i, when);
-        lanes_store(lists->kept_which + i, which);
+        const M packed = lanes_both(rows, leaves);
+        if (lanes_any(packed)) {
+            lanes_pack(lists->kept_leaves_row + kept_leaves_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+            lanes_pack(lists->kept_leaves_held + kept_leaves_shots, packed, held);
+            lanes_pack(lists->kept_leaves_lift + kept_leaves_shots, packed, lift);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_ball_radius + kept_leaves_shots, packed, p_ball_radius);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_board_bottom + kept_leaves_shots, packed, p_board_bottom);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_board_distance + kept_leaves_shots, packed, p_board_distance);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_board_half_width + kept_leaves_shots, packed, p_board_half_width);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_board_thickness + kept_leaves_shots, packed, p_board_thickness);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_board_top + kept_leaves_shots, packed, p_board_top);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_bridge_depth + kept_leaves_shots, packed, p_bridge_depth);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_bridge_half_width + kept_leaves_shots, packed, p_bridge_half_width);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_end_depth + kept_leaves_shots, packed, p_end_depth);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_gravity + kept_leaves_shots, packed, p_gravity);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_ring_radius + kept_leaves_shots, packed, p_ring_radius);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_wire_radius + kept_leaves_shots, packed, p_wire_radius);
+            lanes_pack(lists->kept_leaves_per_reach + kept_leaves_shots, packed, per_reach);
+            lanes_pack(lists->kept_leaves_snap + kept_leaves_shots, packed, snap);
+            lanes_pack(lists->kept_leaves_surge + kept_leaves_shots, packed, surge);
+            lanes_pack(lists->kept_leaves_vx + kept_leaves_shots, packed, vx);
+            lanes_pack(lists->kept_leaves_vy + kept_leaves_shots, packed, vy);
+            lanes_pack(lists->kept_leaves_vz + kept_leaves_shots, packed, vz);
+            lanes_pack(lists->kept_leaves_x + kept_leaves_shots, packed, x);
+            lanes_pack(lists->kept_leaves_y + kept_leaves_shots, packed, y);
+            lanes_pack(lists->kept_leaves_z + kept_leaves_shots, packed, z);
+            kept_leaves_shots += lanes_many(packed);
+        }
+    }
+    if (kept_leaves_shots)
+        LANES(court_plain_leaves)(lists, kept_leaves_shots, varying);
+    for (size_t k = 0; k < kept_leaves_shots; k++) {
+        const size_t row = (size_t)lists->kept_leaves_row[k];
+        lists->kept_when[row] = lists->kept_leaves_when[k];
+        lists->kept_which[row] = lists->kept_leaves_which[k];
+    }
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow_shots, size_t varying)
+{
+    for (size_t i = 0; i < slow_shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(slow_shots - i);
+        V held = lanes_load(lists->slow_held + i);
+        V mode = lanes_load(lists->slow_mode + i);
+        V outcome = lanes_load(lists->slow_outcome + i);
+        const V p_backboard_friction = lanes_load(varying ? lists->slow_p_backboard_friction + i : lists->p_backboard_friction);
+        const V p_backboard_restitution = lanes_load(varying ? lists->slow_p_backboard_restitution + i : lists->p_backboard_restitution);
+        const V p_ball_radius = lanes_load(varying ? lists->slow_p_ball_radius + i : lists->p_ball_radius);
+        const V p_board_bottom = lanes_load(varying ? lists->slow_p_board_bottom + i : lists->p_board_bottom);
+        const V p_board_distance = lanes_load(varying ? lists->slow_p_board_distance + i : lists->p_board_distance);
+        const V p_board_half_width = lanes_load(varying ? lists->slow_p_board_half_width + i : lists->p_board_half_width);
+        const V p_board_thickness = lanes_load(varying ? lists->slow_p_board_thickness + i : lists->p_board_thickness);
+        const V p_board_top = lanes_load(varying ? lists->slow_p_board_top + i : lists->p_board_top);
+        const V p_bridge_depth = lanes_load(varying ? lists->slow_p_bridge_depth + i : lists->p_bridge_depth);
+        const V p_bridge_friction = lanes_load(varying ? lists->slow_p_bridge_friction + i : lists->p_bridge_friction);
+        const V p_bridge_half_width = lanes_load(varying ? lists->slow_p_bridge_half_width + i : lists->p_bridge_half_width);
+        const V p_bridge_restitution = lanes_load(varying ? lists->slow_p_bridge_restitution + i : lists->p_bridge_restitution);
+        const V p_end_depth = lanes_load(varying ? lists->slow_p_end_depth + i : lists->p_end_depth);
+        const V p_gravity = lanes_load(varying ? lists->slow_p_gravity + i : lists->p_gravity);
+        const V p_ring_friction = lanes_load(varying ? lists->slow_p_ring_friction + i : lists->p_ring_friction);
+        const V p_ring_radius = lanes_load(varying ? lists->slow_p_ring_radius + i : lists->p_ring_radius);
+        const V p_ring_restitution = lanes_load(varying ? lists->slow_p_ring_restitution + i : lists->p_ring_restitution);
+        const V p_wire_radius = lanes_load(varying ? lists->slow_p_wire_radius + i : lists->p_wire_radius);
+        V slip_left = lanes_load(lists->slow_slip_left + i);
+        V vx = lanes_load(lists->slow_vx + i);
+        V vy = lanes_load(lists->slow_vy + i);
+        V vz = lanes_load(lists->slow_vz + i);
+        V which = lanes_load(lists->slow_which + i);
+        V wx = lanes_load(lists->slow_wx + i);
+        V wy = lanes_load(lists->slow_wy + i);
+        V wz = lanes_load(lists->slow_wz + i);
+        V x = lanes_load(lists->slow_x + i);
+        V y = lanes_load(lists->slow_y + i);
+        V z = lanes_load(lists->slow_z + i);
+        const LANES(court_ring_normal_out) _o393 =
+            LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+        V nx = _o393.nx;
+        V ny = _o393.ny;
+        V nz = _o393.nz;
+        const LANES(court_here_out) _o394 =
+            LANES(court_here)(K(1.0), which);
+        M here = _o394.here;
+        const M _m395 = lanes_both(rows, here);
+        {
+            const LANES(court_backboard_normal_out) _o396 =
+                LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+            nx = lanes_select(_m395, _o396.nx, nx);
+            ny = lanes_select(_m395, _o396.ny, ny);
+            nz = lanes_select(_m395, _o396.nz, nz);
+        }
+        const LANES(court_here_out) _o397 =
+            LANES(court_here)(K(2.0), which);
+        here = _o397.here;
+        const M _m398 = lanes_both(rows, here);
+        {
+            const LANES(court_bridge_normal_out) _o399 =
+                LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+            nx = lanes_select(_m398, _o399.nx, nx);
+            ny = lanes_select(_m398, _o399.ny, ny);
+            nz = lanes_select(_m398, _o399.nz, nz);
+        }
+        const LANES(court_nearly_out) _o400 =
+            LANES(court_nearly)(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+        M nearly = _o400.nearly;
+        const LANES(court_gripped_out) _o401 =
+            LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+        V rolled_x = _o401.rolled_x;
+        V rolled_y = _o401.rolled_y;
+        V rolled_z = _o401.rolled_z;
+        V slip = _o401.slip;
+        V bounce = _o401.bounce;
+        const LANES(court_here_out) _o402 =
+            LANES(court_here)(K(0.0), which);
+        here = _o402.here;
+        const M _m403 = lanes_both(rows, here);
+        if (lanes_any(_m403)) {
+            const LANES(court_ring_turning_out) _o404 =
+                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
+            V turning_x = _o404.turning_x;
+            V turning_y = _o404.turning_y;
+            V turning_z = _o404.turning_z;
+            const LANES(court_pressed_on_out) _o405 =
+                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+            V press = _o405.press;
+            V weight = _o405.weight;
+            V drag = _o405.drag;
+            V thrust_x = _o405.thrust_x;
+            V thrust_y = _o405.thrust_y;
+            V thrust_z = _o405.thrust_z;
+            const LANES(court_alone_out) _o406 =
+                LANES(court_alone)();
+            V nearest = _o406.nearest;
+            V wedge = _o406.wedge;
+            const LANES(court_backboard_closing_out) _o407 =
+                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+            V gap = _o407.gap;
+            V nearing = _o407.nearing;
+            V swerve = _o407.swerve;
+            V facing = _o407.facing;
+            const LANES(court_neared_body_out) _o408 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o408.nearest;
+            wedge = _o408.wedge;
+            const LANES(court_bridge_closing_out) _o409 =
+                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            gap = _o409.gap;
+            nearing = _o409.nearing;
+            swerve = _o409.swerve;
+            facing = _o409.facing;
+            const LANES(court_neared_body_out) _o410 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o410.nearest;
+            wedge = _o410.wedge;
+            const LANES(court_end_beside_out) _o411 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o411.gap;
+            const LANES(court_neared_out) _o412 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o412.nearest;
+            const LANES(court_ring_parting_out) _o413 =
+                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+            V lift = _o413.lift;
+            const LANES(court_ring_impact_settling_out) _o414 =
+                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+            M settles = _o414.settles;
+            M lodges = _o414.lodges;
+            M slides = _o414.slides;
+            M parts = _o414.parts;
+            M unsure = _o414.unsure;
+            const LANES(court_settled_out) _o415 =
+                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+            mode = lanes_select(_m403, _o415.mode, mode);
+            held = lanes_select(_m403, _o415.held, held);
+            outcome = lanes_select(_m403, _o415.outcome, outcome);
+            slip_left = lanes_select(_m403, _o415.slip_left, slip_left);
+        }
+        const LANES(court_here_out) _o416 =
+            LANES(court_here)(K(1.0), which);
+        here = _o416.here;
+        const M _m417 = lanes_both(rows, here);
+        if (lanes_any(_m417)) {
+            const LANES(court_backboard_turning_out) _o418 =
+                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+            V turning_x = _o418.turning_x;
+            V turning_y = _o418.turning_y;
+            V turning_z = _o418.turning_z;
+            const LANES(court_pressed_on_out) _o419 =
+                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+            V press = _o419.press;
+            V weight = _o419.weight;
+            V drag = _o419.drag;
+            V thrust_x = _o419.thrust_x;
+            V thrust_y = _o419.thrust_y;
+            V thrust_z = _o419.thrust_z;
+            const LANES(court_alone_out) _o420 =
+                LANES(court_alone)();
+            V nearest = _o420.nearest;
+            V wedge = _o420.wedge;
+            const LANES(court_ring_closing_out) _o421 =
+                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            V gap = _o421.gap;
+            V nearing = _o421.nearing;
+            V swerve = _o421.swerve;
+            V facing = _o421.facing;
+            const LANES(court_neared_body_out) _o422 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o422.nearest;
+            wedge = _o422.wedge;
+            const LANES(court_bridge_closing_out) _o423 =
+                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            gap = _o423.gap;
+            nearing = _o423.nearing;
+            swerve = _o423.swerve;
+            facing = _o423.facing;
+            const LANES(court_neared_body_out) _o424 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o424.nearest;
+            wedge = _o424.wedge;
+            const LANES(court_end_beside_out) _o425 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o425.gap;
+            const LANES(court_neared_out) _o426 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o426.nearest;
+            const LANES(court_backboard_parting_out) _o427 =
+                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+            V lift = _o427.lift;
+            const LANES(court_ring_impact_settling_out) _o428 =
+                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+            M settles = _o428.settles;
+            M lodges = _o428.lodges;
+            M slides = _o428.slides;
+            M parts = _o428.parts;
+            M unsure = _o428.unsure;
+            const LANES(court_settled_out) _o429 =
+                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+            mode = lanes_select(_m417, _o429.mode, mode);
+            held = lanes_select(_m417, _o429.held, held);
+            outcome = lanes_select(_m417, _o429.outcome, outcome);
+            slip_left = lanes_select(_m417, _o429.slip_left, slip_left);
+        }
+        const LANES(court_here_out) _o430 =
+            LANES(court_here)(K(2.0), which);
+        here = _o430.here;
+        const M _m431 = lanes_both(rows, here);
+        if (lanes_any(_m431)) {
+            const LANES(court_bridge_turning_out) _o432 =
+                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+            V turning_x = _o432.turning_x;
+            V turning_y = _o432.turning_y;
+            V turning_z = _o432.turning_z;
+            const LANES(court_pressed_on_out) _o433 =
+                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+            V press = _o433.press;
+            V weight = _o433.weight;
+            V drag = _o433.drag;
+            V thrust_x = _o433.thrust_x;
+            V thrust_y = _o433.thrust_y;
+            V thrust_z = _o433.thrust_z;
+            const LANES(court_alone_out) _o434 =
+                LANES(court_alone)();
+            V nearest = _o434.nearest;
+            V wedge = _o434.wedge;
+            const LANES(court_ring_closing_out) _o435 =
+                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            V gap = _o435.gap;
+            V nearing = _o435.nearing;
+            V swerve = _o435.swerve;
+            V facing = _o435.facing;
+            const LANES(court_neared_body_out) _o436 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o436.nearest;
+            wedge = _o436.wedge;
+            const LANES(court_backboard_closing_out) _o437 =
+                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+            gap = _o437.gap;
+            nearing = _o437.nearing;
+            swerve = _o437.swerve;
+            facing = _o437.facing;
+            const LANES(court_neared_body_out) _o438 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o438.nearest;
+            wedge = _o438.wedge;
+            const LANES(court_end_beside_out) _o439 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o439.gap;
+            const LANES(court_neared_out) _o440 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o440.nearest;
+            const LANES(court_bridge_parting_out) _o441 =
+                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            V lift = _o441.lift;
+            const LANES(court_ring_impact_settling_out) _o442 =
+                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
+            M settles = _o442.settles;
+            M lodges = _o442.lodges;
+            M slides = _o442.slides;
+            M parts = _o442.parts;
+            M unsure = _o442.unsure;
+            const LANES(court_settled_out) _o443 =
+                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+            mode = lanes_select(_m431, _o443.mode, mode);
+            held = lanes_select(_m431, _o443.held, held);
+            outcome = lanes_select(_m431, _o443.outcome, outcome);
+            slip_left = lanes_select(_m431, _o443.slip_left, slip_left);
+        }
+        lanes_store(lists->slow_held + i, held);
+        lanes_store(lists->slow_mode + i, mode);
+        lanes_store(lists->slow_outcome + i, outcome);
+        lanes_store(lists->slow_slip_left + i, slip_left);
     }
 }
 
@@ -3228,7 +3704,7 @@ static void LANES(court_plain)(const court_job *job)
         }
         }
         {
-        size_t open_shots = 0;
+        size_t reachable_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V extent = lanes_load(lists->extent + i);
@@ -3253,138 +3729,205 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_horizon_out) _o57 =
                 LANES(court_horizon)(when, speed, p_gravity);
             V until = _o57.horizon;
-            const LANES(court_backboard_clear_out) _o58 =
-                LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V clear = _o58.clear;
-            const LANES(court_opens_in_flight_out) _o59 =
-                LANES(court_opens_in_flight)(clear, kept);
-            M open = _o59.open;
-            const M packed = lanes_both(rows, open);
+            V pad = _o57.pad;
+            const LANES(court_halved_out) _o58 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, p_gravity);
+            V middle_x = _o58.middle_x;
+            V reach_x = _o58.reach_x;
+            V later_middle_x = _o58.later_middle_x;
+            V later_reach_x = _o58.later_reach_x;
+            V middle_y = _o58.middle_y;
+            V reach_y = _o58.reach_y;
+            V later_middle_y = _o58.later_middle_y;
+            V later_reach_y = _o58.later_reach_y;
+            V middle_z = _o58.middle_z;
+            V reach_z = _o58.reach_z;
+            V later_middle_z = _o58.later_middle_z;
+            V later_reach_z = _o58.later_reach_z;
+            const LANES(court_backboard_near_out) _o59 =
+                LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+            M reachable = _o59.near;
+            const LANES(court_reachable_in_flight_out) _o60 =
+                LANES(court_reachable_in_flight)(kept, reachable);
+            reachable = _o60.reachable;
+            const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_extent + open_shots, packed, extent);
-                lanes_pack(lists->open_last + open_shots, packed, last);
+                lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_extent + reachable_shots, packed, extent);
+                lanes_pack(lists->reachable_last + reachable_shots, packed, last);
                 if (varying)
-                    lanes_pack(lists->open_p_ball_radius + open_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_p_ball_radius + reachable_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_p_board_bottom + open_shots, packed, p_board_bottom);
+                    lanes_pack(lists->reachable_p_board_bottom + reachable_shots, packed, p_board_bottom);
                 if (varying)
-                    lanes_pack(lists->open_p_board_distance + open_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_p_board_distance + reachable_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_p_board_half_width + open_shots, packed, p_board_half_width);
+                    lanes_pack(lists->reachable_p_board_half_width + reachable_shots, packed, p_board_half_width);
                 if (varying)
-                    lanes_pack(lists->open_p_board_thickness + open_shots, packed, p_board_thickness);
+                    lanes_pack(lists->reachable_p_board_thickness + reachable_shots, packed, p_board_thickness);
                 if (varying)
-                    lanes_pack(lists->open_p_board_top + open_shots, packed, p_board_top);
+                    lanes_pack(lists->reachable_p_board_top + reachable_shots, packed, p_board_top);
                 if (varying)
-                    lanes_pack(lists->open_p_gravity + open_shots, packed, p_gravity);
-                lanes_pack(lists->open_speed + open_shots, packed, speed);
-                lanes_pack(lists->open_until + open_shots, packed, until);
-                lanes_pack(lists->open_vx + open_shots, packed, vx);
-                lanes_pack(lists->open_vy + open_shots, packed, vy);
-                lanes_pack(lists->open_vz + open_shots, packed, vz);
-                lanes_pack(lists->open_when + open_shots, packed, when);
-                lanes_pack(lists->open_which + open_shots, packed, which);
-                lanes_pack(lists->open_x + open_shots, packed, x);
-                lanes_pack(lists->open_y + open_shots, packed, y);
-                lanes_pack(lists->open_z + open_shots, packed, z);
-                open_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_p_gravity + reachable_shots, packed, p_gravity);
+                lanes_pack(lists->reachable_speed + reachable_shots, packed, speed);
+                lanes_pack(lists->reachable_vx + reachable_shots, packed, vx);
+                lanes_pack(lists->reachable_vy + reachable_shots, packed, vy);
+                lanes_pack(lists->reachable_vz + reachable_shots, packed, vz);
+                lanes_pack(lists->reachable_when + reachable_shots, packed, when);
+                lanes_pack(lists->reachable_which + reachable_shots, packed, which);
+                lanes_pack(lists->reachable_x + reachable_shots, packed, x);
+                lanes_pack(lists->reachable_y + reachable_shots, packed, y);
+                lanes_pack(lists->reachable_z + reachable_shots, packed, z);
+                reachable_shots += lanes_many(packed);
             }
         }
         {
-        size_t open_searching_shots = 0;
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_shots - i);
-            V extent = lanes_load(lists->open_extent + i);
-            V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_bottom = lanes_load(varying ? lists->open_p_board_bottom + i : lists->p_board_bottom);
-            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
-            const V p_board_half_width = lanes_load(varying ? lists->open_p_board_half_width + i : lists->p_board_half_width);
-            const V p_board_thickness = lanes_load(varying ? lists->open_p_board_thickness + i : lists->p_board_thickness);
-            const V p_board_top = lanes_load(varying ? lists->open_p_board_top + i : lists->p_board_top);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            V speed = lanes_load(lists->open_speed + i);
-            V until = lanes_load(lists->open_until + i);
-            V vx = lanes_load(lists->open_vx + i);
-            V vy = lanes_load(lists->open_vy + i);
-            V vz = lanes_load(lists->open_vz + i);
-            V x = lanes_load(lists->open_x + i);
-            V y = lanes_load(lists->open_y + i);
-            V z = lanes_load(lists->open_z + i);
-            const LANES(court_backboard_prepare_out) _o60 =
+        size_t reachable_searching_shots = 0;
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(reachable_shots - i);
+            V extent = lanes_load(lists->reachable_extent + i);
+            V last = lanes_load(lists->reachable_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->reachable_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_bottom = lanes_load(varying ? lists->reachable_p_board_bottom + i : lists->p_board_bottom);
+            const V p_board_distance = lanes_load(varying ? lists->reachable_p_board_distance + i : lists->p_board_distance);
+            const V p_board_half_width = lanes_load(varying ? lists->reachable_p_board_half_width + i : lists->p_board_half_width);
+            const V p_board_thickness = lanes_load(varying ? lists->reachable_p_board_thickness + i : lists->p_board_thickness);
+            const V p_board_top = lanes_load(varying ? lists->reachable_p_board_top + i : lists->p_board_top);
+            const V p_gravity = lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity);
+            V speed = lanes_load(lists->reachable_speed + i);
+            V vx = lanes_load(lists->reachable_vx + i);
+            V vy = lanes_load(lists->reachable_vy + i);
+            V vz = lanes_load(lists->reachable_vz + i);
+            V when = lanes_load(lists->reachable_when + i);
+            V x = lanes_load(lists->reachable_x + i);
+            V y = lanes_load(lists->reachable_y + i);
+            V z = lanes_load(lists->reachable_z + i);
+            const LANES(court_horizon_out) _o61 =
+                LANES(court_horizon)(when, speed, p_gravity);
+            V until = _o61.horizon;
+            const LANES(court_backboard_prepare_out) _o62 =
                 LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V low0 = _o60.low0;
-            V high0 = _o60.high0;
-            V low1 = _o60.low1;
-            V high1 = _o60.high1;
-            V ceiling = _o60.ceiling;
-            V latest = _o60.latest;
-            const LANES(court_beginning_out) _o61 =
+            V low0 = _o62.low0;
+            V high0 = _o62.high0;
+            V low1 = _o62.low1;
+            V high1 = _o62.high1;
+            V ceiling = _o62.ceiling;
+            V latest = _o62.latest;
+            const LANES(court_beginning_out) _o63 =
                 LANES(court_beginning)();
-            V share = _o61.share;
-            V arrival = _o61.arrival;
-            M certain = _o61.certain;
-            const LANES(court_allowance_out) _o62 =
+            V share = _o63.share;
+            V arrival = _o63.arrival;
+            M certain = _o63.certain;
+            const LANES(court_allowance_out) _o64 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o62.position_level;
-            V velocity_level = _o62.velocity_level;
-            const LANES(court_backboard_margins_out) _o63 =
+            V position_level = _o64.position_level;
+            V velocity_level = _o64.velocity_level;
+            const LANES(court_backboard_margins_out) _o65 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o63.margin;
-            V tilt = _o63.leaving_margin;
-            V rate_slack = _o63.rate_margin;
-            const LANES(court_backboard_enter_out) _o64 =
+            V flat = _o65.margin;
+            V tilt = _o65.leaving_margin;
+            V rate_slack = _o65.rate_margin;
+            const LANES(court_backboard_enter_out) _o66 =
                 LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o64.t;
-            V end = _o64.end;
-            M searching = _o64.searching;
-            lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_ceiling + i, ceiling);
-            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
-            lanes_store(lists->open_flat + i, flat);
-            lanes_store(lists->open_tilt + i, tilt);
+            V t = _o66.t;
+            V end = _o66.end;
+            M searching = _o66.searching;
+            const M _m67 = lanes_both(rows, searching);
+            if (lanes_any(_m67)) {
+                const LANES(court_nearby_out) _o68 =
+                    LANES(court_nearby)(flat, K(1.0), last, t, tilt);
+                V leaving = _o68.leaving;
+                V margin = _o68.margin;
+                const LANES(court_backboard_advance_out) _o69 =
+                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                V gap = _o69.gap;
+                V rate = _o69.rate;
+                V bend = _o69.bend;
+                V step = _o69.step;
+                V next = _o69.next;
+                V clearance = _o69.clearance;
+                const LANES(court_struck_or_still_out) _o70 =
+                    LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
+                M hit = _o70.hit;
+                M sure = _o70.sure;
+                M vague = _o70.vague;
+                const M _m71 = lanes_both(_m67, vague);
+                if (lanes_any(_m71)) {
+                    const LANES(court_finer_out) _o72 =
+                        LANES(court_finer)(share);
+                    share = lanes_select(_m71, _o72.share, share);
+                    const LANES(court_allowance_out) _o73 =
+                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
+                    V position_level = _o73.position_level;
+                    V velocity_level = _o73.velocity_level;
+                    const LANES(court_backboard_margins_out) _o74 =
+                        LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = lanes_select(_m71, _o74.margin, flat);
+                    tilt = lanes_select(_m71, _o74.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m71, _o74.rate_margin, rate_slack);
+                }
+                const LANES(court_advanced_out) _o75 =
+                    LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
+                arrival = lanes_select(_m67, _o75.arrival, arrival);
+                certain = lanes_choose(_m67, _o75.certain, certain);
+                M exhausted = _o75.exhausted;
+                searching = lanes_choose(_m67, _o75.searching, searching);
+                t = lanes_select(_m67, _o75.t, t);
+                const M _m76 = lanes_both(_m67, exhausted);
+                {
+                    const LANES(court_backboard_enter_out) _o77 =
+                        LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
+                    t = lanes_select(_m76, _o77.t, t);
+                    end = lanes_select(_m76, _o77.end, end);
+                    searching = lanes_choose(_m76, _o77.searching, searching);
+                }
+            }
+            lanes_store(lists->reachable_arrival + i, arrival);
+            lanes_store(lists->reachable_ceiling + i, ceiling);
+            lanes_store(lists->reachable_certain + i, lanes_select(certain, K(1.0), K(0.0)));
+            lanes_store(lists->reachable_flat + i, flat);
+            lanes_store(lists->reachable_tilt + i, tilt);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_searching_arrival + open_searching_shots, packed, arrival);
-                lanes_pack(lists->open_searching_ceiling + open_searching_shots, packed, ceiling);
-                lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
-                lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
-                lanes_pack(lists->open_searching_flat + open_searching_shots, packed, flat);
-                lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
-                lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
-                lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                lanes_pack(lists->open_searching_latest + open_searching_shots, packed, latest);
-                lanes_pack(lists->open_searching_low0 + open_searching_shots, packed, low0);
-                lanes_pack(lists->open_searching_low1 + open_searching_shots, packed, low1);
+                lanes_pack(lists->reachable_searching_row + reachable_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_searching_arrival + reachable_searching_shots, packed, arrival);
+                lanes_pack(lists->reachable_searching_ceiling + reachable_searching_shots, packed, ceiling);
+                lanes_pack(lists->reachable_searching_certain + reachable_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->reachable_searching_end + reachable_searching_shots, packed, end);
+                lanes_pack(lists->reachable_searching_extent + reachable_searching_shots, packed, extent);
+                lanes_pack(lists->reachable_searching_flat + reachable_searching_shots, packed, flat);
+                lanes_pack(lists->reachable_searching_high0 + reachable_searching_shots, packed, high0);
+                lanes_pack(lists->reachable_searching_high1 + reachable_searching_shots, packed, high1);
+                lanes_pack(lists->reachable_searching_last + reachable_searching_shots, packed, last);
+                lanes_pack(lists->reachable_searching_latest + reachable_searching_shots, packed, latest);
+                lanes_pack(lists->reachable_searching_low0 + reachable_searching_shots, packed, low0);
+                lanes_pack(lists->reachable_searching_low1 + reachable_searching_shots, packed, low1);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_searching_p_ball_radius + reachable_searching_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_bottom + open_searching_shots, packed, p_board_bottom);
+                    lanes_pack(lists->reachable_searching_p_board_bottom + reachable_searching_shots, packed, p_board_bottom);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_distance + open_searching_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_searching_p_board_distance + reachable_searching_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_half_width + open_searching_shots, packed, p_board_half_width);
+                    lanes_pack(lists->reachable_searching_p_board_half_width + reachable_searching_shots, packed, p_board_half_width);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_thickness + open_searching_shots, packed, p_board_thickness);
+                    lanes_pack(lists->reachable_searching_p_board_thickness + reachable_searching_shots, packed, p_board_thickness);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_top + open_searching_shots, packed, p_board_top);
+                    lanes_pack(lists->reachable_searching_p_board_top + reachable_searching_shots, packed, p_board_top);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_gravity + open_searching_shots, packed, p_gravity);
-                lanes_pack(lists->open_searching_rate_slack + open_searching_shots, packed, rate_slack);
-                lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
-                lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
-                lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
-                lanes_pack(lists->open_searching_tilt + open_searching_shots, packed, tilt);
-                lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
-                lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
-                lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
-                lanes_pack(lists->open_searching_x + open_searching_shots, packed, x);
-                lanes_pack(lists->open_searching_y + open_searching_shots, packed, y);
-                lanes_pack(lists->open_searching_z + open_searching_shots, packed, z);
-                open_searching_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_searching_p_gravity + reachable_searching_shots, packed, p_gravity);
+                lanes_pack(lists->reachable_searching_rate_slack + reachable_searching_shots, packed, rate_slack);
+                lanes_pack(lists->reachable_searching_share + reachable_searching_shots, packed, share);
+                lanes_pack(lists->reachable_searching_speed + reachable_searching_shots, packed, speed);
+                lanes_pack(lists->reachable_searching_t + reachable_searching_shots, packed, t);
+                lanes_pack(lists->reachable_searching_tilt + reachable_searching_shots, packed, tilt);
+                lanes_pack(lists->reachable_searching_vx + reachable_searching_shots, packed, vx);
+                lanes_pack(lists->reachable_searching_vy + reachable_searching_shots, packed, vy);
+                lanes_pack(lists->reachable_searching_vz + reachable_searching_shots, packed, vz);
+                lanes_pack(lists->reachable_searching_x + reachable_searching_shots, packed, x);
+                lanes_pack(lists->reachable_searching_y + reachable_searching_shots, packed, y);
+                lanes_pack(lists->reachable_searching_z + reachable_searching_shots, packed, z);
+                reachable_searching_shots += lanes_many(packed);
             }
         }
         {
@@ -3422,43 +3965,43 @@ static void LANES(court_plain)(const court_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < reachable_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
-                    row = lanes_expand(lists->open_searching_row + taken, idle, row);
+                    row = lanes_expand(lists->reachable_searching_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
-                    arrival = lanes_expand(lists->open_searching_arrival + taken, idle, arrival);
-                    ceiling = lanes_expand(lists->open_searching_ceiling + taken, idle, ceiling);
-                    certain = lanes_less(K(0.0), lanes_expand(lists->open_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
-                    end = lanes_expand(lists->open_searching_end + taken, idle, end);
-                    extent = lanes_expand(lists->open_searching_extent + taken, idle, extent);
-                    flat = lanes_expand(lists->open_searching_flat + taken, idle, flat);
-                    high0 = lanes_expand(lists->open_searching_high0 + taken, idle, high0);
-                    high1 = lanes_expand(lists->open_searching_high1 + taken, idle, high1);
-                    last = lanes_expand(lists->open_searching_last + taken, idle, last);
-                    latest = lanes_expand(lists->open_searching_latest + taken, idle, latest);
-                    low0 = lanes_expand(lists->open_searching_low0 + taken, idle, low0);
-                    low1 = lanes_expand(lists->open_searching_low1 + taken, idle, low1);
-                    rate_slack = lanes_expand(lists->open_searching_rate_slack + taken, idle, rate_slack);
-                    share = lanes_expand(lists->open_searching_share + taken, idle, share);
-                    speed = lanes_expand(lists->open_searching_speed + taken, idle, speed);
-                    t = lanes_expand(lists->open_searching_t + taken, idle, t);
-                    tilt = lanes_expand(lists->open_searching_tilt + taken, idle, tilt);
-                    vx = lanes_expand(lists->open_searching_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->open_searching_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->open_searching_vz + taken, idle, vz);
-                    x = lanes_expand(lists->open_searching_x + taken, idle, x);
-                    y = lanes_expand(lists->open_searching_y + taken, idle, y);
-                    z = lanes_expand(lists->open_searching_z + taken, idle, z);
+                    arrival = lanes_expand(lists->reachable_searching_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->reachable_searching_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->reachable_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    end = lanes_expand(lists->reachable_searching_end + taken, idle, end);
+                    extent = lanes_expand(lists->reachable_searching_extent + taken, idle, extent);
+                    flat = lanes_expand(lists->reachable_searching_flat + taken, idle, flat);
+                    high0 = lanes_expand(lists->reachable_searching_high0 + taken, idle, high0);
+                    high1 = lanes_expand(lists->reachable_searching_high1 + taken, idle, high1);
+                    last = lanes_expand(lists->reachable_searching_last + taken, idle, last);
+                    latest = lanes_expand(lists->reachable_searching_latest + taken, idle, latest);
+                    low0 = lanes_expand(lists->reachable_searching_low0 + taken, idle, low0);
+                    low1 = lanes_expand(lists->reachable_searching_low1 + taken, idle, low1);
+                    rate_slack = lanes_expand(lists->reachable_searching_rate_slack + taken, idle, rate_slack);
+                    share = lanes_expand(lists->reachable_searching_share + taken, idle, share);
+                    speed = lanes_expand(lists->reachable_searching_speed + taken, idle, speed);
+                    t = lanes_expand(lists->reachable_searching_t + taken, idle, t);
+                    tilt = lanes_expand(lists->reachable_searching_tilt + taken, idle, tilt);
+                    vx = lanes_expand(lists->reachable_searching_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->reachable_searching_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->reachable_searching_vz + taken, idle, vz);
+                    x = lanes_expand(lists->reachable_searching_x + taken, idle, x);
+                    y = lanes_expand(lists->reachable_searching_y + taken, idle, y);
+                    z = lanes_expand(lists->reachable_searching_z + taken, idle, z);
                     if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_searching_p_ball_radius + taken, idle, p_ball_radius);
-                        p_board_bottom = lanes_expand(lists->open_searching_p_board_bottom + taken, idle, p_board_bottom);
-                        p_board_distance = lanes_expand(lists->open_searching_p_board_distance + taken, idle, p_board_distance);
-                        p_board_half_width = lanes_expand(lists->open_searching_p_board_half_width + taken, idle, p_board_half_width);
-                        p_board_thickness = lanes_expand(lists->open_searching_p_board_thickness + taken, idle, p_board_thickness);
-                        p_board_top = lanes_expand(lists->open_searching_p_board_top + taken, idle, p_board_top);
-                        p_gravity = lanes_expand(lists->open_searching_p_gravity + taken, idle, p_gravity);
+                        p_ball_radius = lanes_expand(lists->reachable_searching_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_bottom = lanes_expand(lists->reachable_searching_p_board_bottom + taken, idle, p_board_bottom);
+                        p_board_distance = lanes_expand(lists->reachable_searching_p_board_distance + taken, idle, p_board_distance);
+                        p_board_half_width = lanes_expand(lists->reachable_searching_p_board_half_width + taken, idle, p_board_half_width);
+                        p_board_thickness = lanes_expand(lists->reachable_searching_p_board_thickness + taken, idle, p_board_thickness);
+                        p_board_top = lanes_expand(lists->reachable_searching_p_board_top + taken, idle, p_board_top);
+                        p_gravity = lanes_expand(lists->reachable_searching_p_gravity + taken, idle, p_gravity);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_searching_shots - taken;
+                    const size_t room = LANES_WIDTH - busy, left = reachable_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -3466,52 +4009,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o65 =
+                const LANES(court_nearby_out) _o78 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o65.leaving;
-                V margin = _o65.margin;
-                const LANES(court_backboard_advance_out) _o66 =
+                V leaving = _o78.leaving;
+                V margin = _o78.margin;
+                const LANES(court_backboard_advance_out) _o79 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V gap = _o66.gap;
-                V rate = _o66.rate;
-                V bend = _o66.bend;
-                V step = _o66.step;
-                V next = _o66.next;
-                V clearance = _o66.clearance;
-                const LANES(court_struck_out) _o67 =
-                    LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o67.hit;
-                M sure = _o67.sure;
-                M vague = _o67.vague;
-                const M _m68 = lanes_both(active, vague);
-                if (lanes_any(_m68)) {
-                    const LANES(court_finer_out) _o69 =
+                V gap = _o79.gap;
+                V rate = _o79.rate;
+                V bend = _o79.bend;
+                V step = _o79.step;
+                V next = _o79.next;
+                V clearance = _o79.clearance;
+                const LANES(court_struck_or_still_out) _o80 =
+                    LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
+                M hit = _o80.hit;
+                M sure = _o80.sure;
+                M vague = _o80.vague;
+                const M _m81 = lanes_both(active, vague);
+                if (lanes_any(_m81)) {
+                    const LANES(court_finer_out) _o82 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m68, _o69.share, share);
-                    const LANES(court_allowance_out) _o70 =
+                    share = lanes_select(_m81, _o82.share, share);
+                    const LANES(court_allowance_out) _o83 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o70.position_level;
-                    V velocity_level = _o70.velocity_level;
-                    const LANES(court_backboard_margins_out) _o71 =
+                    V position_level = _o83.position_level;
+                    V velocity_level = _o83.velocity_level;
+                    const LANES(court_backboard_margins_out) _o84 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = lanes_select(_m68, _o71.margin, flat);
-                    tilt = lanes_select(_m68, _o71.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m68, _o71.rate_margin, rate_slack);
+                    flat = lanes_select(_m81, _o84.margin, flat);
+                    tilt = lanes_select(_m81, _o84.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m81, _o84.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o72 =
+                const LANES(court_advanced_out) _o85 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o72.arrival;
-                certain = _o72.certain;
-                M exhausted = _o72.exhausted;
-                searching = _o72.searching;
-                t = _o72.t;
-                const M _m73 = lanes_both(active, exhausted);
+                arrival = _o85.arrival;
+                certain = _o85.certain;
+                M exhausted = _o85.exhausted;
+                searching = _o85.searching;
+                t = _o85.t;
+                const M _m86 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o74 =
+                    const LANES(court_backboard_enter_out) _o87 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m73, _o74.t, t);
-                    end = lanes_select(_m73, _o74.end, end);
-                    searching = lanes_choose(_m73, _o74.searching, searching);
+                    t = lanes_select(_m86, _o87.t, t);
+                    end = lanes_select(_m86, _o87.end, end);
+                    searching = lanes_choose(_m86, _o87.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3529,10 +4072,10 @@ static void LANES(court_plain)(const court_job *job)
                     for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
                         const int lane = LANES_LOWEST(bits);
                         const size_t k = (size_t)ended_row[lane];
-                        lists->open_arrival[k] = ended_arrival[lane];
-                        lists->open_certain[k] = ended_certain[lane];
-                        lists->open_flat[k] = ended_flat[lane];
-                        lists->open_tilt[k] = ended_tilt[lane];
+                        lists->reachable_arrival[k] = ended_arrival[lane];
+                        lists->reachable_certain[k] = ended_certain[lane];
+                        lists->reachable_flat[k] = ended_flat[lane];
+                        lists->reachable_tilt[k] = ended_tilt[lane];
                     }
                     busy -= lanes_many(ended);
                     active = lanes_both(active, lanes_not(ended));
@@ -3541,89 +4084,89 @@ static void LANES(court_plain)(const court_job *job)
         }
         }
         {
-        size_t open_refining_shots = 0;
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_shots - i);
-            V arrival = lanes_load(lists->open_arrival + i);
-            V ceiling = lanes_load(lists->open_ceiling + i);
-            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
-            V flat = lanes_load(lists->open_flat + i);
-            V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_bottom = lanes_load(varying ? lists->open_p_board_bottom + i : lists->p_board_bottom);
-            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
-            const V p_board_half_width = lanes_load(varying ? lists->open_p_board_half_width + i : lists->p_board_half_width);
-            const V p_board_thickness = lanes_load(varying ? lists->open_p_board_thickness + i : lists->p_board_thickness);
-            const V p_board_top = lanes_load(varying ? lists->open_p_board_top + i : lists->p_board_top);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            V tilt = lanes_load(lists->open_tilt + i);
-            V vx = lanes_load(lists->open_vx + i);
-            V vy = lanes_load(lists->open_vy + i);
-            V vz = lanes_load(lists->open_vz + i);
-            V x = lanes_load(lists->open_x + i);
-            V y = lanes_load(lists->open_y + i);
-            V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o75 =
+        size_t reachable_refining_shots = 0;
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(reachable_shots - i);
+            V arrival = lanes_load(lists->reachable_arrival + i);
+            V ceiling = lanes_load(lists->reachable_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
+            V flat = lanes_load(lists->reachable_flat + i);
+            V last = lanes_load(lists->reachable_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->reachable_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_bottom = lanes_load(varying ? lists->reachable_p_board_bottom + i : lists->p_board_bottom);
+            const V p_board_distance = lanes_load(varying ? lists->reachable_p_board_distance + i : lists->p_board_distance);
+            const V p_board_half_width = lanes_load(varying ? lists->reachable_p_board_half_width + i : lists->p_board_half_width);
+            const V p_board_thickness = lanes_load(varying ? lists->reachable_p_board_thickness + i : lists->p_board_thickness);
+            const V p_board_top = lanes_load(varying ? lists->reachable_p_board_top + i : lists->p_board_top);
+            const V p_gravity = lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity);
+            V tilt = lanes_load(lists->reachable_tilt + i);
+            V vx = lanes_load(lists->reachable_vx + i);
+            V vy = lanes_load(lists->reachable_vy + i);
+            V vz = lanes_load(lists->reachable_vz + i);
+            V x = lanes_load(lists->reachable_x + i);
+            V y = lanes_load(lists->reachable_y + i);
+            V z = lanes_load(lists->reachable_z + i);
+            const LANES(court_found_out) _o88 =
                 LANES(court_found)(arrival);
-            M arrives = _o75.arrives;
-            M refining = _o75.refining;
-            const LANES(court_nearby_out) _o76 =
+            M arrives = _o88.arrives;
+            M refining = _o88.refining;
+            const LANES(court_nearby_out) _o89 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o76.leaving;
-            const M _m77 = lanes_both(rows, refining);
-            if (lanes_any(_m77)) {
-                const LANES(court_backboard_refine_out) _o78 =
+            V leaving = _o89.leaving;
+            const M _m90 = lanes_both(rows, refining);
+            if (lanes_any(_m90)) {
+                const LANES(court_backboard_refine_out) _o91 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o78.time;
-                V gap = _o78.gap;
-                V rate = _o78.rate;
-                const LANES(court_polished_out) _o79 =
+                V refined = _o91.time;
+                V gap = _o91.gap;
+                V rate = _o91.rate;
+                const LANES(court_polished_out) _o92 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m77, _o79.arrival, arrival);
-                refining = lanes_choose(_m77, _o79.refining, refining);
+                arrival = lanes_select(_m90, _o92.arrival, arrival);
+                refining = lanes_choose(_m90, _o92.refining, refining);
             }
-            const M _m80 = lanes_both(rows, refining);
-            if (lanes_any(_m80)) {
-                const LANES(court_backboard_refine_out) _o81 =
+            const M _m93 = lanes_both(rows, refining);
+            if (lanes_any(_m93)) {
+                const LANES(court_backboard_refine_out) _o94 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o81.time;
-                V gap = _o81.gap;
-                V rate = _o81.rate;
-                const LANES(court_polished_out) _o82 =
+                V refined = _o94.time;
+                V gap = _o94.gap;
+                V rate = _o94.rate;
+                const LANES(court_polished_out) _o95 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m80, _o82.arrival, arrival);
-                refining = lanes_choose(_m80, _o82.refining, refining);
+                arrival = lanes_select(_m93, _o95.arrival, arrival);
+                refining = lanes_choose(_m93, _o95.refining, refining);
             }
-            lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            lanes_store(lists->reachable_arrival + i, arrival);
+            lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
-                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
-                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                lanes_pack(lists->reachable_refining_row + reachable_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_refining_arrival + reachable_refining_shots, packed, arrival);
+                lanes_pack(lists->reachable_refining_ceiling + reachable_refining_shots, packed, ceiling);
+                lanes_pack(lists->reachable_refining_certain + reachable_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->reachable_refining_leaving + reachable_refining_shots, packed, leaving);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_refining_p_ball_radius + reachable_refining_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_bottom + open_refining_shots, packed, p_board_bottom);
+                    lanes_pack(lists->reachable_refining_p_board_bottom + reachable_refining_shots, packed, p_board_bottom);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_distance + open_refining_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_refining_p_board_distance + reachable_refining_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_half_width + open_refining_shots, packed, p_board_half_width);
+                    lanes_pack(lists->reachable_refining_p_board_half_width + reachable_refining_shots, packed, p_board_half_width);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_thickness + open_refining_shots, packed, p_board_thickness);
+                    lanes_pack(lists->reachable_refining_p_board_thickness + reachable_refining_shots, packed, p_board_thickness);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_top + open_refining_shots, packed, p_board_top);
+                    lanes_pack(lists->reachable_refining_p_board_top + reachable_refining_shots, packed, p_board_top);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
-                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
-                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
-                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
-                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
-                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
-                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
-                open_refining_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_refining_p_gravity + reachable_refining_shots, packed, p_gravity);
+                lanes_pack(lists->reachable_refining_vx + reachable_refining_shots, packed, vx);
+                lanes_pack(lists->reachable_refining_vy + reachable_refining_shots, packed, vy);
+                lanes_pack(lists->reachable_refining_vz + reachable_refining_shots, packed, vz);
+                lanes_pack(lists->reachable_refining_x + reachable_refining_shots, packed, x);
+                lanes_pack(lists->reachable_refining_y + reachable_refining_shots, packed, y);
+                lanes_pack(lists->reachable_refining_z + reachable_refining_shots, packed, z);
+                reachable_refining_shots += lanes_many(packed);
             }
         }
         {
@@ -3648,30 +4191,30 @@ static void LANES(court_plain)(const court_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < reachable_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
-                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    row = lanes_expand(lists->reachable_refining_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
-                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
-                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
-                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
-                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
-                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
-                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
-                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
-                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    arrival = lanes_expand(lists->reachable_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->reachable_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->reachable_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->reachable_refining_leaving + taken, idle, leaving);
+                    vx = lanes_expand(lists->reachable_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->reachable_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->reachable_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->reachable_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->reachable_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->reachable_refining_z + taken, idle, z);
                     if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
-                        p_board_bottom = lanes_expand(lists->open_refining_p_board_bottom + taken, idle, p_board_bottom);
-                        p_board_distance = lanes_expand(lists->open_refining_p_board_distance + taken, idle, p_board_distance);
-                        p_board_half_width = lanes_expand(lists->open_refining_p_board_half_width + taken, idle, p_board_half_width);
-                        p_board_thickness = lanes_expand(lists->open_refining_p_board_thickness + taken, idle, p_board_thickness);
-                        p_board_top = lanes_expand(lists->open_refining_p_board_top + taken, idle, p_board_top);
-                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
+                        p_ball_radius = lanes_expand(lists->reachable_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_bottom = lanes_expand(lists->reachable_refining_p_board_bottom + taken, idle, p_board_bottom);
+                        p_board_distance = lanes_expand(lists->reachable_refining_p_board_distance + taken, idle, p_board_distance);
+                        p_board_half_width = lanes_expand(lists->reachable_refining_p_board_half_width + taken, idle, p_board_half_width);
+                        p_board_thickness = lanes_expand(lists->reachable_refining_p_board_thickness + taken, idle, p_board_thickness);
+                        p_board_top = lanes_expand(lists->reachable_refining_p_board_top + taken, idle, p_board_top);
+                        p_gravity = lanes_expand(lists->reachable_refining_p_gravity + taken, idle, p_gravity);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    const size_t room = LANES_WIDTH - busy, left = reachable_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -3679,15 +4222,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_backboard_refine_out) _o83 =
+                const LANES(court_backboard_refine_out) _o96 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o83.time;
-                V gap = _o83.gap;
-                V rate = _o83.rate;
-                const LANES(court_polished_out) _o84 =
+                V refined = _o96.time;
+                V gap = _o96.gap;
+                V rate = _o96.rate;
+                const LANES(court_polished_out) _o97 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o84.arrival;
-                refining = _o84.refining;
+                arrival = _o97.arrival;
+                refining = _o97.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -3698,7 +4241,7 @@ static void LANES(court_plain)(const court_job *job)
                     for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
                         const int lane = LANES_LOWEST(bits);
                         const size_t k = (size_t)ended_row[lane];
-                        lists->open_arrival[k] = ended_arrival[lane];
+                        lists->reachable_arrival[k] = ended_arrival[lane];
                     }
                     busy -= lanes_many(ended);
                     active = lanes_both(active, lanes_not(ended));
@@ -3706,29 +4249,29 @@ static void LANES(court_plain)(const court_job *job)
             }
         }
         }
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            V arrival = lanes_load(lists->open_arrival + i);
-            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
-            V when = lanes_load(lists->open_when + i);
-            V which = lanes_load(lists->open_which + i);
-            const LANES(court_landed_out) _o85 =
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->reachable_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
+            V when = lanes_load(lists->reachable_when + i);
+            V which = lanes_load(lists->reachable_which + i);
+            const LANES(court_landed_out) _o98 =
                 LANES(court_landed)(arrival);
-            V time = _o85.time;
-            const LANES(court_sooner_out) _o86 =
+            V time = _o98.time;
+            const LANES(court_sooner_out) _o99 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o86.when;
-            which = _o86.which;
-            lanes_store(lists->open_when + i, when);
-            lanes_store(lists->open_which + i, which);
+            when = _o99.when;
+            which = _o99.which;
+            lanes_store(lists->reachable_when + i, when);
+            lanes_store(lists->reachable_which + i, which);
         }
-        for (size_t k = 0; k < open_shots; k++) {
-            const size_t row = (size_t)lists->open_row[k];
-            lists->when[row] = lists->open_when[k];
-            lists->which[row] = lists->open_which[k];
+        for (size_t k = 0; k < reachable_shots; k++) {
+            const size_t row = (size_t)lists->reachable_row[k];
+            lists->when[row] = lists->reachable_when[k];
+            lists->which[row] = lists->reachable_which[k];
         }
         }
         {
-        size_t open_shots = 0;
+        size_t reachable_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V extent = lanes_load(lists->extent + i);
@@ -3750,141 +4293,208 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o87 =
+            const LANES(court_horizon_out) _o100 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o87.horizon;
-            const LANES(court_bridge_clear_out) _o88 =
-                LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V clear = _o88.clear;
-            const LANES(court_opens_in_flight_out) _o89 =
-                LANES(court_opens_in_flight)(clear, kept);
-            M open = _o89.open;
-            const M packed = lanes_both(rows, open);
+            V until = _o100.horizon;
+            V pad = _o100.pad;
+            const LANES(court_halved_out) _o101 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, p_gravity);
+            V middle_x = _o101.middle_x;
+            V reach_x = _o101.reach_x;
+            V later_middle_x = _o101.later_middle_x;
+            V later_reach_x = _o101.later_reach_x;
+            V middle_y = _o101.middle_y;
+            V reach_y = _o101.reach_y;
+            V later_middle_y = _o101.later_middle_y;
+            V later_reach_y = _o101.later_reach_y;
+            V middle_z = _o101.middle_z;
+            V reach_z = _o101.reach_z;
+            V later_middle_z = _o101.later_middle_z;
+            V later_reach_z = _o101.later_reach_z;
+            const LANES(court_bridge_near_out) _o102 =
+                LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+            M reachable = _o102.near;
+            const LANES(court_reachable_in_flight_out) _o103 =
+                LANES(court_reachable_in_flight)(kept, reachable);
+            reachable = _o103.reachable;
+            const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_extent + open_shots, packed, extent);
-                lanes_pack(lists->open_last + open_shots, packed, last);
+                lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_extent + reachable_shots, packed, extent);
+                lanes_pack(lists->reachable_last + reachable_shots, packed, last);
                 if (varying)
-                    lanes_pack(lists->open_p_ball_radius + open_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_p_ball_radius + reachable_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_p_board_distance + open_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_p_board_distance + reachable_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_p_bridge_depth + open_shots, packed, p_bridge_depth);
+                    lanes_pack(lists->reachable_p_bridge_depth + reachable_shots, packed, p_bridge_depth);
                 if (varying)
-                    lanes_pack(lists->open_p_bridge_half_width + open_shots, packed, p_bridge_half_width);
+                    lanes_pack(lists->reachable_p_bridge_half_width + reachable_shots, packed, p_bridge_half_width);
                 if (varying)
-                    lanes_pack(lists->open_p_gravity + open_shots, packed, p_gravity);
+                    lanes_pack(lists->reachable_p_gravity + reachable_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->open_p_ring_radius + open_shots, packed, p_ring_radius);
+                    lanes_pack(lists->reachable_p_ring_radius + reachable_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->open_p_wire_radius + open_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_speed + open_shots, packed, speed);
-                lanes_pack(lists->open_until + open_shots, packed, until);
-                lanes_pack(lists->open_vx + open_shots, packed, vx);
-                lanes_pack(lists->open_vy + open_shots, packed, vy);
-                lanes_pack(lists->open_vz + open_shots, packed, vz);
-                lanes_pack(lists->open_when + open_shots, packed, when);
-                lanes_pack(lists->open_which + open_shots, packed, which);
-                lanes_pack(lists->open_x + open_shots, packed, x);
-                lanes_pack(lists->open_y + open_shots, packed, y);
-                lanes_pack(lists->open_z + open_shots, packed, z);
-                open_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_p_wire_radius + reachable_shots, packed, p_wire_radius);
+                lanes_pack(lists->reachable_speed + reachable_shots, packed, speed);
+                lanes_pack(lists->reachable_vx + reachable_shots, packed, vx);
+                lanes_pack(lists->reachable_vy + reachable_shots, packed, vy);
+                lanes_pack(lists->reachable_vz + reachable_shots, packed, vz);
+                lanes_pack(lists->reachable_when + reachable_shots, packed, when);
+                lanes_pack(lists->reachable_which + reachable_shots, packed, which);
+                lanes_pack(lists->reachable_x + reachable_shots, packed, x);
+                lanes_pack(lists->reachable_y + reachable_shots, packed, y);
+                lanes_pack(lists->reachable_z + reachable_shots, packed, z);
+                reachable_shots += lanes_many(packed);
             }
         }
         {
-        size_t open_searching_shots = 0;
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_shots - i);
-            V extent = lanes_load(lists->open_extent + i);
-            V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
-            const V p_bridge_depth = lanes_load(varying ? lists->open_p_bridge_depth + i : lists->p_bridge_depth);
-            const V p_bridge_half_width = lanes_load(varying ? lists->open_p_bridge_half_width + i : lists->p_bridge_half_width);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V speed = lanes_load(lists->open_speed + i);
-            V until = lanes_load(lists->open_until + i);
-            V vx = lanes_load(lists->open_vx + i);
-            V vy = lanes_load(lists->open_vy + i);
-            V vz = lanes_load(lists->open_vz + i);
-            V x = lanes_load(lists->open_x + i);
-            V y = lanes_load(lists->open_y + i);
-            V z = lanes_load(lists->open_z + i);
-            const LANES(court_bridge_prepare_out) _o90 =
+        size_t reachable_searching_shots = 0;
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(reachable_shots - i);
+            V extent = lanes_load(lists->reachable_extent + i);
+            V last = lanes_load(lists->reachable_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->reachable_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_distance = lanes_load(varying ? lists->reachable_p_board_distance + i : lists->p_board_distance);
+            const V p_bridge_depth = lanes_load(varying ? lists->reachable_p_bridge_depth + i : lists->p_bridge_depth);
+            const V p_bridge_half_width = lanes_load(varying ? lists->reachable_p_bridge_half_width + i : lists->p_bridge_half_width);
+            const V p_gravity = lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->reachable_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->reachable_p_wire_radius + i : lists->p_wire_radius);
+            V speed = lanes_load(lists->reachable_speed + i);
+            V vx = lanes_load(lists->reachable_vx + i);
+            V vy = lanes_load(lists->reachable_vy + i);
+            V vz = lanes_load(lists->reachable_vz + i);
+            V when = lanes_load(lists->reachable_when + i);
+            V x = lanes_load(lists->reachable_x + i);
+            V y = lanes_load(lists->reachable_y + i);
+            V z = lanes_load(lists->reachable_z + i);
+            const LANES(court_horizon_out) _o104 =
+                LANES(court_horizon)(when, speed, p_gravity);
+            V until = _o104.horizon;
+            const LANES(court_bridge_prepare_out) _o105 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o90.low0;
-            V high0 = _o90.high0;
-            V low1 = _o90.low1;
-            V high1 = _o90.high1;
-            V ceiling = _o90.ceiling;
-            V latest = _o90.latest;
-            const LANES(court_beginning_out) _o91 =
+            V low0 = _o105.low0;
+            V high0 = _o105.high0;
+            V low1 = _o105.low1;
+            V high1 = _o105.high1;
+            V ceiling = _o105.ceiling;
+            V latest = _o105.latest;
+            const LANES(court_beginning_out) _o106 =
                 LANES(court_beginning)();
-            V share = _o91.share;
-            V arrival = _o91.arrival;
-            M certain = _o91.certain;
-            const LANES(court_allowance_out) _o92 =
+            V share = _o106.share;
+            V arrival = _o106.arrival;
+            M certain = _o106.certain;
+            const LANES(court_allowance_out) _o107 =
                 LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o92.position_level;
-            V velocity_level = _o92.velocity_level;
-            const LANES(court_bridge_margins_out) _o93 =
+            V position_level = _o107.position_level;
+            V velocity_level = _o107.velocity_level;
+            const LANES(court_bridge_margins_out) _o108 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o93.margin;
-            V tilt = _o93.leaving_margin;
-            V rate_slack = _o93.rate_margin;
-            const LANES(court_bridge_enter_out) _o94 =
+            V flat = _o108.margin;
+            V tilt = _o108.leaving_margin;
+            V rate_slack = _o108.rate_margin;
+            const LANES(court_bridge_enter_out) _o109 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o94.t;
-            V end = _o94.end;
-            M searching = _o94.searching;
-            lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_ceiling + i, ceiling);
-            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
-            lanes_store(lists->open_flat + i, flat);
-            lanes_store(lists->open_tilt + i, tilt);
+            V t = _o109.t;
+            V end = _o109.end;
+            M searching = _o109.searching;
+            const M _m110 = lanes_both(rows, searching);
+            if (lanes_any(_m110)) {
+                const LANES(court_nearby_out) _o111 =
+                    LANES(court_nearby)(flat, K(2.0), last, t, tilt);
+                V leaving = _o111.leaving;
+                V margin = _o111.margin;
+                const LANES(court_bridge_advance_out) _o112 =
+                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                V gap = _o112.gap;
+                V rate = _o112.rate;
+                V bend = _o112.bend;
+                V step = _o112.step;
+                V next = _o112.next;
+                V clearance = _o112.clearance;
+                const LANES(court_struck_or_still_out) _o113 =
+                    LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
+                M hit = _o113.hit;
+                M sure = _o113.sure;
+                M vague = _o113.vague;
+                const M _m114 = lanes_both(_m110, vague);
+                if (lanes_any(_m114)) {
+                    const LANES(court_finer_out) _o115 =
+                        LANES(court_finer)(share);
+                    share = lanes_select(_m114, _o115.share, share);
+                    const LANES(court_allowance_out) _o116 =
+                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
+                    V position_level = _o116.position_level;
+                    V velocity_level = _o116.velocity_level;
+                    const LANES(court_bridge_margins_out) _o117 =
+                        LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = lanes_select(_m114, _o117.margin, flat);
+                    tilt = lanes_select(_m114, _o117.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m114, _o117.rate_margin, rate_slack);
+                }
+                const LANES(court_advanced_out) _o118 =
+                    LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
+                arrival = lanes_select(_m110, _o118.arrival, arrival);
+                certain = lanes_choose(_m110, _o118.certain, certain);
+                M exhausted = _o118.exhausted;
+                searching = lanes_choose(_m110, _o118.searching, searching);
+                t = lanes_select(_m110, _o118.t, t);
+                const M _m119 = lanes_both(_m110, exhausted);
+                {
+                    const LANES(court_bridge_enter_out) _o120 =
+                        LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
+                    t = lanes_select(_m119, _o120.t, t);
+                    end = lanes_select(_m119, _o120.end, end);
+                    searching = lanes_choose(_m119, _o120.searching, searching);
+                }
+            }
+            lanes_store(lists->reachable_arrival + i, arrival);
+            lanes_store(lists->reachable_ceiling + i, ceiling);
+            lanes_store(lists->reachable_certain + i, lanes_select(certain, K(1.0), K(0.0)));
+            lanes_store(lists->reachable_flat + i, flat);
+            lanes_store(lists->reachable_tilt + i, tilt);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_searching_arrival + open_searching_shots, packed, arrival);
-                lanes_pack(lists->open_searching_ceiling + open_searching_shots, packed, ceiling);
-                lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
-                lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
-                lanes_pack(lists->open_searching_flat + open_searching_shots, packed, flat);
-                lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
-                lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
-                lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                lanes_pack(lists->open_searching_latest + open_searching_shots, packed, latest);
-                lanes_pack(lists->open_searching_low0 + open_searching_shots, packed, low0);
-                lanes_pack(lists->open_searching_low1 + open_searching_shots, packed, low1);
+                lanes_pack(lists->reachable_searching_row + reachable_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_searching_arrival + reachable_searching_shots, packed, arrival);
+                lanes_pack(lists->reachable_searching_ceiling + reachable_searching_shots, packed, ceiling);
+                lanes_pack(lists->reachable_searching_certain + reachable_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->reachable_searching_end + reachable_searching_shots, packed, end);
+                lanes_pack(lists->reachable_searching_extent + reachable_searching_shots, packed, extent);
+                lanes_pack(lists->reachable_searching_flat + reachable_searching_shots, packed, flat);
+                lanes_pack(lists->reachable_searching_high0 + reachable_searching_shots, packed, high0);
+                lanes_pack(lists->reachable_searching_high1 + reachable_searching_shots, packed, high1);
+                lanes_pack(lists->reachable_searching_last + reachable_searching_shots, packed, last);
+                lanes_pack(lists->reachable_searching_latest + reachable_searching_shots, packed, latest);
+                lanes_pack(lists->reachable_searching_low0 + reachable_searching_shots, packed, low0);
+                lanes_pack(lists->reachable_searching_low1 + reachable_searching_shots, packed, low1);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_searching_p_ball_radius + reachable_searching_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_distance + open_searching_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_searching_p_board_distance + reachable_searching_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_bridge_depth + open_searching_shots, packed, p_bridge_depth);
+                    lanes_pack(lists->reachable_searching_p_bridge_depth + reachable_searching_shots, packed, p_bridge_depth);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_bridge_half_width + open_searching_shots, packed, p_bridge_half_width);
+                    lanes_pack(lists->reachable_searching_p_bridge_half_width + reachable_searching_shots, packed, p_bridge_half_width);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_gravity + open_searching_shots, packed, p_gravity);
+                    lanes_pack(lists->reachable_searching_p_gravity + reachable_searching_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, p_ring_radius);
+                    lanes_pack(lists->reachable_searching_p_ring_radius + reachable_searching_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_searching_rate_slack + open_searching_shots, packed, rate_slack);
-                lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
-                lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
-                lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
-                lanes_pack(lists->open_searching_tilt + open_searching_shots, packed, tilt);
-                lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
-                lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
-                lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
-                lanes_pack(lists->open_searching_x + open_searching_shots, packed, x);
-                lanes_pack(lists->open_searching_y + open_searching_shots, packed, y);
-                lanes_pack(lists->open_searching_z + open_searching_shots, packed, z);
-                open_searching_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_searching_p_wire_radius + reachable_searching_shots, packed, p_wire_radius);
+                lanes_pack(lists->reachable_searching_rate_slack + reachable_searching_shots, packed, rate_slack);
+                lanes_pack(lists->reachable_searching_share + reachable_searching_shots, packed, share);
+                lanes_pack(lists->reachable_searching_speed + reachable_searching_shots, packed, speed);
+                lanes_pack(lists->reachable_searching_t + reachable_searching_shots, packed, t);
+                lanes_pack(lists->reachable_searching_tilt + reachable_searching_shots, packed, tilt);
+                lanes_pack(lists->reachable_searching_vx + reachable_searching_shots, packed, vx);
+                lanes_pack(lists->reachable_searching_vy + reachable_searching_shots, packed, vy);
+                lanes_pack(lists->reachable_searching_vz + reachable_searching_shots, packed, vz);
+                lanes_pack(lists->reachable_searching_x + reachable_searching_shots, packed, x);
+                lanes_pack(lists->reachable_searching_y + reachable_searching_shots, packed, y);
+                lanes_pack(lists->reachable_searching_z + reachable_searching_shots, packed, z);
+                reachable_searching_shots += lanes_many(packed);
             }
         }
         {
@@ -3922,43 +4532,43 @@ static void LANES(court_plain)(const court_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < reachable_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
-                    row = lanes_expand(lists->open_searching_row + taken, idle, row);
+                    row = lanes_expand(lists->reachable_searching_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
-                    arrival = lanes_expand(lists->open_searching_arrival + taken, idle, arrival);
-                    ceiling = lanes_expand(lists->open_searching_ceiling + taken, idle, ceiling);
-                    certain = lanes_less(K(0.0), lanes_expand(lists->open_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
-                    end = lanes_expand(lists->open_searching_end + taken, idle, end);
-                    extent = lanes_expand(lists->open_searching_extent + taken, idle, extent);
-                    flat = lanes_expand(lists->open_searching_flat + taken, idle, flat);
-                    high0 = lanes_expand(lists->open_searching_high0 + taken, idle, high0);
-                    high1 = lanes_expand(lists->open_searching_high1 + taken, idle, high1);
-                    last = lanes_expand(lists->open_searching_last + taken, idle, last);
-                    latest = lanes_expand(lists->open_searching_latest + taken, idle, latest);
-                    low0 = lanes_expand(lists->open_searching_low0 + taken, idle, low0);
-                    low1 = lanes_expand(lists->open_searching_low1 + taken, idle, low1);
-                    rate_slack = lanes_expand(lists->open_searching_rate_slack + taken, idle, rate_slack);
-                    share = lanes_expand(lists->open_searching_share + taken, idle, share);
-                    speed = lanes_expand(lists->open_searching_speed + taken, idle, speed);
-                    t = lanes_expand(lists->open_searching_t + taken, idle, t);
-                    tilt = lanes_expand(lists->open_searching_tilt + taken, idle, tilt);
-                    vx = lanes_expand(lists->open_searching_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->open_searching_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->open_searching_vz + taken, idle, vz);
-                    x = lanes_expand(lists->open_searching_x + taken, idle, x);
-                    y = lanes_expand(lists->open_searching_y + taken, idle, y);
-                    z = lanes_expand(lists->open_searching_z + taken, idle, z);
+                    arrival = lanes_expand(lists->reachable_searching_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->reachable_searching_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->reachable_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    end = lanes_expand(lists->reachable_searching_end + taken, idle, end);
+                    extent = lanes_expand(lists->reachable_searching_extent + taken, idle, extent);
+                    flat = lanes_expand(lists->reachable_searching_flat + taken, idle, flat);
+                    high0 = lanes_expand(lists->reachable_searching_high0 + taken, idle, high0);
+                    high1 = lanes_expand(lists->reachable_searching_high1 + taken, idle, high1);
+                    last = lanes_expand(lists->reachable_searching_last + taken, idle, last);
+                    latest = lanes_expand(lists->reachable_searching_latest + taken, idle, latest);
+                    low0 = lanes_expand(lists->reachable_searching_low0 + taken, idle, low0);
+                    low1 = lanes_expand(lists->reachable_searching_low1 + taken, idle, low1);
+                    rate_slack = lanes_expand(lists->reachable_searching_rate_slack + taken, idle, rate_slack);
+                    share = lanes_expand(lists->reachable_searching_share + taken, idle, share);
+                    speed = lanes_expand(lists->reachable_searching_speed + taken, idle, speed);
+                    t = lanes_expand(lists->reachable_searching_t + taken, idle, t);
+                    tilt = lanes_expand(lists->reachable_searching_tilt + taken, idle, tilt);
+                    vx = lanes_expand(lists->reachable_searching_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->reachable_searching_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->reachable_searching_vz + taken, idle, vz);
+                    x = lanes_expand(lists->reachable_searching_x + taken, idle, x);
+                    y = lanes_expand(lists->reachable_searching_y + taken, idle, y);
+                    z = lanes_expand(lists->reachable_searching_z + taken, idle, z);
                     if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_searching_p_ball_radius + taken, idle, p_ball_radius);
-                        p_board_distance = lanes_expand(lists->open_searching_p_board_distance + taken, idle, p_board_distance);
-                        p_bridge_depth = lanes_expand(lists->open_searching_p_bridge_depth + taken, idle, p_bridge_depth);
-                        p_bridge_half_width = lanes_expand(lists->open_searching_p_bridge_half_width + taken, idle, p_bridge_half_width);
-                        p_gravity = lanes_expand(lists->open_searching_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_searching_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_searching_p_wire_radius + taken, idle, p_wire_radius);
+                        p_ball_radius = lanes_expand(lists->reachable_searching_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_distance = lanes_expand(lists->reachable_searching_p_board_distance + taken, idle, p_board_distance);
+                        p_bridge_depth = lanes_expand(lists->reachable_searching_p_bridge_depth + taken, idle, p_bridge_depth);
+                        p_bridge_half_width = lanes_expand(lists->reachable_searching_p_bridge_half_width + taken, idle, p_bridge_half_width);
+                        p_gravity = lanes_expand(lists->reachable_searching_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->reachable_searching_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->reachable_searching_p_wire_radius + taken, idle, p_wire_radius);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_searching_shots - taken;
+                    const size_t room = LANES_WIDTH - busy, left = reachable_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -3966,52 +4576,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o95 =
+                const LANES(court_nearby_out) _o121 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o95.leaving;
-                V margin = _o95.margin;
-                const LANES(court_bridge_advance_out) _o96 =
+                V leaving = _o121.leaving;
+                V margin = _o121.margin;
+                const LANES(court_bridge_advance_out) _o122 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o96.gap;
-                V rate = _o96.rate;
-                V bend = _o96.bend;
-                V step = _o96.step;
-                V next = _o96.next;
-                V clearance = _o96.clearance;
-                const LANES(court_struck_out) _o97 =
-                    LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o97.hit;
-                M sure = _o97.sure;
-                M vague = _o97.vague;
-                const M _m98 = lanes_both(active, vague);
-                if (lanes_any(_m98)) {
-                    const LANES(court_finer_out) _o99 =
+                V gap = _o122.gap;
+                V rate = _o122.rate;
+                V bend = _o122.bend;
+                V step = _o122.step;
+                V next = _o122.next;
+                V clearance = _o122.clearance;
+                const LANES(court_struck_or_still_out) _o123 =
+                    LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
+                M hit = _o123.hit;
+                M sure = _o123.sure;
+                M vague = _o123.vague;
+                const M _m124 = lanes_both(active, vague);
+                if (lanes_any(_m124)) {
+                    const LANES(court_finer_out) _o125 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m98, _o99.share, share);
-                    const LANES(court_allowance_out) _o100 =
+                    share = lanes_select(_m124, _o125.share, share);
+                    const LANES(court_allowance_out) _o126 =
                         LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o100.position_level;
-                    V velocity_level = _o100.velocity_level;
-                    const LANES(court_bridge_margins_out) _o101 =
+                    V position_level = _o126.position_level;
+                    V velocity_level = _o126.velocity_level;
+                    const LANES(court_bridge_margins_out) _o127 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m98, _o101.margin, flat);
-                    tilt = lanes_select(_m98, _o101.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m98, _o101.rate_margin, rate_slack);
+                    flat = lanes_select(_m124, _o127.margin, flat);
+                    tilt = lanes_select(_m124, _o127.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m124, _o127.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o102 =
+                const LANES(court_advanced_out) _o128 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o102.arrival;
-                certain = _o102.certain;
-                M exhausted = _o102.exhausted;
-                searching = _o102.searching;
-                t = _o102.t;
-                const M _m103 = lanes_both(active, exhausted);
+                arrival = _o128.arrival;
+                certain = _o128.certain;
+                M exhausted = _o128.exhausted;
+                searching = _o128.searching;
+                t = _o128.t;
+                const M _m129 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o104 =
+                    const LANES(court_bridge_enter_out) _o130 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m103, _o104.t, t);
-                    end = lanes_select(_m103, _o104.end, end);
-                    searching = lanes_choose(_m103, _o104.searching, searching);
+                    t = lanes_select(_m129, _o130.t, t);
+                    end = lanes_select(_m129, _o130.end, end);
+                    searching = lanes_choose(_m129, _o130.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -4029,10 +4639,10 @@ static void LANES(court_plain)(const court_job *job)
                     for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
                         const int lane = LANES_LOWEST(bits);
                         const size_t k = (size_t)ended_row[lane];
-                        lists->open_arrival[k] = ended_arrival[lane];
-                        lists->open_certain[k] = ended_certain[lane];
-                        lists->open_flat[k] = ended_flat[lane];
-                        lists->open_tilt[k] = ended_tilt[lane];
+                        lists->reachable_arrival[k] = ended_arrival[lane];
+                        lists->reachable_certain[k] = ended_certain[lane];
+                        lists->reachable_flat[k] = ended_flat[lane];
+                        lists->reachable_tilt[k] = ended_tilt[lane];
                     }
                     busy -= lanes_many(ended);
                     active = lanes_both(active, lanes_not(ended));
@@ -4041,89 +4651,89 @@ static void LANES(court_plain)(const court_job *job)
         }
         }
         {
-        size_t open_refining_shots = 0;
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_shots - i);
-            V arrival = lanes_load(lists->open_arrival + i);
-            V ceiling = lanes_load(lists->open_ceiling + i);
-            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
-            V flat = lanes_load(lists->open_flat + i);
-            V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
-            const V p_bridge_depth = lanes_load(varying ? lists->open_p_bridge_depth + i : lists->p_bridge_depth);
-            const V p_bridge_half_width = lanes_load(varying ? lists->open_p_bridge_half_width + i : lists->p_bridge_half_width);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V tilt = lanes_load(lists->open_tilt + i);
-            V vx = lanes_load(lists->open_vx + i);
-            V vy = lanes_load(lists->open_vy + i);
-            V vz = lanes_load(lists->open_vz + i);
-            V x = lanes_load(lists->open_x + i);
-            V y = lanes_load(lists->open_y + i);
-            V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o105 =
+        size_t reachable_refining_shots = 0;
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(reachable_shots - i);
+            V arrival = lanes_load(lists->reachable_arrival + i);
+            V ceiling = lanes_load(lists->reachable_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
+            V flat = lanes_load(lists->reachable_flat + i);
+            V last = lanes_load(lists->reachable_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->reachable_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_distance = lanes_load(varying ? lists->reachable_p_board_distance + i : lists->p_board_distance);
+            const V p_bridge_depth = lanes_load(varying ? lists->reachable_p_bridge_depth + i : lists->p_bridge_depth);
+            const V p_bridge_half_width = lanes_load(varying ? lists->reachable_p_bridge_half_width + i : lists->p_bridge_half_width);
+            const V p_gravity = lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->reachable_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->reachable_p_wire_radius + i : lists->p_wire_radius);
+            V tilt = lanes_load(lists->reachable_tilt + i);
+            V vx = lanes_load(lists->reachable_vx + i);
+            V vy = lanes_load(lists->reachable_vy + i);
+            V vz = lanes_load(lists->reachable_vz + i);
+            V x = lanes_load(lists->reachable_x + i);
+            V y = lanes_load(lists->reachable_y + i);
+            V z = lanes_load(lists->reachable_z + i);
+            const LANES(court_found_out) _o131 =
                 LANES(court_found)(arrival);
-            M arrives = _o105.arrives;
-            M refining = _o105.refining;
-            const LANES(court_nearby_out) _o106 =
+            M arrives = _o131.arrives;
+            M refining = _o131.refining;
+            const LANES(court_nearby_out) _o132 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o106.leaving;
-            const M _m107 = lanes_both(rows, refining);
-            if (lanes_any(_m107)) {
-                const LANES(court_bridge_refine_out) _o108 =
+            V leaving = _o132.leaving;
+            const M _m133 = lanes_both(rows, refining);
+            if (lanes_any(_m133)) {
+                const LANES(court_bridge_refine_out) _o134 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o108.time;
-                V gap = _o108.gap;
-                V rate = _o108.rate;
-                const LANES(court_polished_out) _o109 =
+                V refined = _o134.time;
+                V gap = _o134.gap;
+                V rate = _o134.rate;
+                const LANES(court_polished_out) _o135 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m107, _o109.arrival, arrival);
-                refining = lanes_choose(_m107, _o109.refining, refining);
+                arrival = lanes_select(_m133, _o135.arrival, arrival);
+                refining = lanes_choose(_m133, _o135.refining, refining);
             }
-            const M _m110 = lanes_both(rows, refining);
-            if (lanes_any(_m110)) {
-                const LANES(court_bridge_refine_out) _o111 =
+            const M _m136 = lanes_both(rows, refining);
+            if (lanes_any(_m136)) {
+                const LANES(court_bridge_refine_out) _o137 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o111.time;
-                V gap = _o111.gap;
-                V rate = _o111.rate;
-                const LANES(court_polished_out) _o112 =
+                V refined = _o137.time;
+                V gap = _o137.gap;
+                V rate = _o137.rate;
+                const LANES(court_polished_out) _o138 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m110, _o112.arrival, arrival);
-                refining = lanes_choose(_m110, _o112.refining, refining);
+                arrival = lanes_select(_m136, _o138.arrival, arrival);
+                refining = lanes_choose(_m136, _o138.refining, refining);
             }
-            lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            lanes_store(lists->reachable_arrival + i, arrival);
+            lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
-                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
-                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                lanes_pack(lists->reachable_refining_row + reachable_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_refining_arrival + reachable_refining_shots, packed, arrival);
+                lanes_pack(lists->reachable_refining_ceiling + reachable_refining_shots, packed, ceiling);
+                lanes_pack(lists->reachable_refining_certain + reachable_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->reachable_refining_leaving + reachable_refining_shots, packed, leaving);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_refining_p_ball_radius + reachable_refining_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_distance + open_refining_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_refining_p_board_distance + reachable_refining_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_bridge_depth + open_refining_shots, packed, p_bridge_depth);
+                    lanes_pack(lists->reachable_refining_p_bridge_depth + reachable_refining_shots, packed, p_bridge_depth);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_bridge_half_width + open_refining_shots, packed, p_bridge_half_width);
+                    lanes_pack(lists->reachable_refining_p_bridge_half_width + reachable_refining_shots, packed, p_bridge_half_width);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
+                    lanes_pack(lists->reachable_refining_p_gravity + reachable_refining_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, p_ring_radius);
+                    lanes_pack(lists->reachable_refining_p_ring_radius + reachable_refining_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
-                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
-                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
-                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
-                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
-                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
-                open_refining_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_refining_p_wire_radius + reachable_refining_shots, packed, p_wire_radius);
+                lanes_pack(lists->reachable_refining_vx + reachable_refining_shots, packed, vx);
+                lanes_pack(lists->reachable_refining_vy + reachable_refining_shots, packed, vy);
+                lanes_pack(lists->reachable_refining_vz + reachable_refining_shots, packed, vz);
+                lanes_pack(lists->reachable_refining_x + reachable_refining_shots, packed, x);
+                lanes_pack(lists->reachable_refining_y + reachable_refining_shots, packed, y);
+                lanes_pack(lists->reachable_refining_z + reachable_refining_shots, packed, z);
+                reachable_refining_shots += lanes_many(packed);
             }
         }
         {
@@ -4148,30 +4758,30 @@ static void LANES(court_plain)(const court_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < reachable_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
-                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    row = lanes_expand(lists->reachable_refining_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
-                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
-                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
-                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
-                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
-                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
-                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
-                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
-                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    arrival = lanes_expand(lists->reachable_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->reachable_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->reachable_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->reachable_refining_leaving + taken, idle, leaving);
+                    vx = lanes_expand(lists->reachable_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->reachable_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->reachable_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->reachable_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->reachable_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->reachable_refining_z + taken, idle, z);
                     if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
-                        p_board_distance = lanes_expand(lists->open_refining_p_board_distance + taken, idle, p_board_distance);
-                        p_bridge_depth = lanes_expand(lists->open_refining_p_bridge_depth + taken, idle, p_bridge_depth);
-                        p_bridge_half_width = lanes_expand(lists->open_refining_p_bridge_half_width + taken, idle, p_bridge_half_width);
-                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, p_wire_radius);
+                        p_ball_radius = lanes_expand(lists->reachable_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_distance = lanes_expand(lists->reachable_refining_p_board_distance + taken, idle, p_board_distance);
+                        p_bridge_depth = lanes_expand(lists->reachable_refining_p_bridge_depth + taken, idle, p_bridge_depth);
+                        p_bridge_half_width = lanes_expand(lists->reachable_refining_p_bridge_half_width + taken, idle, p_bridge_half_width);
+                        p_gravity = lanes_expand(lists->reachable_refining_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->reachable_refining_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->reachable_refining_p_wire_radius + taken, idle, p_wire_radius);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    const size_t room = LANES_WIDTH - busy, left = reachable_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -4179,15 +4789,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o113 =
+                const LANES(court_bridge_refine_out) _o139 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o113.time;
-                V gap = _o113.gap;
-                V rate = _o113.rate;
-                const LANES(court_polished_out) _o114 =
+                V refined = _o139.time;
+                V gap = _o139.gap;
+                V rate = _o139.rate;
+                const LANES(court_polished_out) _o140 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o114.arrival;
-                refining = _o114.refining;
+                arrival = _o140.arrival;
+                refining = _o140.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -4198,7 +4808,7 @@ static void LANES(court_plain)(const court_job *job)
                     for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
                         const int lane = LANES_LOWEST(bits);
                         const size_t k = (size_t)ended_row[lane];
-                        lists->open_arrival[k] = ended_arrival[lane];
+                        lists->reachable_arrival[k] = ended_arrival[lane];
                     }
                     busy -= lanes_many(ended);
                     active = lanes_both(active, lanes_not(ended));
@@ -4206,25 +4816,25 @@ static void LANES(court_plain)(const court_job *job)
             }
         }
         }
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            V arrival = lanes_load(lists->open_arrival + i);
-            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
-            V when = lanes_load(lists->open_when + i);
-            V which = lanes_load(lists->open_which + i);
-            const LANES(court_landed_out) _o115 =
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->reachable_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
+            V when = lanes_load(lists->reachable_when + i);
+            V which = lanes_load(lists->reachable_which + i);
+            const LANES(court_landed_out) _o141 =
                 LANES(court_landed)(arrival);
-            V time = _o115.time;
-            const LANES(court_sooner_out) _o116 =
+            V time = _o141.time;
+            const LANES(court_sooner_out) _o142 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o116.when;
-            which = _o116.which;
-            lanes_store(lists->open_when + i, when);
-            lanes_store(lists->open_which + i, which);
+            when = _o142.when;
+            which = _o142.which;
+            lanes_store(lists->reachable_when + i, when);
+            lanes_store(lists->reachable_which + i, which);
         }
-        for (size_t k = 0; k < open_shots; k++) {
-            const size_t row = (size_t)lists->open_row[k];
-            lists->when[row] = lists->open_when[k];
-            lists->which[row] = lists->open_which[k];
+        for (size_t k = 0; k < reachable_shots; k++) {
+            const size_t row = (size_t)lists->reachable_row[k];
+            lists->when[row] = lists->reachable_when[k];
+            lists->which[row] = lists->reachable_which[k];
         }
         }
         {
@@ -4263,16 +4873,16 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m117 = lanes_both(rows, limited);
-            if (lanes_any(_m117)) {
-                const LANES(court_expiry_out) _o118 =
+            const M _m143 = lanes_both(rows, limited);
+            if (lanes_any(_m143)) {
+                const LANES(court_expiry_out) _o144 =
                     LANES(court_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o118.time;
-                M arrives = _o118.arrives;
-                const LANES(court_sooner_out) _o119 =
+                V time = _o144.time;
+                M arrives = _o144.arrives;
+                const LANES(court_sooner_out) _o145 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m117, _o119.when, when);
-                which = lanes_select(_m117, _o119.which, which);
+                when = lanes_select(_m143, _o145.when, when);
+                which = lanes_select(_m143, _o145.which, which);
             }
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
@@ -4345,6 +4955,8 @@ static void LANES(court_plain)(const court_job *job)
             lists->z[row] = lists->kept_z[k];
         }
         }
+        {
+        size_t slow_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V began = lanes_load(lists->began + i);
@@ -4395,69 +5007,69 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o324 =
+            const LANES(court_departed_out) _o349 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o324.moves;
-            M ends = _o324.ends;
-            M touches = _o324.touches;
-            V reached = _o324.reached;
-            const LANES(court_body_of_out) _o325 =
+            M moves = _o349.moves;
+            M ends = _o349.ends;
+            M touches = _o349.touches;
+            V reached = _o349.reached;
+            const LANES(court_body_of_out) _o350 =
                 LANES(court_body_of)(which);
-            V body = _o325.body;
-            const M _m326 = lanes_both(rows, moves);
-            if (lanes_any(_m326)) {
-                const LANES(court_passing_out) _o327 =
+            V body = _o350.body;
+            const M _m351 = lanes_both(rows, moves);
+            if (lanes_any(_m351)) {
+                const LANES(court_passing_out) _o352 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m326, _o327.through, through);
-                const LANES(court_flight_out) _o328 =
+                through = lanes_select(_m351, _o352.through, through);
+                const LANES(court_flight_out) _o353 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m326, _o328.x, x);
-                y = lanes_select(_m326, _o328.y, y);
-                z = lanes_select(_m326, _o328.z, z);
-                vx = lanes_select(_m326, _o328.vx, vx);
-                vy = lanes_select(_m326, _o328.vy, vy);
-                vz = lanes_select(_m326, _o328.vz, vz);
-                const LANES(court_ticked_out) _o329 =
+                x = lanes_select(_m351, _o353.x, x);
+                y = lanes_select(_m351, _o353.y, y);
+                z = lanes_select(_m351, _o353.z, z);
+                vx = lanes_select(_m351, _o353.vx, vx);
+                vy = lanes_select(_m351, _o353.vy, vy);
+                vz = lanes_select(_m351, _o353.vz, vz);
+                const LANES(court_ticked_out) _o354 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m326, _o329.clock, clock);
+                clock = lanes_select(_m351, _o354.clock, clock);
             }
-            const M _m330 = lanes_both(rows, limited);
-            if (lanes_any(_m330)) {
-                const LANES(court_expired_out) _o331 =
+            const M _m355 = lanes_both(rows, limited);
+            if (lanes_any(_m355)) {
+                const LANES(court_expired_out) _o356 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m330, _o331.clock, clock);
-                body = lanes_select(_m330, _o331.body, body);
-                reached = lanes_select(_m330, _o331.reached, reached);
-                ends = lanes_choose(_m330, _o331.ends, ends);
+                clock = lanes_select(_m355, _o356.clock, clock);
+                body = lanes_select(_m355, _o356.body, body);
+                reached = lanes_select(_m355, _o356.reached, reached);
+                ends = lanes_choose(_m355, _o356.ends, ends);
             }
-            const M _m332 = lanes_both(rows, kept);
-            if (lanes_any(_m332)) {
-                const LANES(court_kept_on_out) _o333 =
+            const M _m357 = lanes_both(rows, kept);
+            if (lanes_any(_m357)) {
+                const LANES(court_kept_on_out) _o358 =
                     LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m332, _o333.body, body);
-                reached = lanes_select(_m332, _o333.reached, reached);
-                ends = lanes_choose(_m332, _o333.ends, ends);
-                last = lanes_select(_m332, _o333.last, last);
-                mode = lanes_select(_m332, _o333.mode, mode);
-                held = lanes_select(_m332, _o333.held, held);
-                rolls = lanes_select(_m332, _o333.rolls, rolls);
+                body = lanes_select(_m357, _o358.body, body);
+                reached = lanes_select(_m357, _o358.reached, reached);
+                ends = lanes_choose(_m357, _o358.ends, ends);
+                last = lanes_select(_m357, _o358.last, last);
+                mode = lanes_select(_m357, _o358.mode, mode);
+                held = lanes_select(_m357, _o358.held, held);
+                rolls = lanes_select(_m357, _o358.rolls, rolls);
             }
-            const LANES(court_here_out) _o334 =
+            const LANES(court_here_out) _o359 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o334.here;
-            const M _m335 = lanes_both(rows, here);
+            M here = _o359.here;
+            const M _m360 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o336 =
+                const LANES(court_end_bounds_out) _o361 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o336.g0;
-                const LANES(court_end_reached_out) _o337 =
+                V g0 = _o361.g0;
+                const LANES(court_end_reached_out) _o362 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m335, _o337.reached, reached);
+                reached = lanes_select(_m360, _o362.reached, reached);
             }
-            const LANES(court_accounted_out) _o338 =
+            const LANES(court_accounted_out) _o363 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o338.contacts;
-            V outcome = _o338.outcome;
+            contacts = _o363.contacts;
+            V outcome = _o363.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -4470,322 +5082,116 @@ static void LANES(court_plain)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o339 =
+            const LANES(court_meeting_out) _o364 =
                 LANES(court_meeting)(K(0.0), ends, touches);
-            M meeting = _o339.meeting;
-            const M _m340 = lanes_both(rows, meeting);
-            if (lanes_any(_m340)) {
-                const LANES(court_end_normal_out) _o341 =
+            M meeting = _o364.meeting;
+            const LANES(court_unslowed_out) _o365 =
+                LANES(court_unslowed)();
+            M slow = _o365.slow;
+            const M _m366 = lanes_both(rows, meeting);
+            if (lanes_any(_m366)) {
+                const LANES(court_end_normal_out) _o367 =
                     LANES(court_end_normal)();
-                V nx = _o341.nx;
-                V ny = _o341.ny;
-                V nz = _o341.nz;
-                const LANES(court_here_out) _o342 =
+                V nx = _o367.nx;
+                V ny = _o367.ny;
+                V nz = _o367.nz;
+                const LANES(court_here_out) _o368 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o342.here;
-                const M _m343 = lanes_both(_m340, here);
+                M here = _o368.here;
+                const M _m369 = lanes_both(_m366, here);
                 {
-                    const LANES(court_ring_normal_out) _o344 =
+                    const LANES(court_ring_normal_out) _o370 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m343, _o344.nx, nx);
-                    ny = lanes_select(_m343, _o344.ny, ny);
-                    nz = lanes_select(_m343, _o344.nz, nz);
-                    const LANES(court_counted_out) _o345 =
+                    nx = lanes_select(_m369, _o370.nx, nx);
+                    ny = lanes_select(_m369, _o370.ny, ny);
+                    nz = lanes_select(_m369, _o370.nz, nz);
+                    const LANES(court_counted_out) _o371 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m343, _o345.count, count_0);
+                    count_0 = lanes_select(_m369, _o371.count, count_0);
                 }
-                const LANES(court_here_out) _o346 =
+                const LANES(court_here_out) _o372 =
                     LANES(court_here)(K(1.0), which);
-                here = _o346.here;
-                const M _m347 = lanes_both(_m340, here);
+                here = _o372.here;
+                const M _m373 = lanes_both(_m366, here);
                 {
-                    const LANES(court_backboard_normal_out) _o348 =
+                    const LANES(court_backboard_normal_out) _o374 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m347, _o348.nx, nx);
-                    ny = lanes_select(_m347, _o348.ny, ny);
-                    nz = lanes_select(_m347, _o348.nz, nz);
-                    const LANES(court_counted_out) _o349 =
+                    nx = lanes_select(_m373, _o374.nx, nx);
+                    ny = lanes_select(_m373, _o374.ny, ny);
+                    nz = lanes_select(_m373, _o374.nz, nz);
+                    const LANES(court_counted_out) _o375 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m347, _o349.count, count_1);
+                    count_1 = lanes_select(_m373, _o375.count, count_1);
                 }
-                const LANES(court_here_out) _o350 =
+                const LANES(court_here_out) _o376 =
                     LANES(court_here)(K(2.0), which);
-                here = _o350.here;
-                const M _m351 = lanes_both(_m340, here);
+                here = _o376.here;
+                const M _m377 = lanes_both(_m366, here);
                 {
-                    const LANES(court_bridge_normal_out) _o352 =
+                    const LANES(court_bridge_normal_out) _o378 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m351, _o352.nx, nx);
-                    ny = lanes_select(_m351, _o352.ny, ny);
-                    nz = lanes_select(_m351, _o352.nz, nz);
-                    const LANES(court_counted_out) _o353 =
+                    nx = lanes_select(_m377, _o378.nx, nx);
+                    ny = lanes_select(_m377, _o378.ny, ny);
+                    nz = lanes_select(_m377, _o378.nz, nz);
+                    const LANES(court_counted_out) _o379 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m351, _o353.count, count_2);
+                    count_2 = lanes_select(_m377, _o379.count, count_2);
                 }
-                const LANES(court_untaken_out) _o354 =
+                const LANES(court_untaken_out) _o380 =
                     LANES(court_untaken)();
-                M struck_0 = _o354.mine;
-                const LANES(court_ring_impact_taken_out) _o355 =
+                M struck_0 = _o380.mine;
+                const LANES(court_ring_impact_taken_out) _o381 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o355.its_0;
-                V its_1_ring_impact = _o355.its_1;
+                V its_0_ring_impact = _o381.its_0;
+                V its_1_ring_impact = _o381.its_1;
                 {
-                    const double *const _t357[][2] = {
+                    const double *const _t383[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t358[][1] = {
+                    static const double _t384[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k356 = 0; _k356 < 3; _k356++) {
-                        const V own_1 = lanes_load(_t357[_k356][0] + (i & varying));
-                        const V own_2 = lanes_load(_t357[_k356][1] + (i & varying));
-                        const V own_index = K(_t358[_k356][0]);
-                        const LANES(court_here_out) _o359 =
+                    for (size_t _k382 = 0; _k382 < 3; _k382++) {
+                        const V own_1 = lanes_load(_t383[_k382][0] + (i & varying));
+                        const V own_2 = lanes_load(_t383[_k382][1] + (i & varying));
+                        const V own_index = K(_t384[_k382][0]);
+                        const LANES(court_here_out) _o385 =
                             LANES(court_here)(own_index, which);
-                        M here = _o359.here;
-                        const M _m360 = lanes_both(_m340, here);
-                        if (lanes_any(_m360)) {
-                            const LANES(court_ring_impact_taken_out) _o361 =
+                        M here = _o385.here;
+                        const M _m386 = lanes_both(_m366, here);
+                        if (lanes_any(_m386)) {
+                            const LANES(court_ring_impact_taken_out) _o387 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m360, _o361.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m360, _o361.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m360, _o361.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m386, _o387.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m386, _o387.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m386, _o387.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m362 = lanes_both(_m340, struck_0);
-                if (lanes_any(_m362)) {
-                    const LANES(court_ring_impact_out) _o363 =
+                const M _m388 = lanes_both(_m366, struck_0);
+                if (lanes_any(_m388)) {
+                    const LANES(court_ring_impact_out) _o389 =
                         LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m362, _o363.vx, vx);
-                    vy = lanes_select(_m362, _o363.vy, vy);
-                    vz = lanes_select(_m362, _o363.vz, vz);
-                    wx = lanes_select(_m362, _o363.wx, wx);
-                    wy = lanes_select(_m362, _o363.wy, wy);
-                    wz = lanes_select(_m362, _o363.wz, wz);
+                    vx = lanes_select(_m388, _o389.vx, vx);
+                    vy = lanes_select(_m388, _o389.vy, vy);
+                    vz = lanes_select(_m388, _o389.vz, vz);
+                    wx = lanes_select(_m388, _o389.wx, wx);
+                    wy = lanes_select(_m388, _o389.wy, wy);
+                    wz = lanes_select(_m388, _o389.wz, wz);
                 }
-                const M _m364 = lanes_both(_m340, touches);
+                const M _m390 = lanes_both(_m366, touches);
                 {
-                    const LANES(court_touched_out) _o365 =
+                    const LANES(court_touched_out) _o391 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m364, _o365.first, first);
-                    last = lanes_select(_m364, _o365.last, last);
-                }
-                const M _m366 = lanes_both(_m340, touches);
-                if (lanes_any(_m366)) {
-                    const LANES(court_slowed_out) _o367 =
+                    first = lanes_select(_m390, _o391.first, first);
+                    last = lanes_select(_m390, _o391.last, last);
+                    const LANES(court_slowed_out) _o392 =
                         LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, K(0.0), vx, vy, vz);
-                    M slow = _o367.slow;
-                    M nearly = _o367.nearly;
-                    const M _m368 = lanes_both(_m366, slow);
-                    if (lanes_any(_m368)) {
-                        const LANES(court_gripped_out) _o369 =
-                            LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o369.rolled_x;
-                        V rolled_y = _o369.rolled_y;
-                        V rolled_z = _o369.rolled_z;
-                        V slip = _o369.slip;
-                        V bounce = _o369.bounce;
-                        const LANES(court_here_out) _o370 =
-                            LANES(court_here)(K(0.0), which);
-                        M here = _o370.here;
-                        const M _m371 = lanes_both(_m368, here);
-                        if (lanes_any(_m371)) {
-                            const LANES(court_ring_turning_out) _o372 =
-                                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o372.turning_x;
-                            V turning_y = _o372.turning_y;
-                            V turning_z = _o372.turning_z;
-                            const LANES(court_pressed_on_out) _o373 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o373.press;
-                            V weight = _o373.weight;
-                            V drag = _o373.drag;
-                            V thrust_x = _o373.thrust_x;
-                            V thrust_y = _o373.thrust_y;
-                            V thrust_z = _o373.thrust_z;
-                            const LANES(court_alone_out) _o374 =
-                                LANES(court_alone)();
-                            V nearest = _o374.nearest;
-                            V wedge = _o374.wedge;
-                            const LANES(court_backboard_closing_out) _o375 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o375.gap;
-                            V nearing = _o375.nearing;
-                            V swerve = _o375.swerve;
-                            V facing = _o375.facing;
-                            const LANES(court_neared_body_out) _o376 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o376.nearest;
-                            wedge = _o376.wedge;
-                            const LANES(court_bridge_closing_out) _o377 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o377.gap;
-                            nearing = _o377.nearing;
-                            swerve = _o377.swerve;
-                            facing = _o377.facing;
-                            const LANES(court_neared_body_out) _o378 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o378.nearest;
-                            wedge = _o378.wedge;
-                            const LANES(court_end_beside_out) _o379 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o379.gap;
-                            const LANES(court_neared_out) _o380 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o380.nearest;
-                            const LANES(court_ring_parting_out) _o381 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o381.lift;
-                            const LANES(court_ring_impact_settling_out) _o382 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o382.settles;
-                            M lodges = _o382.lodges;
-                            M slides = _o382.slides;
-                            M parts = _o382.parts;
-                            M unsure = _o382.unsure;
-                            const LANES(court_settled_out) _o383 =
-                                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m371, _o383.mode, mode);
-                            held = lanes_select(_m371, _o383.held, held);
-                            outcome = lanes_select(_m371, _o383.outcome, outcome);
-                            slip_left = lanes_select(_m371, _o383.slip_left, slip_left);
-                        }
-                        const LANES(court_here_out) _o384 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o384.here;
-                        const M _m385 = lanes_both(_m368, here);
-                        if (lanes_any(_m385)) {
-                            const LANES(court_backboard_turning_out) _o386 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o386.turning_x;
-                            V turning_y = _o386.turning_y;
-                            V turning_z = _o386.turning_z;
-                            const LANES(court_pressed_on_out) _o387 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o387.press;
-                            V weight = _o387.weight;
-                            V drag = _o387.drag;
-                            V thrust_x = _o387.thrust_x;
-                            V thrust_y = _o387.thrust_y;
-                            V thrust_z = _o387.thrust_z;
-                            const LANES(court_alone_out) _o388 =
-                                LANES(court_alone)();
-                            V nearest = _o388.nearest;
-                            V wedge = _o388.wedge;
-                            const LANES(court_ring_closing_out) _o389 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o389.gap;
-                            V nearing = _o389.nearing;
-                            V swerve = _o389.swerve;
-                            V facing = _o389.facing;
-                            const LANES(court_neared_body_out) _o390 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o390.nearest;
-                            wedge = _o390.wedge;
-                            const LANES(court_bridge_closing_out) _o391 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o391.gap;
-                            nearing = _o391.nearing;
-                            swerve = _o391.swerve;
-                            facing = _o391.facing;
-                            const LANES(court_neared_body_out) _o392 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o392.nearest;
-                            wedge = _o392.wedge;
-                            const LANES(court_end_beside_out) _o393 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o393.gap;
-                            const LANES(court_neared_out) _o394 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o394.nearest;
-                            const LANES(court_backboard_parting_out) _o395 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o395.lift;
-                            const LANES(court_ring_impact_settling_out) _o396 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o396.settles;
-                            M lodges = _o396.lodges;
-                            M slides = _o396.slides;
-                            M parts = _o396.parts;
-                            M unsure = _o396.unsure;
-                            const LANES(court_settled_out) _o397 =
-                                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m385, _o397.mode, mode);
-                            held = lanes_select(_m385, _o397.held, held);
-                            outcome = lanes_select(_m385, _o397.outcome, outcome);
-                            slip_left = lanes_select(_m385, _o397.slip_left, slip_left);
-                        }
-                        const LANES(court_here_out) _o398 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o398.here;
-                        const M _m399 = lanes_both(_m368, here);
-                        if (lanes_any(_m399)) {
-                            const LANES(court_bridge_turning_out) _o400 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o400.turning_x;
-                            V turning_y = _o400.turning_y;
-                            V turning_z = _o400.turning_z;
-                            const LANES(court_pressed_on_out) _o401 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o401.press;
-                            V weight = _o401.weight;
-                            V drag = _o401.drag;
-                            V thrust_x = _o401.thrust_x;
-                            V thrust_y = _o401.thrust_y;
-                            V thrust_z = _o401.thrust_z;
-                            const LANES(court_alone_out) _o402 =
-                                LANES(court_alone)();
-                            V nearest = _o402.nearest;
-                            V wedge = _o402.wedge;
-                            const LANES(court_ring_closing_out) _o403 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o403.gap;
-                            V nearing = _o403.nearing;
-                            V swerve = _o403.swerve;
-                            V facing = _o403.facing;
-                            const LANES(court_neared_body_out) _o404 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o404.nearest;
-                            wedge = _o404.wedge;
-                            const LANES(court_backboard_closing_out) _o405 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o405.gap;
-                            nearing = _o405.nearing;
-                            swerve = _o405.swerve;
-                            facing = _o405.facing;
-                            const LANES(court_neared_body_out) _o406 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o406.nearest;
-                            wedge = _o406.wedge;
-                            const LANES(court_end_beside_out) _o407 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o407.gap;
-                            const LANES(court_neared_out) _o408 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o408.nearest;
-                            const LANES(court_bridge_parting_out) _o409 =
-                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o409.lift;
-                            const LANES(court_ring_impact_settling_out) _o410 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz);
-                            M settles = _o410.settles;
-                            M lodges = _o410.lodges;
-                            M slides = _o410.slides;
-                            M parts = _o410.parts;
-                            M unsure = _o410.unsure;
-                            const LANES(court_settled_out) _o411 =
-                                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-                            mode = lanes_select(_m399, _o411.mode, mode);
-                            held = lanes_select(_m399, _o411.held, held);
-                            outcome = lanes_select(_m399, _o411.outcome, outcome);
-                            slip_left = lanes_select(_m399, _o411.slip_left, slip_left);
-                        }
-                    }
+                    slow = lanes_choose(_m390, _o392.slow, slow);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -4799,7 +5205,6 @@ static void LANES(court_plain)(const court_job *job)
             lanes_store(lists->mode + i, mode);
             lanes_store(lists->outcome + i, outcome);
             lanes_store(lists->rolls + i, rolls);
-            lanes_store(lists->slip_left + i, slip_left);
             lanes_store(lists->through + i, through);
             lanes_store(lists->vx + i, vx);
             lanes_store(lists->vy + i, vy);
@@ -4810,6 +5215,71 @@ static void LANES(court_plain)(const court_job *job)
             lanes_store(lists->x + i, x);
             lanes_store(lists->y + i, y);
             lanes_store(lists->z + i, z);
+            const M packed = lanes_both(rows, slow);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->slow_row + slow_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->slow_held + slow_shots, packed, held);
+                lanes_pack(lists->slow_mode + slow_shots, packed, mode);
+                lanes_pack(lists->slow_outcome + slow_shots, packed, outcome);
+                if (varying)
+                    lanes_pack(lists->slow_p_backboard_friction + slow_shots, packed, p_backboard_friction);
+                if (varying)
+                    lanes_pack(lists->slow_p_backboard_restitution + slow_shots, packed, p_backboard_restitution);
+                if (varying)
+                    lanes_pack(lists->slow_p_ball_radius + slow_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->slow_p_board_bottom + slow_shots, packed, p_board_bottom);
+                if (varying)
+                    lanes_pack(lists->slow_p_board_distance + slow_shots, packed, p_board_distance);
+                if (varying)
+                    lanes_pack(lists->slow_p_board_half_width + slow_shots, packed, p_board_half_width);
+                if (varying)
+                    lanes_pack(lists->slow_p_board_thickness + slow_shots, packed, p_board_thickness);
+                if (varying)
+                    lanes_pack(lists->slow_p_board_top + slow_shots, packed, p_board_top);
+                if (varying)
+                    lanes_pack(lists->slow_p_bridge_depth + slow_shots, packed, p_bridge_depth);
+                if (varying)
+                    lanes_pack(lists->slow_p_bridge_friction + slow_shots, packed, p_bridge_friction);
+                if (varying)
+                    lanes_pack(lists->slow_p_bridge_half_width + slow_shots, packed, p_bridge_half_width);
+                if (varying)
+                    lanes_pack(lists->slow_p_bridge_restitution + slow_shots, packed, p_bridge_restitution);
+                if (varying)
+                    lanes_pack(lists->slow_p_end_depth + slow_shots, packed, p_end_depth);
+                if (varying)
+                    lanes_pack(lists->slow_p_gravity + slow_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->slow_p_ring_friction + slow_shots, packed, p_ring_friction);
+                if (varying)
+                    lanes_pack(lists->slow_p_ring_radius + slow_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->slow_p_ring_restitution + slow_shots, packed, p_ring_restitution);
+                if (varying)
+                    lanes_pack(lists->slow_p_wire_radius + slow_shots, packed, p_wire_radius);
+                lanes_pack(lists->slow_slip_left + slow_shots, packed, slip_left);
+                lanes_pack(lists->slow_vx + slow_shots, packed, vx);
+                lanes_pack(lists->slow_vy + slow_shots, packed, vy);
+                lanes_pack(lists->slow_vz + slow_shots, packed, vz);
+                lanes_pack(lists->slow_which + slow_shots, packed, which);
+                lanes_pack(lists->slow_wx + slow_shots, packed, wx);
+                lanes_pack(lists->slow_wy + slow_shots, packed, wy);
+                lanes_pack(lists->slow_wz + slow_shots, packed, wz);
+                lanes_pack(lists->slow_x + slow_shots, packed, x);
+                lanes_pack(lists->slow_y + slow_shots, packed, y);
+                lanes_pack(lists->slow_z + slow_shots, packed, z);
+                slow_shots += lanes_many(packed);
+            }
+        }
+        if (slow_shots)
+            LANES(court_plain_slow)(lists, slow_shots, varying);
+        for (size_t k = 0; k < slow_shots; k++) {
+            const size_t row = (size_t)lists->slow_row[k];
+            lists->held[row] = lists->slow_held[k];
+            lists->mode[row] = lists->slow_mode[k];
+            lists->outcome[row] = lists->slow_outcome[k];
+            lists->slip_left[row] = lists->slow_slip_left[k];
+        }
         }
         if (recording)
             for (size_t k = 0; k < shots; k++) {
@@ -5114,34 +5584,106 @@ typedef struct {
     LANES(court_column) open_refining_x;
     LANES(court_column) open_refining_y;
     LANES(court_column) open_refining_z;
-    LANES(court_column) open_p_board_bottom;
-    LANES(court_column) open_p_board_distance;
-    LANES(court_column) open_p_board_half_width;
-    LANES(court_column) open_p_board_thickness;
-    LANES(court_column) open_p_board_top;
-    LANES(court_column) open_t;
-    LANES(court_column) open_searching_end;
-    LANES(court_column) open_searching_high0;
-    LANES(court_column) open_searching_high1;
-    LANES(court_column) open_searching_low0;
-    LANES(court_column) open_searching_low1;
-    LANES(court_column) open_searching_p_board_bottom;
-    LANES(court_column) open_searching_p_board_distance;
-    LANES(court_column) open_searching_p_board_half_width;
-    LANES(court_column) open_searching_p_board_thickness;
-    LANES(court_column) open_searching_p_board_top;
-    LANES(court_column) open_searching_rate_slack;
-    LANES(court_column) open_refining_p_board_bottom;
-    LANES(court_column) open_refining_p_board_distance;
-    LANES(court_column) open_refining_p_board_half_width;
-    LANES(court_column) open_refining_p_board_thickness;
-    LANES(court_column) open_refining_p_board_top;
-    LANES(court_column) open_p_bridge_depth;
-    LANES(court_column) open_p_bridge_half_width;
-    LANES(court_column) open_searching_p_bridge_depth;
-    LANES(court_column) open_searching_p_bridge_half_width;
-    LANES(court_column) open_refining_p_bridge_depth;
-    LANES(court_column) open_refining_p_bridge_half_width;
+    LANES(court_column) reachable_row;
+    LANES(court_column) reachable_doubt;
+    LANES(court_column) reachable_extent;
+    LANES(court_column) reachable_last;
+    LANES(court_column) reachable_late;
+    LANES(court_column) reachable_p_ball_radius;
+    LANES(court_column) reachable_p_board_bottom;
+    LANES(court_column) reachable_p_board_distance;
+    LANES(court_column) reachable_p_board_half_width;
+    LANES(court_column) reachable_p_board_thickness;
+    LANES(court_column) reachable_p_board_top;
+    LANES(court_column) reachable_p_gravity;
+    LANES(court_column) reachable_position_error;
+    LANES(court_column) reachable_speed;
+    LANES(court_column) reachable_velocity_error;
+    LANES(court_column) reachable_vx;
+    LANES(court_column) reachable_vy;
+    LANES(court_column) reachable_vz;
+    LANES(court_column) reachable_when;
+    LANES(court_column) reachable_which;
+    LANES(court_column) reachable_x;
+    LANES(court_column) reachable_y;
+    LANES(court_column) reachable_z;
+    LANES(court_column) reachable_arrival;
+    LANES(court_column) reachable_ceiling;
+    LANES(court_column) reachable_certain;
+    LANES(court_column) reachable_flat;
+    LANES(court_column) reachable_latest;
+    LANES(court_column) reachable_searching;
+    LANES(court_column) reachable_t;
+    LANES(court_column) reachable_tilt;
+    LANES(court_column) reachable_searching_row;
+    LANES(court_column) reachable_searching_arrival;
+    LANES(court_column) reachable_searching_ceiling;
+    LANES(court_column) reachable_searching_certain;
+    LANES(court_column) reachable_searching_doubt;
+    LANES(court_column) reachable_searching_end;
+    LANES(court_column) reachable_searching_extent;
+    LANES(court_column) reachable_searching_flat;
+    LANES(court_column) reachable_searching_high0;
+    LANES(court_column) reachable_searching_high1;
+    LANES(court_column) reachable_searching_last;
+    LANES(court_column) reachable_searching_latest;
+    LANES(court_column) reachable_searching_low0;
+    LANES(court_column) reachable_searching_low1;
+    LANES(court_column) reachable_searching_p_ball_radius;
+    LANES(court_column) reachable_searching_p_board_bottom;
+    LANES(court_column) reachable_searching_p_board_distance;
+    LANES(court_column) reachable_searching_p_board_half_width;
+    LANES(court_column) reachable_searching_p_board_thickness;
+    LANES(court_column) reachable_searching_p_board_top;
+    LANES(court_column) reachable_searching_p_gravity;
+    LANES(court_column) reachable_searching_position_error;
+    LANES(court_column) reachable_searching_rate_slack;
+    LANES(court_column) reachable_searching_searching;
+    LANES(court_column) reachable_searching_share;
+    LANES(court_column) reachable_searching_speed;
+    LANES(court_column) reachable_searching_t;
+    LANES(court_column) reachable_searching_tilt;
+    LANES(court_column) reachable_searching_velocity_error;
+    LANES(court_column) reachable_searching_vx;
+    LANES(court_column) reachable_searching_vy;
+    LANES(court_column) reachable_searching_vz;
+    LANES(court_column) reachable_searching_x;
+    LANES(court_column) reachable_searching_y;
+    LANES(court_column) reachable_searching_z;
+    LANES(court_column) reachable_arrives;
+    LANES(court_column) reachable_leaving;
+    LANES(court_column) reachable_rate;
+    LANES(court_column) reachable_refining_row;
+    LANES(court_column) reachable_refining_arrival;
+    LANES(court_column) reachable_refining_ceiling;
+    LANES(court_column) reachable_refining_certain;
+    LANES(court_column) reachable_refining_leaving;
+    LANES(court_column) reachable_refining_p_ball_radius;
+    LANES(court_column) reachable_refining_p_board_bottom;
+    LANES(court_column) reachable_refining_p_board_distance;
+    LANES(court_column) reachable_refining_p_board_half_width;
+    LANES(court_column) reachable_refining_p_board_thickness;
+    LANES(court_column) reachable_refining_p_board_top;
+    LANES(court_column) reachable_refining_p_gravity;
+    LANES(court_column) reachable_refining_refining;
+    LANES(court_column) reachable_refining_vx;
+    LANES(court_column) reachable_refining_vy;
+    LANES(court_column) reachable_refining_vz;
+    LANES(court_column) reachable_refining_x;
+    LANES(court_column) reachable_refining_y;
+    LANES(court_column) reachable_refining_z;
+    LANES(court_column) reachable_p_bridge_depth;
+    LANES(court_column) reachable_p_bridge_half_width;
+    LANES(court_column) reachable_p_ring_radius;
+    LANES(court_column) reachable_p_wire_radius;
+    LANES(court_column) reachable_searching_p_bridge_depth;
+    LANES(court_column) reachable_searching_p_bridge_half_width;
+    LANES(court_column) reachable_searching_p_ring_radius;
+    LANES(court_column) reachable_searching_p_wire_radius;
+    LANES(court_column) reachable_refining_p_bridge_depth;
+    LANES(court_column) reachable_refining_p_bridge_half_width;
+    LANES(court_column) reachable_refining_p_ring_radius;
+    LANES(court_column) reachable_refining_p_wire_radius;
     LANES(court_column) kept_row;
     LANES(court_column) kept_circled;
     LANES(court_column) kept_clock;
@@ -5297,6 +5839,82 @@ typedef struct {
     LANES(court_column) kept_circling_x;
     LANES(court_column) kept_circling_y;
     LANES(court_column) kept_circling_z;
+    LANES(court_column) kept_leaves_row;
+    LANES(court_column) kept_leaves_clock_error;
+    LANES(court_column) kept_leaves_doubt;
+    LANES(court_column) kept_leaves_dvx;
+    LANES(court_column) kept_leaves_dvy;
+    LANES(court_column) kept_leaves_dvz;
+    LANES(court_column) kept_leaves_dwx;
+    LANES(court_column) kept_leaves_dwy;
+    LANES(court_column) kept_leaves_dwz;
+    LANES(court_column) kept_leaves_dx;
+    LANES(court_column) kept_leaves_dy;
+    LANES(court_column) kept_leaves_dz;
+    LANES(court_column) kept_leaves_held;
+    LANES(court_column) kept_leaves_lift;
+    LANES(court_column) kept_leaves_p_ball_radius;
+    LANES(court_column) kept_leaves_p_board_bottom;
+    LANES(court_column) kept_leaves_p_board_distance;
+    LANES(court_column) kept_leaves_p_board_half_width;
+    LANES(court_column) kept_leaves_p_board_thickness;
+    LANES(court_column) kept_leaves_p_board_top;
+    LANES(court_column) kept_leaves_p_bridge_depth;
+    LANES(court_column) kept_leaves_p_bridge_half_width;
+    LANES(court_column) kept_leaves_p_end_depth;
+    LANES(court_column) kept_leaves_p_gravity;
+    LANES(court_column) kept_leaves_p_ring_radius;
+    LANES(court_column) kept_leaves_p_wire_radius;
+    LANES(court_column) kept_leaves_per_reach;
+    LANES(court_column) kept_leaves_snap;
+    LANES(court_column) kept_leaves_surge;
+    LANES(court_column) kept_leaves_vx;
+    LANES(court_column) kept_leaves_vy;
+    LANES(court_column) kept_leaves_vz;
+    LANES(court_column) kept_leaves_x;
+    LANES(court_column) kept_leaves_y;
+    LANES(court_column) kept_leaves_z;
+    LANES(court_column) kept_leaves_position_error;
+    LANES(court_column) kept_leaves_velocity_error;
+    LANES(court_column) kept_leaves_when;
+    LANES(court_column) kept_leaves_which;
+    LANES(court_column) hopped;
+    LANES(court_column) slow_row;
+    LANES(court_column) slow_assured;
+    LANES(court_column) slow_held;
+    LANES(court_column) slow_mode;
+    LANES(court_column) slow_outcome;
+    LANES(court_column) slow_p_backboard_friction;
+    LANES(court_column) slow_p_backboard_restitution;
+    LANES(court_column) slow_p_ball_radius;
+    LANES(court_column) slow_p_board_bottom;
+    LANES(court_column) slow_p_board_distance;
+    LANES(court_column) slow_p_board_half_width;
+    LANES(court_column) slow_p_board_thickness;
+    LANES(court_column) slow_p_board_top;
+    LANES(court_column) slow_p_bridge_depth;
+    LANES(court_column) slow_p_bridge_friction;
+    LANES(court_column) slow_p_bridge_half_width;
+    LANES(court_column) slow_p_bridge_restitution;
+    LANES(court_column) slow_p_end_depth;
+    LANES(court_column) slow_p_gravity;
+    LANES(court_column) slow_p_ring_friction;
+    LANES(court_column) slow_p_ring_radius;
+    LANES(court_column) slow_p_ring_restitution;
+    LANES(court_column) slow_p_wire_radius;
+    LANES(court_column) slow_slip_left;
+    LANES(court_column) slow_uncertain;
+    LANES(court_column) slow_velocity_error;
+    LANES(court_column) slow_vx;
+    LANES(court_column) slow_vy;
+    LANES(court_column) slow_vz;
+    LANES(court_column) slow_which;
+    LANES(court_column) slow_wx;
+    LANES(court_column) slow_wy;
+    LANES(court_column) slow_wz;
+    LANES(court_column) slow_x;
+    LANES(court_column) slow_y;
+    LANES(court_column) slow_z;
 } LANES(court_bounded_lists);
 
 /* Put the next shots into rows, from one on. */
@@ -5762,6 +6380,276 @@ LANES_INLINE size_t LANES(court_bounded_leave)(LANES(court_bounded_lists) *lists
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
+static void LANES(court_bounded_leaves)(LANES(court_bounded_lists) *lists, size_t kept_leaves_shots, size_t varying)
+{
+    for (size_t i = 0; i < kept_leaves_shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(kept_leaves_shots - i);
+        V clock_error = lanes_load(lists->kept_leaves_clock_error + i);
+        V doubt = lanes_load(lists->kept_leaves_doubt + i);
+        V dvx = lanes_load(lists->kept_leaves_dvx + i);
+        V dvy = lanes_load(lists->kept_leaves_dvy + i);
+        V dvz = lanes_load(lists->kept_leaves_dvz + i);
+        V dwx = lanes_load(lists->kept_leaves_dwx + i);
+        V dwy = lanes_load(lists->kept_leaves_dwy + i);
+        V dwz = lanes_load(lists->kept_leaves_dwz + i);
+        V dx = lanes_load(lists->kept_leaves_dx + i);
+        V dy = lanes_load(lists->kept_leaves_dy + i);
+        V dz = lanes_load(lists->kept_leaves_dz + i);
+        V held = lanes_load(lists->kept_leaves_held + i);
+        V lift = lanes_load(lists->kept_leaves_lift + i);
+        const V p_ball_radius = lanes_load(varying ? lists->kept_leaves_p_ball_radius + i : lists->p_ball_radius);
+        const V p_board_bottom = lanes_load(varying ? lists->kept_leaves_p_board_bottom + i : lists->p_board_bottom);
+        const V p_board_distance = lanes_load(varying ? lists->kept_leaves_p_board_distance + i : lists->p_board_distance);
+        const V p_board_half_width = lanes_load(varying ? lists->kept_leaves_p_board_half_width + i : lists->p_board_half_width);
+        const V p_board_thickness = lanes_load(varying ? lists->kept_leaves_p_board_thickness + i : lists->p_board_thickness);
+        const V p_board_top = lanes_load(varying ? lists->kept_leaves_p_board_top + i : lists->p_board_top);
+        const V p_bridge_depth = lanes_load(varying ? lists->kept_leaves_p_bridge_depth + i : lists->p_bridge_depth);
+        const V p_bridge_half_width = lanes_load(varying ? lists->kept_leaves_p_bridge_half_width + i : lists->p_bridge_half_width);
+        const V p_end_depth = lanes_load(varying ? lists->kept_leaves_p_end_depth + i : lists->p_end_depth);
+        const V p_gravity = lanes_load(varying ? lists->kept_leaves_p_gravity + i : lists->p_gravity);
+        const V p_ring_radius = lanes_load(varying ? lists->kept_leaves_p_ring_radius + i : lists->p_ring_radius);
+        const V p_wire_radius = lanes_load(varying ? lists->kept_leaves_p_wire_radius + i : lists->p_wire_radius);
+        V per_reach = lanes_load(lists->kept_leaves_per_reach + i);
+        V snap = lanes_load(lists->kept_leaves_snap + i);
+        V surge = lanes_load(lists->kept_leaves_surge + i);
+        V vx = lanes_load(lists->kept_leaves_vx + i);
+        V vy = lanes_load(lists->kept_leaves_vy + i);
+        V vz = lanes_load(lists->kept_leaves_vz + i);
+        V x = lanes_load(lists->kept_leaves_x + i);
+        V y = lanes_load(lists->kept_leaves_y + i);
+        V z = lanes_load(lists->kept_leaves_z + i);
+        const LANES(court_error_bounds_out) _o401 =
+            LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        V position_error = _o401.position_error;
+        V velocity_error = _o401.velocity_error;
+        const LANES(court_holding_out) _o402 =
+            LANES(court_holding)(held, K(0.0));
+        M here = _o402.here;
+        const M _m403 = lanes_both(rows, here);
+        if (lanes_any(_m403)) {
+            const LANES(court_ring_tube_out) _o404 =
+                LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
+            per_reach = lanes_select(_m403, _o404.per_reach, per_reach);
+            const LANES(court_ring_parting_out) _o405 =
+                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+            lift = lanes_select(_m403, _o405.lift, lift);
+            surge = lanes_select(_m403, _o405.surge, surge);
+            snap = lanes_select(_m403, _o405.snap, snap);
+        }
+        const LANES(court_holding_out) _o406 =
+            LANES(court_holding)(held, K(1.0));
+        here = _o406.here;
+        const M _m407 = lanes_both(rows, here);
+        if (lanes_any(_m407)) {
+            const LANES(court_backboard_tube_out) _o408 =
+                LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            per_reach = lanes_select(_m407, _o408.per_reach, per_reach);
+            const LANES(court_backboard_parting_out) _o409 =
+                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+            lift = lanes_select(_m407, _o409.lift, lift);
+            surge = lanes_select(_m407, _o409.surge, surge);
+            snap = lanes_select(_m407, _o409.snap, snap);
+        }
+        const LANES(court_holding_out) _o410 =
+            LANES(court_holding)(held, K(2.0));
+        here = _o410.here;
+        const M _m411 = lanes_both(rows, here);
+        if (lanes_any(_m411)) {
+            const LANES(court_bridge_tube_out) _o412 =
+                LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            per_reach = lanes_select(_m411, _o412.per_reach, per_reach);
+            const LANES(court_bridge_parting_out) _o413 =
+                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            lift = lanes_select(_m411, _o413.lift, lift);
+            surge = lanes_select(_m411, _o413.surge, surge);
+            snap = lanes_select(_m411, _o413.snap, snap);
+        }
+        const LANES(court_unmet_out) _o414 =
+            LANES(court_unmet)();
+        V spare = _o414.spare;
+        const LANES(court_beside_out) _o415 =
+            LANES(court_beside)(held, K(0.0));
+        M beside = _o415.beside;
+        const M _m416 = lanes_both(rows, beside);
+        if (lanes_any(_m416)) {
+            const LANES(court_ring_beside_out) _o417 =
+                LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            V gap = _o417.gap;
+            V nearing = _o417.nearing;
+            V dent = _o417.dent;
+            const LANES(court_spared_out) _o418 =
+                LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+            spare = lanes_select(_m416, _o418.spare, spare);
+        }
+        const LANES(court_beside_out) _o419 =
+            LANES(court_beside)(held, K(1.0));
+        beside = _o419.beside;
+        const M _m420 = lanes_both(rows, beside);
+        if (lanes_any(_m420)) {
+            const LANES(court_backboard_beside_out) _o421 =
+                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            V gap = _o421.gap;
+            V nearing = _o421.nearing;
+            V dent = _o421.dent;
+            const LANES(court_spared_out) _o422 =
+                LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+            spare = lanes_select(_m420, _o422.spare, spare);
+        }
+        const LANES(court_beside_out) _o423 =
+            LANES(court_beside)(held, K(2.0));
+        beside = _o423.beside;
+        const M _m424 = lanes_both(rows, beside);
+        if (lanes_any(_m424)) {
+            const LANES(court_bridge_beside_out) _o425 =
+                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            V gap = _o425.gap;
+            V nearing = _o425.nearing;
+            V dent = _o425.dent;
+            const LANES(court_spared_out) _o426 =
+                LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+            spare = lanes_select(_m424, _o426.spare, spare);
+        }
+        const LANES(court_beside_out) _o427 =
+            LANES(court_beside)(held, K(3.0));
+        beside = _o427.beside;
+        const M _m428 = lanes_both(rows, beside);
+        if (lanes_any(_m428)) {
+            const LANES(court_end_beside_out) _o429 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            V gap = _o429.gap;
+            V nearing = _o429.nearing;
+            V dent = _o429.dent;
+            const LANES(court_spared_out) _o430 =
+                LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
+            spare = lanes_select(_m428, _o430.spare, spare);
+        }
+        const LANES(court_holding_out) _o431 =
+            LANES(court_holding)(held, K(1.0));
+        here = _o431.here;
+        const M _m432 = lanes_both(rows, here);
+        if (lanes_any(_m432)) {
+            const LANES(court_backboard_seam0_out) _o433 =
+                LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+            V gap = _o433.gap;
+            V nearing = _o433.nearing;
+            V near = _o433.near;
+            const LANES(court_spared_seam_out) _o434 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m432, _o434.spare, spare);
+            const LANES(court_backboard_seam1_out) _o435 =
+                LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+            gap = _o435.gap;
+            nearing = _o435.nearing;
+            near = _o435.near;
+            const LANES(court_spared_seam_out) _o436 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m432, _o436.spare, spare);
+            const LANES(court_backboard_seam2_out) _o437 =
+                LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+            gap = _o437.gap;
+            nearing = _o437.nearing;
+            near = _o437.near;
+            const LANES(court_spared_seam_out) _o438 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m432, _o438.spare, spare);
+            const LANES(court_backboard_seam3_out) _o439 =
+                LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+            gap = _o439.gap;
+            nearing = _o439.nearing;
+            near = _o439.near;
+            const LANES(court_spared_seam_out) _o440 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m432, _o440.spare, spare);
+            const LANES(court_backboard_seam4_out) _o441 =
+                LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+            gap = _o441.gap;
+            nearing = _o441.nearing;
+            near = _o441.near;
+            const LANES(court_spared_seam_out) _o442 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m432, _o442.spare, spare);
+            const LANES(court_backboard_seam5_out) _o443 =
+                LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+            gap = _o443.gap;
+            nearing = _o443.nearing;
+            near = _o443.near;
+            const LANES(court_spared_seam_out) _o444 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m432, _o444.spare, spare);
+        }
+        const LANES(court_holding_out) _o445 =
+            LANES(court_holding)(held, K(2.0));
+        here = _o445.here;
+        const M _m446 = lanes_both(rows, here);
+        if (lanes_any(_m446)) {
+            const LANES(court_bridge_seam0_out) _o447 =
+                LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+            V gap = _o447.gap;
+            V nearing = _o447.nearing;
+            V near = _o447.near;
+            const LANES(court_spared_seam_out) _o448 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m446, _o448.spare, spare);
+            const LANES(court_bridge_seam1_out) _o449 =
+                LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+            gap = _o449.gap;
+            nearing = _o449.nearing;
+            near = _o449.near;
+            const LANES(court_spared_seam_out) _o450 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m446, _o450.spare, spare);
+            const LANES(court_bridge_seam2_out) _o451 =
+                LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
+            gap = _o451.gap;
+            nearing = _o451.nearing;
+            near = _o451.near;
+            const LANES(court_spared_seam_out) _o452 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m446, _o452.spare, spare);
+            const LANES(court_bridge_seam3_out) _o453 =
+                LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
+            gap = _o453.gap;
+            nearing = _o453.nearing;
+            near = _o453.near;
+            const LANES(court_spared_seam_out) _o454 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m446, _o454.spare, spare);
+            const LANES(court_bridge_seam4_out) _o455 =
+                LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+            gap = _o455.gap;
+            nearing = _o455.nearing;
+            near = _o455.near;
+            const LANES(court_spared_seam_out) _o456 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m446, _o456.spare, spare);
+            const LANES(court_bridge_seam5_out) _o457 =
+                LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
+            gap = _o457.gap;
+            nearing = _o457.nearing;
+            near = _o457.near;
+            const LANES(court_spared_seam_out) _o458 =
+                LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
+            spare = lanes_select(_m446, _o458.spare, spare);
+        }
+        const LANES(court_parted_out) _o459 =
+            LANES(court_parted)(doubt, p_gravity, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz);
+        V when = _o459.when;
+        doubt = _o459.doubt;
+        const LANES(court_hopping_out) _o460 =
+            LANES(court_hopping)();
+        V which = _o460.which;
+        lanes_store(lists->kept_leaves_doubt + i, doubt);
+        lanes_store(lists->kept_leaves_position_error + i, position_error);
+        lanes_store(lists->kept_leaves_velocity_error + i, velocity_error);
+        lanes_store(lists->kept_leaves_when + i, when);
+        lanes_store(lists->kept_leaves_which + i, which);
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
 static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t kept_shots, size_t varying, V time_limit)
 {
     {
@@ -5812,130 +6700,130 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o153 =
+        const LANES(court_resumed_out) _o181 =
             LANES(court_resumed)(clock, mode, position_error, velocity_error);
-        V which = _o153.which;
-        V late = _o153.late;
-        V began = _o153.began;
-        V doubt = _o153.doubt;
-        M begins = _o153.begins;
-        M rolling = _o153.rolling;
-        M leaves = _o153.leaves;
-        V nx = _o153.nx;
-        V ny = _o153.ny;
-        V nz = _o153.nz;
-        V gap = _o153.gap;
-        V bent_x = _o153.bent_x;
-        V bent_y = _o153.bent_y;
-        V bent_z = _o153.bent_z;
-        V lift = _o153.lift;
-        V surge = _o153.surge;
-        V snap = _o153.snap;
-        V per_reach = _o153.per_reach;
-        const M _m154 = lanes_both(rows, begins);
-        if (lanes_any(_m154)) {
-            const LANES(court_holding_out) _o155 =
+        V which = _o181.which;
+        V late = _o181.late;
+        V began = _o181.began;
+        V doubt = _o181.doubt;
+        M begins = _o181.begins;
+        M rolling = _o181.rolling;
+        M leaves = _o181.leaves;
+        V nx = _o181.nx;
+        V ny = _o181.ny;
+        V nz = _o181.nz;
+        V gap = _o181.gap;
+        V bent_x = _o181.bent_x;
+        V bent_y = _o181.bent_y;
+        V bent_z = _o181.bent_z;
+        V lift = _o181.lift;
+        V surge = _o181.surge;
+        V snap = _o181.snap;
+        V per_reach = _o181.per_reach;
+        const M _m182 = lanes_both(rows, begins);
+        if (lanes_any(_m182)) {
+            const LANES(court_holding_out) _o183 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o155.here;
-            const M _m156 = lanes_both(_m154, here);
+            M here = _o183.here;
+            const M _m184 = lanes_both(_m182, here);
             {
-                const LANES(court_ring_normal_out) _o157 =
+                const LANES(court_ring_normal_out) _o185 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m156, _o157.nx, nx);
-                ny = lanes_select(_m156, _o157.ny, ny);
-                nz = lanes_select(_m156, _o157.nz, nz);
+                nx = lanes_select(_m184, _o185.nx, nx);
+                ny = lanes_select(_m184, _o185.ny, ny);
+                nz = lanes_select(_m184, _o185.nz, nz);
             }
-            const LANES(court_holding_out) _o158 =
+            const LANES(court_holding_out) _o186 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o158.here;
-            const M _m159 = lanes_both(_m154, here);
+            here = _o186.here;
+            const M _m187 = lanes_both(_m182, here);
             {
-                const LANES(court_backboard_normal_out) _o160 =
+                const LANES(court_backboard_normal_out) _o188 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m159, _o160.nx, nx);
-                ny = lanes_select(_m159, _o160.ny, ny);
-                nz = lanes_select(_m159, _o160.nz, nz);
+                nx = lanes_select(_m187, _o188.nx, nx);
+                ny = lanes_select(_m187, _o188.ny, ny);
+                nz = lanes_select(_m187, _o188.nz, nz);
             }
-            const LANES(court_holding_out) _o161 =
+            const LANES(court_holding_out) _o189 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o161.here;
-            const M _m162 = lanes_both(_m154, here);
+            here = _o189.here;
+            const M _m190 = lanes_both(_m182, here);
             {
-                const LANES(court_bridge_normal_out) _o163 =
+                const LANES(court_bridge_normal_out) _o191 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m162, _o163.nx, nx);
-                ny = lanes_select(_m162, _o163.ny, ny);
-                nz = lanes_select(_m162, _o163.nz, nz);
+                nx = lanes_select(_m190, _o191.nx, nx);
+                ny = lanes_select(_m190, _o191.ny, ny);
+                nz = lanes_select(_m190, _o191.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o164 =
+            const LANES(court_roll_turn_rate_out) _o192 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o164.turn_rate;
-            const LANES(court_gripped_out) _o165 =
+            V turn_rate = _o192.turn_rate;
+            const LANES(court_gripped_out) _o193 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o165.rolled_x;
-            V rolled_y = _o165.rolled_y;
-            V rolled_z = _o165.rolled_z;
-            const LANES(court_holding_out) _o166 =
+            V rolled_x = _o193.rolled_x;
+            V rolled_y = _o193.rolled_y;
+            V rolled_z = _o193.rolled_z;
+            const LANES(court_holding_out) _o194 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o166.here;
-            const M _m167 = lanes_both(_m154, here);
+            here = _o194.here;
+            const M _m195 = lanes_both(_m182, here);
             {
-                const LANES(court_ring_off_out) _o168 =
+                const LANES(court_ring_off_out) _o196 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m167, _o168.gap, gap);
+                gap = lanes_select(_m195, _o196.gap, gap);
             }
-            const LANES(court_holding_out) _o169 =
+            const LANES(court_holding_out) _o197 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o169.here;
-            const M _m170 = lanes_both(_m154, here);
+            here = _o197.here;
+            const M _m198 = lanes_both(_m182, here);
             {
-                const LANES(court_backboard_off_out) _o171 =
+                const LANES(court_backboard_off_out) _o199 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m170, _o171.gap, gap);
+                gap = lanes_select(_m198, _o199.gap, gap);
             }
-            const LANES(court_holding_out) _o172 =
+            const LANES(court_holding_out) _o200 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o172.here;
-            const M _m173 = lanes_both(_m154, here);
+            here = _o200.here;
+            const M _m201 = lanes_both(_m182, here);
             {
-                const LANES(court_bridge_off_out) _o174 =
+                const LANES(court_bridge_off_out) _o202 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m173, _o174.gap, gap);
+                gap = lanes_select(_m201, _o202.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o175 =
+            const LANES(court_roll_placed_out) _o203 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m154, _o175.x, x);
-            y = lanes_select(_m154, _o175.y, y);
-            z = lanes_select(_m154, _o175.z, z);
-            vx = lanes_select(_m154, _o175.vx, vx);
-            vy = lanes_select(_m154, _o175.vy, vy);
-            vz = lanes_select(_m154, _o175.vz, vz);
-            wx = lanes_select(_m154, _o175.wx, wx);
-            wy = lanes_select(_m154, _o175.wy, wy);
-            wz = lanes_select(_m154, _o175.wz, wz);
-            const LANES(court_begun_errors_out) _o176 =
+            x = lanes_select(_m182, _o203.x, x);
+            y = lanes_select(_m182, _o203.y, y);
+            z = lanes_select(_m182, _o203.z, z);
+            vx = lanes_select(_m182, _o203.vx, vx);
+            vy = lanes_select(_m182, _o203.vy, vy);
+            vz = lanes_select(_m182, _o203.vz, vz);
+            wx = lanes_select(_m182, _o203.wx, wx);
+            wy = lanes_select(_m182, _o203.wy, wy);
+            wz = lanes_select(_m182, _o203.wz, wz);
+            const LANES(court_begun_errors_out) _o204 =
                 LANES(court_begun_errors)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz);
-            dx = lanes_select(_m154, _o176.dx, dx);
-            dy = lanes_select(_m154, _o176.dy, dy);
-            dz = lanes_select(_m154, _o176.dz, dz);
-            dvx = lanes_select(_m154, _o176.dvx, dvx);
-            dvy = lanes_select(_m154, _o176.dvy, dvy);
-            dvz = lanes_select(_m154, _o176.dvz, dvz);
-            dwx = lanes_select(_m154, _o176.dwx, dwx);
-            dwy = lanes_select(_m154, _o176.dwy, dwy);
-            dwz = lanes_select(_m154, _o176.dwz, dwz);
-            const LANES(court_untaut_out) _o177 =
+            dx = lanes_select(_m182, _o204.dx, dx);
+            dy = lanes_select(_m182, _o204.dy, dy);
+            dz = lanes_select(_m182, _o204.dz, dz);
+            dvx = lanes_select(_m182, _o204.dvx, dvx);
+            dvy = lanes_select(_m182, _o204.dvy, dvy);
+            dvz = lanes_select(_m182, _o204.dvz, dvz);
+            dwx = lanes_select(_m182, _o204.dwx, dwx);
+            dwy = lanes_select(_m182, _o204.dwy, dwy);
+            dwz = lanes_select(_m182, _o204.dwz, dwz);
+            const LANES(court_untaut_out) _o205 =
                 LANES(court_untaut)();
-            taut = lanes_select(_m154, _o177.taut, taut);
-            const LANES(court_beginning_contact_out) _o178 =
+            taut = lanes_select(_m182, _o205.taut, taut);
+            const LANES(court_beginning_contact_out) _o206 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m154, _o178.which, which);
-            circled = lanes_select(_m154, _o178.circled, circled);
+            which = lanes_select(_m182, _o206.which, which);
+            circled = lanes_select(_m182, _o206.circled, circled);
         }
-        const LANES(court_circles_out) _o179 =
+        const LANES(court_circles_out) _o207 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o179.circling;
-        rolling = _o179.rolling;
+        M circling = _o207.circling;
+        rolling = _o207.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -6156,688 +7044,688 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_error_bounds_out) _o180 =
+            const LANES(court_error_bounds_out) _o208 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o180.position_error;
-            V velocity_error = _o180.velocity_error;
-            const LANES(court_holding_out) _o181 =
+            V position_error = _o208.position_error;
+            V velocity_error = _o208.velocity_error;
+            const LANES(court_holding_out) _o209 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o181.here;
-            const M _m182 = lanes_both(active, here);
-            if (lanes_any(_m182)) {
-                const LANES(court_backboard_normal_out) _o183 =
+            M here = _o209.here;
+            const M _m210 = lanes_both(active, here);
+            if (lanes_any(_m210)) {
+                const LANES(court_backboard_normal_out) _o211 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m182, _o183.nx, nx);
-                ny = lanes_select(_m182, _o183.ny, ny);
-                nz = lanes_select(_m182, _o183.nz, nz);
-                const LANES(court_backboard_tube_out) _o184 =
+                nx = lanes_select(_m210, _o211.nx, nx);
+                ny = lanes_select(_m210, _o211.ny, ny);
+                nz = lanes_select(_m210, _o211.nz, nz);
+                const LANES(court_backboard_tube_out) _o212 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m182, _o184.bent_x, bent_x);
-                bent_y = lanes_select(_m182, _o184.bent_y, bent_y);
-                bent_z = lanes_select(_m182, _o184.bent_z, bent_z);
-                per_reach = lanes_select(_m182, _o184.per_reach, per_reach);
+                bent_x = lanes_select(_m210, _o212.bent_x, bent_x);
+                bent_y = lanes_select(_m210, _o212.bent_y, bent_y);
+                bent_z = lanes_select(_m210, _o212.bent_z, bent_z);
+                per_reach = lanes_select(_m210, _o212.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o185 =
+            const LANES(court_holding_out) _o213 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o185.here;
-            const M _m186 = lanes_both(active, here);
-            if (lanes_any(_m186)) {
-                const LANES(court_bridge_normal_out) _o187 =
+            here = _o213.here;
+            const M _m214 = lanes_both(active, here);
+            if (lanes_any(_m214)) {
+                const LANES(court_bridge_normal_out) _o215 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m186, _o187.nx, nx);
-                ny = lanes_select(_m186, _o187.ny, ny);
-                nz = lanes_select(_m186, _o187.nz, nz);
-                const LANES(court_bridge_tube_out) _o188 =
+                nx = lanes_select(_m214, _o215.nx, nx);
+                ny = lanes_select(_m214, _o215.ny, ny);
+                nz = lanes_select(_m214, _o215.nz, nz);
+                const LANES(court_bridge_tube_out) _o216 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m186, _o188.bent_x, bent_x);
-                bent_y = lanes_select(_m186, _o188.bent_y, bent_y);
-                bent_z = lanes_select(_m186, _o188.bent_z, bent_z);
-                per_reach = lanes_select(_m186, _o188.per_reach, per_reach);
+                bent_x = lanes_select(_m214, _o216.bent_x, bent_x);
+                bent_y = lanes_select(_m214, _o216.bent_y, bent_y);
+                bent_z = lanes_select(_m214, _o216.bent_z, bent_z);
+                per_reach = lanes_select(_m214, _o216.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o189 =
+            const LANES(court_roll_start_out) _o217 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o189.vx_0;
-            V vy_0 = _o189.vy_0;
-            V vz_0 = _o189.vz_0;
-            V nx_0 = _o189.nx_0;
-            V ny_0 = _o189.ny_0;
-            V nz_0 = _o189.nz_0;
-            V turn_rate_0 = _o189.turn_rate_0;
-            const LANES(court_roll_0_out) _o190 =
+            V vx_0 = _o217.vx_0;
+            V vy_0 = _o217.vy_0;
+            V vz_0 = _o217.vz_0;
+            V nx_0 = _o217.nx_0;
+            V ny_0 = _o217.ny_0;
+            V nz_0 = _o217.nz_0;
+            V turn_rate_0 = _o217.turn_rate_0;
+            const LANES(court_roll_0_out) _o218 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o190.lift_0;
-            V tx_0 = _o190.tx_0;
-            V ty_0 = _o190.ty_0;
-            V tz_0 = _o190.tz_0;
-            V vx_1 = _o190.vx_1;
-            V vy_1 = _o190.vy_1;
-            V vz_1 = _o190.vz_1;
-            V nx_1 = _o190.nx_1;
-            V ny_1 = _o190.ny_1;
-            V nz_1 = _o190.nz_1;
-            V turn_rate_1 = _o190.turn_rate_1;
-            const LANES(court_roll_1_out) _o191 =
+            V lift_0 = _o218.lift_0;
+            V tx_0 = _o218.tx_0;
+            V ty_0 = _o218.ty_0;
+            V tz_0 = _o218.tz_0;
+            V vx_1 = _o218.vx_1;
+            V vy_1 = _o218.vy_1;
+            V vz_1 = _o218.vz_1;
+            V nx_1 = _o218.nx_1;
+            V ny_1 = _o218.ny_1;
+            V nz_1 = _o218.nz_1;
+            V turn_rate_1 = _o218.turn_rate_1;
+            const LANES(court_roll_1_out) _o219 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o191.lift_1;
-            V tx_1 = _o191.tx_1;
-            V ty_1 = _o191.ty_1;
-            V tz_1 = _o191.tz_1;
-            V vx_2 = _o191.vx_2;
-            V vy_2 = _o191.vy_2;
-            V vz_2 = _o191.vz_2;
-            V nx_2 = _o191.nx_2;
-            V ny_2 = _o191.ny_2;
-            V nz_2 = _o191.nz_2;
-            V turn_rate_2 = _o191.turn_rate_2;
-            const LANES(court_roll_2_out) _o192 =
+            V lift_1 = _o219.lift_1;
+            V tx_1 = _o219.tx_1;
+            V ty_1 = _o219.ty_1;
+            V tz_1 = _o219.tz_1;
+            V vx_2 = _o219.vx_2;
+            V vy_2 = _o219.vy_2;
+            V vz_2 = _o219.vz_2;
+            V nx_2 = _o219.nx_2;
+            V ny_2 = _o219.ny_2;
+            V nz_2 = _o219.nz_2;
+            V turn_rate_2 = _o219.turn_rate_2;
+            const LANES(court_roll_2_out) _o220 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o192.lift_2;
-            V tx_2 = _o192.tx_2;
-            V ty_2 = _o192.ty_2;
-            V tz_2 = _o192.tz_2;
-            V vx_3 = _o192.vx_3;
-            V vy_3 = _o192.vy_3;
-            V vz_3 = _o192.vz_3;
-            V nx_3 = _o192.nx_3;
-            V ny_3 = _o192.ny_3;
-            V nz_3 = _o192.nz_3;
-            V turn_rate_3 = _o192.turn_rate_3;
-            const LANES(court_roll_3_out) _o193 =
+            V lift_2 = _o220.lift_2;
+            V tx_2 = _o220.tx_2;
+            V ty_2 = _o220.ty_2;
+            V tz_2 = _o220.tz_2;
+            V vx_3 = _o220.vx_3;
+            V vy_3 = _o220.vy_3;
+            V vz_3 = _o220.vz_3;
+            V nx_3 = _o220.nx_3;
+            V ny_3 = _o220.ny_3;
+            V nz_3 = _o220.nz_3;
+            V turn_rate_3 = _o220.turn_rate_3;
+            const LANES(court_roll_3_out) _o221 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o193.lift_3;
-            V tx_3 = _o193.tx_3;
-            V ty_3 = _o193.ty_3;
-            V tz_3 = _o193.tz_3;
-            V vx_4 = _o193.vx_4;
-            V vy_4 = _o193.vy_4;
-            V vz_4 = _o193.vz_4;
-            V nx_4 = _o193.nx_4;
-            V ny_4 = _o193.ny_4;
-            V nz_4 = _o193.nz_4;
-            V turn_rate_4 = _o193.turn_rate_4;
-            const LANES(court_roll_4_out) _o194 =
+            V lift_3 = _o221.lift_3;
+            V tx_3 = _o221.tx_3;
+            V ty_3 = _o221.ty_3;
+            V tz_3 = _o221.tz_3;
+            V vx_4 = _o221.vx_4;
+            V vy_4 = _o221.vy_4;
+            V vz_4 = _o221.vz_4;
+            V nx_4 = _o221.nx_4;
+            V ny_4 = _o221.ny_4;
+            V nz_4 = _o221.nz_4;
+            V turn_rate_4 = _o221.turn_rate_4;
+            const LANES(court_roll_4_out) _o222 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o194.lift_4;
-            V tx_4 = _o194.tx_4;
-            V ty_4 = _o194.ty_4;
-            V tz_4 = _o194.tz_4;
-            V vx_5 = _o194.vx_5;
-            V vy_5 = _o194.vy_5;
-            V vz_5 = _o194.vz_5;
-            V nx_5 = _o194.nx_5;
-            V ny_5 = _o194.ny_5;
-            V nz_5 = _o194.nz_5;
-            V turn_rate_5 = _o194.turn_rate_5;
-            const LANES(court_roll_5_out) _o195 =
+            V lift_4 = _o222.lift_4;
+            V tx_4 = _o222.tx_4;
+            V ty_4 = _o222.ty_4;
+            V tz_4 = _o222.tz_4;
+            V vx_5 = _o222.vx_5;
+            V vy_5 = _o222.vy_5;
+            V vz_5 = _o222.vz_5;
+            V nx_5 = _o222.nx_5;
+            V ny_5 = _o222.ny_5;
+            V nz_5 = _o222.nz_5;
+            V turn_rate_5 = _o222.turn_rate_5;
+            const LANES(court_roll_5_out) _o223 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o195.lift_5;
-            V tx_5 = _o195.tx_5;
-            V ty_5 = _o195.ty_5;
-            V tz_5 = _o195.tz_5;
-            V vx_6 = _o195.vx_6;
-            V vy_6 = _o195.vy_6;
-            V vz_6 = _o195.vz_6;
-            V nx_6 = _o195.nx_6;
-            V ny_6 = _o195.ny_6;
-            V nz_6 = _o195.nz_6;
-            V turn_rate_6 = _o195.turn_rate_6;
-            const LANES(court_roll_6_out) _o196 =
+            V lift_5 = _o223.lift_5;
+            V tx_5 = _o223.tx_5;
+            V ty_5 = _o223.ty_5;
+            V tz_5 = _o223.tz_5;
+            V vx_6 = _o223.vx_6;
+            V vy_6 = _o223.vy_6;
+            V vz_6 = _o223.vz_6;
+            V nx_6 = _o223.nx_6;
+            V ny_6 = _o223.ny_6;
+            V nz_6 = _o223.nz_6;
+            V turn_rate_6 = _o223.turn_rate_6;
+            const LANES(court_roll_6_out) _o224 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o196.lift_6;
-            V tx_6 = _o196.tx_6;
-            V ty_6 = _o196.ty_6;
-            V tz_6 = _o196.tz_6;
-            V vx_7 = _o196.vx_7;
-            V vy_7 = _o196.vy_7;
-            V vz_7 = _o196.vz_7;
-            V nx_7 = _o196.nx_7;
-            V ny_7 = _o196.ny_7;
-            V nz_7 = _o196.nz_7;
-            V turn_rate_7 = _o196.turn_rate_7;
-            const LANES(court_roll_7_out) _o197 =
+            V lift_6 = _o224.lift_6;
+            V tx_6 = _o224.tx_6;
+            V ty_6 = _o224.ty_6;
+            V tz_6 = _o224.tz_6;
+            V vx_7 = _o224.vx_7;
+            V vy_7 = _o224.vy_7;
+            V vz_7 = _o224.vz_7;
+            V nx_7 = _o224.nx_7;
+            V ny_7 = _o224.ny_7;
+            V nz_7 = _o224.nz_7;
+            V turn_rate_7 = _o224.turn_rate_7;
+            const LANES(court_roll_7_out) _o225 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o197.lift_7;
-            V vx_8 = _o197.vx_8;
-            V vy_8 = _o197.vy_8;
-            V vz_8 = _o197.vz_8;
-            V nx_8 = _o197.nx_8;
-            V ny_8 = _o197.ny_8;
-            V nz_8 = _o197.nz_8;
-            V turn_rate_8 = _o197.turn_rate_8;
-            const LANES(court_roll_pace_out) _o198 =
+            V lift_7 = _o225.lift_7;
+            V vx_8 = _o225.vx_8;
+            V vy_8 = _o225.vy_8;
+            V vz_8 = _o225.vz_8;
+            V nx_8 = _o225.nx_8;
+            V ny_8 = _o225.ny_8;
+            V nz_8 = _o225.nz_8;
+            V turn_rate_8 = _o225.turn_rate_8;
+            const LANES(court_roll_pace_out) _o226 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o198.stride;
-            V strongest = _o198.strongest;
-            V fastest = _o198.fastest;
-            V force = _o198.force;
-            V force_rate = _o198.force_rate;
-            V force_bend = _o198.force_bend;
-            V brace = _o198.brace;
-            const LANES(court_pulled_out) _o199 =
+            V stride = _o226.stride;
+            V strongest = _o226.strongest;
+            V fastest = _o226.fastest;
+            V force = _o226.force;
+            V force_rate = _o226.force_rate;
+            V force_bend = _o226.force_bend;
+            V brace = _o226.brace;
+            const LANES(court_pulled_out) _o227 =
                 LANES(court_pulled)(p_gravity, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-            V drag = _o199.drag;
-            V drag_rate = _o199.drag_rate;
-            V strain = _o199.strain;
-            V strain_rate = _o199.strain_rate;
-            const LANES(court_holding_out) _o200 =
+            V drag = _o227.drag;
+            V drag_rate = _o227.drag_rate;
+            V strain = _o227.strain;
+            V strain_rate = _o227.strain_rate;
+            const LANES(court_holding_out) _o228 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o200.here;
-            const M _m201 = lanes_both(active, here);
+            here = _o228.here;
+            const M _m229 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o202 =
+                const LANES(court_ring_impact_strained_out) _o230 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_backboard_friction);
-                strain = lanes_select(_m201, _o202.strain, strain);
-                strain_rate = lanes_select(_m201, _o202.strain_rate, strain_rate);
+                strain = lanes_select(_m229, _o230.strain, strain);
+                strain_rate = lanes_select(_m229, _o230.strain_rate, strain_rate);
             }
-            const LANES(court_holding_out) _o203 =
+            const LANES(court_holding_out) _o231 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o203.here;
-            const M _m204 = lanes_both(active, here);
+            here = _o231.here;
+            const M _m232 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o205 =
+                const LANES(court_ring_impact_strained_out) _o233 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_bridge_friction);
-                strain = lanes_select(_m204, _o205.strain, strain);
-                strain_rate = lanes_select(_m204, _o205.strain_rate, strain_rate);
+                strain = lanes_select(_m232, _o233.strain, strain);
+                strain_rate = lanes_select(_m232, _o233.strain_rate, strain_rate);
             }
-            const LANES(court_losing_out) _o206 =
+            const LANES(court_losing_out) _o234 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o206.loses;
-            const M _m207 = lanes_both(active, loses);
-            if (lanes_any(_m207)) {
-                const LANES(court_lost_grip_out) _o208 =
+            M loses = _o234.loses;
+            const M _m235 = lanes_both(active, loses);
+            if (lanes_any(_m235)) {
+                const LANES(court_lost_grip_out) _o236 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m207, _o208.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m235, _o236.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o209 =
+            const LANES(court_tightened_out) _o237 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o209.taut;
-            taut_rate = _o209.taut_rate;
-            taut_clock = _o209.taut_clock;
-            const LANES(court_leaving_force_out) _o210 =
+            taut = _o237.taut;
+            taut_rate = _o237.taut_rate;
+            taut_clock = _o237.taut_clock;
+            const LANES(court_leaving_force_out) _o238 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o210.stride;
-            which = _o210.which;
-            M rests = _o210.rests;
-            doubt = _o210.doubt;
-            const LANES(court_beside_out) _o211 =
+            stride = _o238.stride;
+            which = _o238.which;
+            M rests = _o238.rests;
+            doubt = _o238.doubt;
+            const LANES(court_beside_out) _o239 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o211.beside;
-            const M _m212 = lanes_both(active, beside);
-            if (lanes_any(_m212)) {
-                const LANES(court_ring_beside_out) _o213 =
-                    LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o213.gap;
-                V nearing = _o213.nearing;
-                V dent = _o213.dent;
-                const LANES(court_beside_body_out) _o214 =
-                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m212, _o214.stride, stride);
-                which = lanes_select(_m212, _o214.which, which);
-                doubt = lanes_select(_m212, _o214.doubt, doubt);
-                late = lanes_select(_m212, _o214.late, late);
-            }
-            const LANES(court_beside_out) _o215 =
-                LANES(court_beside)(held, K(1.0));
-            beside = _o215.beside;
-            const M _m216 = lanes_both(active, beside);
-            if (lanes_any(_m216)) {
-                const LANES(court_backboard_beside_out) _o217 =
-                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o217.gap;
-                V nearing = _o217.nearing;
-                V dent = _o217.dent;
-                const LANES(court_beside_body_out) _o218 =
-                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m216, _o218.stride, stride);
-                which = lanes_select(_m216, _o218.which, which);
-                doubt = lanes_select(_m216, _o218.doubt, doubt);
-                late = lanes_select(_m216, _o218.late, late);
-            }
-            const LANES(court_beside_out) _o219 =
-                LANES(court_beside)(held, K(2.0));
-            beside = _o219.beside;
-            const M _m220 = lanes_both(active, beside);
-            if (lanes_any(_m220)) {
-                const LANES(court_bridge_beside_out) _o221 =
-                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o221.gap;
-                V nearing = _o221.nearing;
-                V dent = _o221.dent;
-                const LANES(court_beside_body_out) _o222 =
-                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m220, _o222.stride, stride);
-                which = lanes_select(_m220, _o222.which, which);
-                doubt = lanes_select(_m220, _o222.doubt, doubt);
-                late = lanes_select(_m220, _o222.late, late);
-            }
-            const LANES(court_end_beside_out) _o223 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o223.gap;
-            V nearing = _o223.nearing;
-            V dent = _o223.dent;
-            const LANES(court_beside_gate_out) _o224 =
-                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o224.stride;
-            which = _o224.which;
-            doubt = _o224.doubt;
-            late = _o224.late;
-            const LANES(court_holding_out) _o225 =
-                LANES(court_holding)(held, K(1.0));
-            here = _o225.here;
-            const M _m226 = lanes_both(active, here);
-            if (lanes_any(_m226)) {
-                const LANES(court_backboard_seam0_out) _o227 =
-                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m226, _o227.gap, gap);
-                V nearing = _o227.nearing;
-                V near = _o227.near;
-                const LANES(court_beside_seam_out) _o228 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m226, _o228.stride, stride);
-                const LANES(court_backboard_seam1_out) _o229 =
-                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m226, _o229.gap, gap);
-                nearing = _o229.nearing;
-                near = _o229.near;
-                const LANES(court_beside_seam_out) _o230 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m226, _o230.stride, stride);
-                const LANES(court_backboard_seam2_out) _o231 =
-                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m226, _o231.gap, gap);
-                nearing = _o231.nearing;
-                near = _o231.near;
-                const LANES(court_beside_seam_out) _o232 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m226, _o232.stride, stride);
-                const LANES(court_backboard_seam3_out) _o233 =
-                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m226, _o233.gap, gap);
-                nearing = _o233.nearing;
-                near = _o233.near;
-                const LANES(court_beside_seam_out) _o234 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m226, _o234.stride, stride);
-                const LANES(court_backboard_seam4_out) _o235 =
-                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m226, _o235.gap, gap);
-                nearing = _o235.nearing;
-                near = _o235.near;
-                const LANES(court_beside_seam_out) _o236 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m226, _o236.stride, stride);
-                const LANES(court_backboard_seam5_out) _o237 =
-                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m226, _o237.gap, gap);
-                nearing = _o237.nearing;
-                near = _o237.near;
-                const LANES(court_beside_seam_out) _o238 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m226, _o238.stride, stride);
-            }
-            const LANES(court_holding_out) _o239 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o239.here;
-            const M _m240 = lanes_both(active, here);
+            M beside = _o239.beside;
+            const M _m240 = lanes_both(active, beside);
             if (lanes_any(_m240)) {
-                const LANES(court_bridge_seam0_out) _o241 =
-                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m240, _o241.gap, gap);
+                const LANES(court_ring_beside_out) _o241 =
+                    LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o241.gap;
                 V nearing = _o241.nearing;
-                V near = _o241.near;
-                const LANES(court_beside_seam_out) _o242 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                V dent = _o241.dent;
+                const LANES(court_beside_body_out) _o242 =
+                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z);
                 stride = lanes_select(_m240, _o242.stride, stride);
-                const LANES(court_bridge_seam1_out) _o243 =
+                which = lanes_select(_m240, _o242.which, which);
+                doubt = lanes_select(_m240, _o242.doubt, doubt);
+                late = lanes_select(_m240, _o242.late, late);
+            }
+            const LANES(court_beside_out) _o243 =
+                LANES(court_beside)(held, K(1.0));
+            beside = _o243.beside;
+            const M _m244 = lanes_both(active, beside);
+            if (lanes_any(_m244)) {
+                const LANES(court_backboard_beside_out) _o245 =
+                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+                V gap = _o245.gap;
+                V nearing = _o245.nearing;
+                V dent = _o245.dent;
+                const LANES(court_beside_body_out) _o246 =
+                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+                stride = lanes_select(_m244, _o246.stride, stride);
+                which = lanes_select(_m244, _o246.which, which);
+                doubt = lanes_select(_m244, _o246.doubt, doubt);
+                late = lanes_select(_m244, _o246.late, late);
+            }
+            const LANES(court_beside_out) _o247 =
+                LANES(court_beside)(held, K(2.0));
+            beside = _o247.beside;
+            const M _m248 = lanes_both(active, beside);
+            if (lanes_any(_m248)) {
+                const LANES(court_bridge_beside_out) _o249 =
+                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+                V gap = _o249.gap;
+                V nearing = _o249.nearing;
+                V dent = _o249.dent;
+                const LANES(court_beside_body_out) _o250 =
+                    LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+                stride = lanes_select(_m248, _o250.stride, stride);
+                which = lanes_select(_m248, _o250.which, which);
+                doubt = lanes_select(_m248, _o250.doubt, doubt);
+                late = lanes_select(_m248, _o250.late, late);
+            }
+            const LANES(court_end_beside_out) _o251 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            V gap = _o251.gap;
+            V nearing = _o251.nearing;
+            V dent = _o251.dent;
+            const LANES(court_beside_gate_out) _o252 =
+                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o252.stride;
+            which = _o252.which;
+            doubt = _o252.doubt;
+            late = _o252.late;
+            const LANES(court_holding_out) _o253 =
+                LANES(court_holding)(held, K(1.0));
+            here = _o253.here;
+            const M _m254 = lanes_both(active, here);
+            if (lanes_any(_m254)) {
+                const LANES(court_backboard_seam0_out) _o255 =
+                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m254, _o255.gap, gap);
+                V nearing = _o255.nearing;
+                V near = _o255.near;
+                const LANES(court_beside_seam_out) _o256 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m254, _o256.stride, stride);
+                const LANES(court_backboard_seam1_out) _o257 =
+                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
+                gap = lanes_select(_m254, _o257.gap, gap);
+                nearing = _o257.nearing;
+                near = _o257.near;
+                const LANES(court_beside_seam_out) _o258 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m254, _o258.stride, stride);
+                const LANES(court_backboard_seam2_out) _o259 =
+                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m254, _o259.gap, gap);
+                nearing = _o259.nearing;
+                near = _o259.near;
+                const LANES(court_beside_seam_out) _o260 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m254, _o260.stride, stride);
+                const LANES(court_backboard_seam3_out) _o261 =
+                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
+                gap = lanes_select(_m254, _o261.gap, gap);
+                nearing = _o261.nearing;
+                near = _o261.near;
+                const LANES(court_beside_seam_out) _o262 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m254, _o262.stride, stride);
+                const LANES(court_backboard_seam4_out) _o263 =
+                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m254, _o263.gap, gap);
+                nearing = _o263.nearing;
+                near = _o263.near;
+                const LANES(court_beside_seam_out) _o264 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m254, _o264.stride, stride);
+                const LANES(court_backboard_seam5_out) _o265 =
+                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
+                gap = lanes_select(_m254, _o265.gap, gap);
+                nearing = _o265.nearing;
+                near = _o265.near;
+                const LANES(court_beside_seam_out) _o266 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m254, _o266.stride, stride);
+            }
+            const LANES(court_holding_out) _o267 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o267.here;
+            const M _m268 = lanes_both(active, here);
+            if (lanes_any(_m268)) {
+                const LANES(court_bridge_seam0_out) _o269 =
+                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
+                gap = lanes_select(_m268, _o269.gap, gap);
+                V nearing = _o269.nearing;
+                V near = _o269.near;
+                const LANES(court_beside_seam_out) _o270 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m268, _o270.stride, stride);
+                const LANES(court_bridge_seam1_out) _o271 =
                     LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m240, _o243.gap, gap);
-                nearing = _o243.nearing;
-                near = _o243.near;
-                const LANES(court_beside_seam_out) _o244 =
+                gap = lanes_select(_m268, _o271.gap, gap);
+                nearing = _o271.nearing;
+                near = _o271.near;
+                const LANES(court_beside_seam_out) _o272 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m240, _o244.stride, stride);
-                const LANES(court_bridge_seam2_out) _o245 =
+                stride = lanes_select(_m268, _o272.stride, stride);
+                const LANES(court_bridge_seam2_out) _o273 =
                     LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m240, _o245.gap, gap);
-                nearing = _o245.nearing;
-                near = _o245.near;
-                const LANES(court_beside_seam_out) _o246 =
+                gap = lanes_select(_m268, _o273.gap, gap);
+                nearing = _o273.nearing;
+                near = _o273.near;
+                const LANES(court_beside_seam_out) _o274 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m240, _o246.stride, stride);
-                const LANES(court_bridge_seam3_out) _o247 =
+                stride = lanes_select(_m268, _o274.stride, stride);
+                const LANES(court_bridge_seam3_out) _o275 =
                     LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m240, _o247.gap, gap);
-                nearing = _o247.nearing;
-                near = _o247.near;
-                const LANES(court_beside_seam_out) _o248 =
+                gap = lanes_select(_m268, _o275.gap, gap);
+                nearing = _o275.nearing;
+                near = _o275.near;
+                const LANES(court_beside_seam_out) _o276 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m240, _o248.stride, stride);
-                const LANES(court_bridge_seam4_out) _o249 =
+                stride = lanes_select(_m268, _o276.stride, stride);
+                const LANES(court_bridge_seam4_out) _o277 =
                     LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m240, _o249.gap, gap);
-                nearing = _o249.nearing;
-                near = _o249.near;
-                const LANES(court_beside_seam_out) _o250 =
+                gap = lanes_select(_m268, _o277.gap, gap);
+                nearing = _o277.nearing;
+                near = _o277.near;
+                const LANES(court_beside_seam_out) _o278 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m240, _o250.stride, stride);
-                const LANES(court_bridge_seam5_out) _o251 =
+                stride = lanes_select(_m268, _o278.stride, stride);
+                const LANES(court_bridge_seam5_out) _o279 =
                     LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m240, _o251.gap, gap);
-                nearing = _o251.nearing;
-                near = _o251.near;
-                const LANES(court_beside_seam_out) _o252 =
+                gap = lanes_select(_m268, _o279.gap, gap);
+                nearing = _o279.nearing;
+                near = _o279.near;
+                const LANES(court_beside_seam_out) _o280 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m240, _o252.stride, stride);
+                stride = lanes_select(_m268, _o280.stride, stride);
             }
-            const LANES(court_beside_time_out) _o253 =
+            const LANES(court_beside_time_out) _o281 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o253.stride;
-            which = _o253.which;
-            const LANES(court_apart_out) _o254 =
+            stride = _o281.stride;
+            which = _o281.which;
+            const LANES(court_apart_out) _o282 =
                 LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o254.apart;
-            const LANES(court_neighbour_out) _o255 =
+            V apart = _o282.apart;
+            const LANES(court_neighbour_out) _o283 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o255.far_x;
-            V far_y = _o255.far_y;
-            V far_z = _o255.far_z;
-            V far_vx = _o255.far_vx;
-            V far_vy = _o255.far_vy;
-            V far_vz = _o255.far_vz;
-            V far_wx = _o255.far_wx;
-            V far_wy = _o255.far_wy;
-            V far_wz = _o255.far_wz;
-            V far_nx = _o255.far_nx;
-            V far_ny = _o255.far_ny;
-            V far_nz = _o255.far_nz;
-            V far_gap = _o255.far_gap;
-            const LANES(court_passing_from_out) _o256 =
+            V far_x = _o283.far_x;
+            V far_y = _o283.far_y;
+            V far_z = _o283.far_z;
+            V far_vx = _o283.far_vx;
+            V far_vy = _o283.far_vy;
+            V far_vz = _o283.far_vz;
+            V far_wx = _o283.far_wx;
+            V far_wy = _o283.far_wy;
+            V far_wz = _o283.far_wz;
+            V far_nx = _o283.far_nx;
+            V far_ny = _o283.far_ny;
+            V far_nz = _o283.far_nz;
+            V far_gap = _o283.far_gap;
+            const LANES(court_passing_from_out) _o284 =
                 LANES(court_passing_from)(z);
-            M over = _o256.over;
-            const LANES(court_roll_moved_out) _o257 =
+            M over = _o284.over;
+            const LANES(court_roll_moved_out) _o285 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o257.x;
-            vx = _o257.vx;
-            y = _o257.y;
-            vy = _o257.vy;
-            z = _o257.z;
-            vz = _o257.vz;
-            V turn_rate = _o257.turn_rate;
-            const LANES(court_holding_out) _o258 =
+            x = _o285.x;
+            vx = _o285.vx;
+            y = _o285.y;
+            vy = _o285.vy;
+            z = _o285.z;
+            vz = _o285.vz;
+            V turn_rate = _o285.turn_rate;
+            const LANES(court_holding_out) _o286 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o258.here;
-            const M _m259 = lanes_both(active, here);
-            if (lanes_any(_m259)) {
-                const LANES(court_backboard_normal_out) _o260 =
+            here = _o286.here;
+            const M _m287 = lanes_both(active, here);
+            if (lanes_any(_m287)) {
+                const LANES(court_backboard_normal_out) _o288 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m259, _o260.nx, nx);
-                ny = lanes_select(_m259, _o260.ny, ny);
-                nz = lanes_select(_m259, _o260.nz, nz);
-                const LANES(court_backboard_off_out) _o261 =
+                nx = lanes_select(_m287, _o288.nx, nx);
+                ny = lanes_select(_m287, _o288.ny, ny);
+                nz = lanes_select(_m287, _o288.nz, nz);
+                const LANES(court_backboard_off_out) _o289 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m259, _o261.gap, gap);
+                gap = lanes_select(_m287, _o289.gap, gap);
             }
-            const LANES(court_holding_out) _o262 =
+            const LANES(court_holding_out) _o290 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o262.here;
-            const M _m263 = lanes_both(active, here);
-            if (lanes_any(_m263)) {
-                const LANES(court_bridge_normal_out) _o264 =
+            here = _o290.here;
+            const M _m291 = lanes_both(active, here);
+            if (lanes_any(_m291)) {
+                const LANES(court_bridge_normal_out) _o292 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m263, _o264.nx, nx);
-                ny = lanes_select(_m263, _o264.ny, ny);
-                nz = lanes_select(_m263, _o264.nz, nz);
-                const LANES(court_bridge_off_out) _o265 =
+                nx = lanes_select(_m291, _o292.nx, nx);
+                ny = lanes_select(_m291, _o292.ny, ny);
+                nz = lanes_select(_m291, _o292.nz, nz);
+                const LANES(court_bridge_off_out) _o293 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m263, _o265.gap, gap);
+                gap = lanes_select(_m291, _o293.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o266 =
+            const LANES(court_roll_placed_out) _o294 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o266.x;
-            y = _o266.y;
-            z = _o266.z;
-            vx = _o266.vx;
-            vy = _o266.vy;
-            vz = _o266.vz;
-            wx = _o266.wx;
-            wy = _o266.wy;
-            wz = _o266.wz;
-            const LANES(court_passing_in_contact_out) _o267 =
+            x = _o294.x;
+            y = _o294.y;
+            z = _o294.z;
+            vx = _o294.vx;
+            vy = _o294.vy;
+            vz = _o294.vz;
+            wx = _o294.wx;
+            wy = _o294.wy;
+            wz = _o294.wz;
+            const LANES(court_passing_in_contact_out) _o295 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o267.through;
-            const LANES(court_holding_out) _o268 =
+            through = _o295.through;
+            const LANES(court_holding_out) _o296 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o268.here;
-            const M _m269 = lanes_both(active, here);
+            here = _o296.here;
+            const M _m297 = lanes_both(active, here);
             {
-                const LANES(court_backboard_normal_out) _o270 =
+                const LANES(court_backboard_normal_out) _o298 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m269, _o270.nx, far_nx);
-                far_ny = lanes_select(_m269, _o270.ny, far_ny);
-                far_nz = lanes_select(_m269, _o270.nz, far_nz);
+                far_nx = lanes_select(_m297, _o298.nx, far_nx);
+                far_ny = lanes_select(_m297, _o298.ny, far_ny);
+                far_nz = lanes_select(_m297, _o298.nz, far_nz);
             }
-            const LANES(court_holding_out) _o271 =
+            const LANES(court_holding_out) _o299 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o271.here;
-            const M _m272 = lanes_both(active, here);
+            here = _o299.here;
+            const M _m300 = lanes_both(active, here);
             {
-                const LANES(court_bridge_normal_out) _o273 =
+                const LANES(court_bridge_normal_out) _o301 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m272, _o273.nx, far_nx);
-                far_ny = lanes_select(_m272, _o273.ny, far_ny);
-                far_nz = lanes_select(_m272, _o273.nz, far_nz);
+                far_nx = lanes_select(_m300, _o301.nx, far_nx);
+                far_ny = lanes_select(_m300, _o301.ny, far_ny);
+                far_nz = lanes_select(_m300, _o301.nz, far_nz);
             }
-            const LANES(court_roll_turn_rate_out) _o274 =
+            const LANES(court_roll_turn_rate_out) _o302 =
                 LANES(court_roll_turn_rate)(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
-            turn_rate = _o274.turn_rate;
-            const LANES(court_holding_out) _o275 =
+            turn_rate = _o302.turn_rate;
+            const LANES(court_holding_out) _o303 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o275.here;
-            const M _m276 = lanes_both(active, here);
-            if (lanes_any(_m276)) {
-                const LANES(court_backboard_normal_out) _o277 =
+            here = _o303.here;
+            const M _m304 = lanes_both(active, here);
+            if (lanes_any(_m304)) {
+                const LANES(court_backboard_normal_out) _o305 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m276, _o277.nx, far_nx);
-                far_ny = lanes_select(_m276, _o277.ny, far_ny);
-                far_nz = lanes_select(_m276, _o277.nz, far_nz);
-                const LANES(court_backboard_off_out) _o278 =
+                far_nx = lanes_select(_m304, _o305.nx, far_nx);
+                far_ny = lanes_select(_m304, _o305.ny, far_ny);
+                far_nz = lanes_select(_m304, _o305.nz, far_nz);
+                const LANES(court_backboard_off_out) _o306 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m276, _o278.gap, far_gap);
+                far_gap = lanes_select(_m304, _o306.gap, far_gap);
             }
-            const LANES(court_holding_out) _o279 =
+            const LANES(court_holding_out) _o307 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o279.here;
-            const M _m280 = lanes_both(active, here);
-            if (lanes_any(_m280)) {
-                const LANES(court_bridge_normal_out) _o281 =
+            here = _o307.here;
+            const M _m308 = lanes_both(active, here);
+            if (lanes_any(_m308)) {
+                const LANES(court_bridge_normal_out) _o309 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m280, _o281.nx, far_nx);
-                far_ny = lanes_select(_m280, _o281.ny, far_ny);
-                far_nz = lanes_select(_m280, _o281.nz, far_nz);
-                const LANES(court_bridge_off_out) _o282 =
+                far_nx = lanes_select(_m308, _o309.nx, far_nx);
+                far_ny = lanes_select(_m308, _o309.ny, far_ny);
+                far_nz = lanes_select(_m308, _o309.nz, far_nz);
+                const LANES(court_bridge_off_out) _o310 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m280, _o282.gap, far_gap);
+                far_gap = lanes_select(_m308, _o310.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o283 =
+            const LANES(court_roll_placed_out) _o311 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o283.x;
-            far_y = _o283.y;
-            far_z = _o283.z;
-            far_vx = _o283.vx;
-            far_vy = _o283.vy;
-            far_vz = _o283.vz;
-            far_wx = _o283.wx;
-            far_wy = _o283.wy;
-            far_wz = _o283.wz;
-            const LANES(court_roll_start_out) _o284 =
+            far_x = _o311.x;
+            far_y = _o311.y;
+            far_z = _o311.z;
+            far_vx = _o311.vx;
+            far_vy = _o311.vy;
+            far_vz = _o311.vz;
+            far_wx = _o311.wx;
+            far_wy = _o311.wy;
+            far_wz = _o311.wz;
+            const LANES(court_roll_start_out) _o312 =
                 LANES(court_roll_start)(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
-            vx_0 = _o284.vx_0;
-            vy_0 = _o284.vy_0;
-            vz_0 = _o284.vz_0;
-            nx_0 = _o284.nx_0;
-            ny_0 = _o284.ny_0;
-            nz_0 = _o284.nz_0;
-            turn_rate_0 = _o284.turn_rate_0;
-            const LANES(court_roll_0_out) _o285 =
+            vx_0 = _o312.vx_0;
+            vy_0 = _o312.vy_0;
+            vz_0 = _o312.vz_0;
+            nx_0 = _o312.nx_0;
+            ny_0 = _o312.ny_0;
+            nz_0 = _o312.nz_0;
+            turn_rate_0 = _o312.turn_rate_0;
+            const LANES(court_roll_0_out) _o313 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            lift_0 = _o285.lift_0;
-            tx_0 = _o285.tx_0;
-            ty_0 = _o285.ty_0;
-            tz_0 = _o285.tz_0;
-            vx_1 = _o285.vx_1;
-            vy_1 = _o285.vy_1;
-            vz_1 = _o285.vz_1;
-            nx_1 = _o285.nx_1;
-            ny_1 = _o285.ny_1;
-            nz_1 = _o285.nz_1;
-            turn_rate_1 = _o285.turn_rate_1;
-            const LANES(court_roll_1_out) _o286 =
+            lift_0 = _o313.lift_0;
+            tx_0 = _o313.tx_0;
+            ty_0 = _o313.ty_0;
+            tz_0 = _o313.tz_0;
+            vx_1 = _o313.vx_1;
+            vy_1 = _o313.vy_1;
+            vz_1 = _o313.vz_1;
+            nx_1 = _o313.nx_1;
+            ny_1 = _o313.ny_1;
+            nz_1 = _o313.nz_1;
+            turn_rate_1 = _o313.turn_rate_1;
+            const LANES(court_roll_1_out) _o314 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            lift_1 = _o286.lift_1;
-            tx_1 = _o286.tx_1;
-            ty_1 = _o286.ty_1;
-            tz_1 = _o286.tz_1;
-            vx_2 = _o286.vx_2;
-            vy_2 = _o286.vy_2;
-            vz_2 = _o286.vz_2;
-            nx_2 = _o286.nx_2;
-            ny_2 = _o286.ny_2;
-            nz_2 = _o286.nz_2;
-            turn_rate_2 = _o286.turn_rate_2;
-            const LANES(court_roll_2_out) _o287 =
+            lift_1 = _o314.lift_1;
+            tx_1 = _o314.tx_1;
+            ty_1 = _o314.ty_1;
+            tz_1 = _o314.tz_1;
+            vx_2 = _o314.vx_2;
+            vy_2 = _o314.vy_2;
+            vz_2 = _o314.vz_2;
+            nx_2 = _o314.nx_2;
+            ny_2 = _o314.ny_2;
+            nz_2 = _o314.nz_2;
+            turn_rate_2 = _o314.turn_rate_2;
+            const LANES(court_roll_2_out) _o315 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            lift_2 = _o287.lift_2;
-            tx_2 = _o287.tx_2;
-            ty_2 = _o287.ty_2;
-            tz_2 = _o287.tz_2;
-            vx_3 = _o287.vx_3;
-            vy_3 = _o287.vy_3;
-            vz_3 = _o287.vz_3;
-            nx_3 = _o287.nx_3;
-            ny_3 = _o287.ny_3;
-            nz_3 = _o287.nz_3;
-            turn_rate_3 = _o287.turn_rate_3;
-            const LANES(court_roll_3_out) _o288 =
+            lift_2 = _o315.lift_2;
+            tx_2 = _o315.tx_2;
+            ty_2 = _o315.ty_2;
+            tz_2 = _o315.tz_2;
+            vx_3 = _o315.vx_3;
+            vy_3 = _o315.vy_3;
+            vz_3 = _o315.vz_3;
+            nx_3 = _o315.nx_3;
+            ny_3 = _o315.ny_3;
+            nz_3 = _o315.nz_3;
+            turn_rate_3 = _o315.turn_rate_3;
+            const LANES(court_roll_3_out) _o316 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            lift_3 = _o288.lift_3;
-            tx_3 = _o288.tx_3;
-            ty_3 = _o288.ty_3;
-            tz_3 = _o288.tz_3;
-            vx_4 = _o288.vx_4;
-            vy_4 = _o288.vy_4;
-            vz_4 = _o288.vz_4;
-            nx_4 = _o288.nx_4;
-            ny_4 = _o288.ny_4;
-            nz_4 = _o288.nz_4;
-            turn_rate_4 = _o288.turn_rate_4;
-            const LANES(court_roll_4_out) _o289 =
+            lift_3 = _o316.lift_3;
+            tx_3 = _o316.tx_3;
+            ty_3 = _o316.ty_3;
+            tz_3 = _o316.tz_3;
+            vx_4 = _o316.vx_4;
+            vy_4 = _o316.vy_4;
+            vz_4 = _o316.vz_4;
+            nx_4 = _o316.nx_4;
+            ny_4 = _o316.ny_4;
+            nz_4 = _o316.nz_4;
+            turn_rate_4 = _o316.turn_rate_4;
+            const LANES(court_roll_4_out) _o317 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            lift_4 = _o289.lift_4;
-            tx_4 = _o289.tx_4;
-            ty_4 = _o289.ty_4;
-            tz_4 = _o289.tz_4;
-            vx_5 = _o289.vx_5;
-            vy_5 = _o289.vy_5;
-            vz_5 = _o289.vz_5;
-            nx_5 = _o289.nx_5;
-            ny_5 = _o289.ny_5;
-            nz_5 = _o289.nz_5;
-            turn_rate_5 = _o289.turn_rate_5;
-            const LANES(court_roll_5_out) _o290 =
+            lift_4 = _o317.lift_4;
+            tx_4 = _o317.tx_4;
+            ty_4 = _o317.ty_4;
+            tz_4 = _o317.tz_4;
+            vx_5 = _o317.vx_5;
+            vy_5 = _o317.vy_5;
+            vz_5 = _o317.vz_5;
+            nx_5 = _o317.nx_5;
+            ny_5 = _o317.ny_5;
+            nz_5 = _o317.nz_5;
+            turn_rate_5 = _o317.turn_rate_5;
+            const LANES(court_roll_5_out) _o318 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            lift_5 = _o290.lift_5;
-            tx_5 = _o290.tx_5;
-            ty_5 = _o290.ty_5;
-            tz_5 = _o290.tz_5;
-            vx_6 = _o290.vx_6;
-            vy_6 = _o290.vy_6;
-            vz_6 = _o290.vz_6;
-            nx_6 = _o290.nx_6;
-            ny_6 = _o290.ny_6;
-            nz_6 = _o290.nz_6;
-            turn_rate_6 = _o290.turn_rate_6;
-            const LANES(court_roll_6_out) _o291 =
+            lift_5 = _o318.lift_5;
+            tx_5 = _o318.tx_5;
+            ty_5 = _o318.ty_5;
+            tz_5 = _o318.tz_5;
+            vx_6 = _o318.vx_6;
+            vy_6 = _o318.vy_6;
+            vz_6 = _o318.vz_6;
+            nx_6 = _o318.nx_6;
+            ny_6 = _o318.ny_6;
+            nz_6 = _o318.nz_6;
+            turn_rate_6 = _o318.turn_rate_6;
+            const LANES(court_roll_6_out) _o319 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            lift_6 = _o291.lift_6;
-            tx_6 = _o291.tx_6;
-            ty_6 = _o291.ty_6;
-            tz_6 = _o291.tz_6;
-            vx_7 = _o291.vx_7;
-            vy_7 = _o291.vy_7;
-            vz_7 = _o291.vz_7;
-            nx_7 = _o291.nx_7;
-            ny_7 = _o291.ny_7;
-            nz_7 = _o291.nz_7;
-            turn_rate_7 = _o291.turn_rate_7;
-            const LANES(court_roll_7_out) _o292 =
+            lift_6 = _o319.lift_6;
+            tx_6 = _o319.tx_6;
+            ty_6 = _o319.ty_6;
+            tz_6 = _o319.tz_6;
+            vx_7 = _o319.vx_7;
+            vy_7 = _o319.vy_7;
+            vz_7 = _o319.vz_7;
+            nx_7 = _o319.nx_7;
+            ny_7 = _o319.ny_7;
+            nz_7 = _o319.nz_7;
+            turn_rate_7 = _o319.turn_rate_7;
+            const LANES(court_roll_7_out) _o320 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            vx_8 = _o292.vx_8;
-            vy_8 = _o292.vy_8;
-            vz_8 = _o292.vz_8;
-            turn_rate_8 = _o292.turn_rate_8;
-            const LANES(court_roll_moved_out) _o293 =
+            vx_8 = _o320.vx_8;
+            vy_8 = _o320.vy_8;
+            vz_8 = _o320.vz_8;
+            turn_rate_8 = _o320.turn_rate_8;
+            const LANES(court_roll_moved_out) _o321 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-            far_x = _o293.x;
-            far_vx = _o293.vx;
-            far_y = _o293.y;
-            far_vy = _o293.vy;
-            far_z = _o293.z;
-            far_vz = _o293.vz;
-            turn_rate = _o293.turn_rate;
-            const LANES(court_holding_out) _o294 =
+            far_x = _o321.x;
+            far_vx = _o321.vx;
+            far_y = _o321.y;
+            far_vy = _o321.vy;
+            far_z = _o321.z;
+            far_vz = _o321.vz;
+            turn_rate = _o321.turn_rate;
+            const LANES(court_holding_out) _o322 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o294.here;
-            const M _m295 = lanes_both(active, here);
-            if (lanes_any(_m295)) {
-                const LANES(court_backboard_normal_out) _o296 =
+            here = _o322.here;
+            const M _m323 = lanes_both(active, here);
+            if (lanes_any(_m323)) {
+                const LANES(court_backboard_normal_out) _o324 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m295, _o296.nx, far_nx);
-                far_ny = lanes_select(_m295, _o296.ny, far_ny);
-                far_nz = lanes_select(_m295, _o296.nz, far_nz);
-                const LANES(court_backboard_off_out) _o297 =
+                far_nx = lanes_select(_m323, _o324.nx, far_nx);
+                far_ny = lanes_select(_m323, _o324.ny, far_ny);
+                far_nz = lanes_select(_m323, _o324.nz, far_nz);
+                const LANES(court_backboard_off_out) _o325 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m295, _o297.gap, far_gap);
+                far_gap = lanes_select(_m323, _o325.gap, far_gap);
             }
-            const LANES(court_holding_out) _o298 =
+            const LANES(court_holding_out) _o326 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o298.here;
-            const M _m299 = lanes_both(active, here);
-            if (lanes_any(_m299)) {
-                const LANES(court_bridge_normal_out) _o300 =
+            here = _o326.here;
+            const M _m327 = lanes_both(active, here);
+            if (lanes_any(_m327)) {
+                const LANES(court_bridge_normal_out) _o328 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m299, _o300.nx, far_nx);
-                far_ny = lanes_select(_m299, _o300.ny, far_ny);
-                far_nz = lanes_select(_m299, _o300.nz, far_nz);
-                const LANES(court_bridge_off_out) _o301 =
+                far_nx = lanes_select(_m327, _o328.nx, far_nx);
+                far_ny = lanes_select(_m327, _o328.ny, far_ny);
+                far_nz = lanes_select(_m327, _o328.nz, far_nz);
+                const LANES(court_bridge_off_out) _o329 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m299, _o301.gap, far_gap);
+                far_gap = lanes_select(_m327, _o329.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o302 =
+            const LANES(court_roll_placed_out) _o330 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o302.x;
-            far_y = _o302.y;
-            far_z = _o302.z;
-            far_vx = _o302.vx;
-            far_vy = _o302.vy;
-            far_vz = _o302.vz;
-            far_wx = _o302.wx;
-            far_wy = _o302.wy;
-            far_wz = _o302.wz;
-            const LANES(court_compared_out) _o303 =
+            far_x = _o330.x;
+            far_y = _o330.y;
+            far_z = _o330.z;
+            far_vx = _o330.vx;
+            far_vy = _o330.vy;
+            far_vz = _o330.vz;
+            far_wx = _o330.wx;
+            far_wy = _o330.wy;
+            far_wz = _o330.wz;
+            const LANES(court_compared_out) _o331 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o303.dx;
-            dy = _o303.dy;
-            dz = _o303.dz;
-            dvx = _o303.dvx;
-            dvy = _o303.dvy;
-            dvz = _o303.dvz;
-            dwx = _o303.dwx;
-            dwy = _o303.dwy;
-            dwz = _o303.dwz;
-            const LANES(court_rolled_on_out) _o304 =
+            dx = _o331.dx;
+            dy = _o331.dy;
+            dz = _o331.dz;
+            dvx = _o331.dvx;
+            dvy = _o331.dvy;
+            dvz = _o331.dvz;
+            dwx = _o331.dwx;
+            dwy = _o331.dwy;
+            dwz = _o331.dwz;
+            const LANES(court_rolled_on_out) _o332 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o304.clock;
-            rolling = _o304.rolling;
+            clock = _o332.clock;
+            rolling = _o332.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -7160,562 +8048,562 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_error_bounds_out) _o305 =
+            const LANES(court_error_bounds_out) _o333 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o305.position_error;
-            V velocity_error = _o305.velocity_error;
-            const LANES(court_ring_tube_out) _o306 =
+            V position_error = _o333.position_error;
+            V velocity_error = _o333.velocity_error;
+            const LANES(court_ring_tube_out) _o334 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o306.per_reach;
-            const LANES(court_ring_round_start_out) _o307 =
+            V per_reach = _o334.per_reach;
+            const LANES(court_ring_round_start_out) _o335 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o307.cosine_0;
-            V sine_0 = _o307.sine_0;
-            V climb_0 = _o307.climb_0;
-            V along_0 = _o307.along_0;
-            V turn_rate_0 = _o307.turn_rate_0;
-            V cos_0 = _o307.cos_0;
-            V sin_0 = _o307.sin_0;
-            V near_0 = _o307.near_0;
-            const LANES(court_ring_round_0_out) _o308 =
+            V cosine_0 = _o335.cosine_0;
+            V sine_0 = _o335.sine_0;
+            V climb_0 = _o335.climb_0;
+            V along_0 = _o335.along_0;
+            V turn_rate_0 = _o335.turn_rate_0;
+            V cos_0 = _o335.cos_0;
+            V sin_0 = _o335.sin_0;
+            V near_0 = _o335.near_0;
+            const LANES(court_ring_round_0_out) _o336 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o308.omega_0;
-            V around_0 = _o308.around_0;
-            V tilted_0 = _o308.tilted_0;
-            V pressed_0 = _o308.pressed_0;
-            V force_0 = _o308.force_0;
-            V cosine_1 = _o308.cosine_1;
-            V sine_1 = _o308.sine_1;
-            V climb_1 = _o308.climb_1;
-            V along_1 = _o308.along_1;
-            V turn_rate_1 = _o308.turn_rate_1;
-            V cos_1 = _o308.cos_1;
-            V sin_1 = _o308.sin_1;
-            const LANES(court_ring_round_1_out) _o309 =
+            V omega_0 = _o336.omega_0;
+            V around_0 = _o336.around_0;
+            V tilted_0 = _o336.tilted_0;
+            V pressed_0 = _o336.pressed_0;
+            V force_0 = _o336.force_0;
+            V cosine_1 = _o336.cosine_1;
+            V sine_1 = _o336.sine_1;
+            V climb_1 = _o336.climb_1;
+            V along_1 = _o336.along_1;
+            V turn_rate_1 = _o336.turn_rate_1;
+            V cos_1 = _o336.cos_1;
+            V sin_1 = _o336.sin_1;
+            const LANES(court_ring_round_1_out) _o337 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o309.near_1;
-            V omega_1 = _o309.omega_1;
-            V around_1 = _o309.around_1;
-            V tilted_1 = _o309.tilted_1;
-            V pressed_1 = _o309.pressed_1;
-            V force_1 = _o309.force_1;
-            V cosine_2 = _o309.cosine_2;
-            V sine_2 = _o309.sine_2;
-            V climb_2 = _o309.climb_2;
-            V along_2 = _o309.along_2;
-            V turn_rate_2 = _o309.turn_rate_2;
-            V cos_2 = _o309.cos_2;
-            V sin_2 = _o309.sin_2;
-            const LANES(court_ring_round_2_out) _o310 =
+            V near_1 = _o337.near_1;
+            V omega_1 = _o337.omega_1;
+            V around_1 = _o337.around_1;
+            V tilted_1 = _o337.tilted_1;
+            V pressed_1 = _o337.pressed_1;
+            V force_1 = _o337.force_1;
+            V cosine_2 = _o337.cosine_2;
+            V sine_2 = _o337.sine_2;
+            V climb_2 = _o337.climb_2;
+            V along_2 = _o337.along_2;
+            V turn_rate_2 = _o337.turn_rate_2;
+            V cos_2 = _o337.cos_2;
+            V sin_2 = _o337.sin_2;
+            const LANES(court_ring_round_2_out) _o338 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o310.near_2;
-            V omega_2 = _o310.omega_2;
-            V around_2 = _o310.around_2;
-            V tilted_2 = _o310.tilted_2;
-            V pressed_2 = _o310.pressed_2;
-            V force_2 = _o310.force_2;
-            V cosine_3 = _o310.cosine_3;
-            V sine_3 = _o310.sine_3;
-            V climb_3 = _o310.climb_3;
-            V along_3 = _o310.along_3;
-            V turn_rate_3 = _o310.turn_rate_3;
-            V cos_3 = _o310.cos_3;
-            V sin_3 = _o310.sin_3;
-            const LANES(court_ring_round_3_out) _o311 =
+            V near_2 = _o338.near_2;
+            V omega_2 = _o338.omega_2;
+            V around_2 = _o338.around_2;
+            V tilted_2 = _o338.tilted_2;
+            V pressed_2 = _o338.pressed_2;
+            V force_2 = _o338.force_2;
+            V cosine_3 = _o338.cosine_3;
+            V sine_3 = _o338.sine_3;
+            V climb_3 = _o338.climb_3;
+            V along_3 = _o338.along_3;
+            V turn_rate_3 = _o338.turn_rate_3;
+            V cos_3 = _o338.cos_3;
+            V sin_3 = _o338.sin_3;
+            const LANES(court_ring_round_3_out) _o339 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o311.near_3;
-            V omega_3 = _o311.omega_3;
-            V around_3 = _o311.around_3;
-            V tilted_3 = _o311.tilted_3;
-            V pressed_3 = _o311.pressed_3;
-            V force_3 = _o311.force_3;
-            V cosine_4 = _o311.cosine_4;
-            V sine_4 = _o311.sine_4;
-            V climb_4 = _o311.climb_4;
-            V along_4 = _o311.along_4;
-            V turn_rate_4 = _o311.turn_rate_4;
-            V cos_4 = _o311.cos_4;
-            V sin_4 = _o311.sin_4;
-            const LANES(court_ring_round_4_out) _o312 =
+            V near_3 = _o339.near_3;
+            V omega_3 = _o339.omega_3;
+            V around_3 = _o339.around_3;
+            V tilted_3 = _o339.tilted_3;
+            V pressed_3 = _o339.pressed_3;
+            V force_3 = _o339.force_3;
+            V cosine_4 = _o339.cosine_4;
+            V sine_4 = _o339.sine_4;
+            V climb_4 = _o339.climb_4;
+            V along_4 = _o339.along_4;
+            V turn_rate_4 = _o339.turn_rate_4;
+            V cos_4 = _o339.cos_4;
+            V sin_4 = _o339.sin_4;
+            const LANES(court_ring_round_4_out) _o340 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o312.near_4;
-            V omega_4 = _o312.omega_4;
-            V around_4 = _o312.around_4;
-            V tilted_4 = _o312.tilted_4;
-            V pressed_4 = _o312.pressed_4;
-            V force_4 = _o312.force_4;
-            V cosine_5 = _o312.cosine_5;
-            V sine_5 = _o312.sine_5;
-            V climb_5 = _o312.climb_5;
-            V along_5 = _o312.along_5;
-            V turn_rate_5 = _o312.turn_rate_5;
-            V cos_5 = _o312.cos_5;
-            V sin_5 = _o312.sin_5;
-            const LANES(court_ring_round_5_out) _o313 =
+            V near_4 = _o340.near_4;
+            V omega_4 = _o340.omega_4;
+            V around_4 = _o340.around_4;
+            V tilted_4 = _o340.tilted_4;
+            V pressed_4 = _o340.pressed_4;
+            V force_4 = _o340.force_4;
+            V cosine_5 = _o340.cosine_5;
+            V sine_5 = _o340.sine_5;
+            V climb_5 = _o340.climb_5;
+            V along_5 = _o340.along_5;
+            V turn_rate_5 = _o340.turn_rate_5;
+            V cos_5 = _o340.cos_5;
+            V sin_5 = _o340.sin_5;
+            const LANES(court_ring_round_5_out) _o341 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o313.near_5;
-            V omega_5 = _o313.omega_5;
-            V around_5 = _o313.around_5;
-            V tilted_5 = _o313.tilted_5;
-            V pressed_5 = _o313.pressed_5;
-            V force_5 = _o313.force_5;
-            V cosine_6 = _o313.cosine_6;
-            V sine_6 = _o313.sine_6;
-            V climb_6 = _o313.climb_6;
-            V along_6 = _o313.along_6;
-            V turn_rate_6 = _o313.turn_rate_6;
-            V cos_6 = _o313.cos_6;
-            V sin_6 = _o313.sin_6;
-            const LANES(court_ring_round_6_out) _o314 =
+            V near_5 = _o341.near_5;
+            V omega_5 = _o341.omega_5;
+            V around_5 = _o341.around_5;
+            V tilted_5 = _o341.tilted_5;
+            V pressed_5 = _o341.pressed_5;
+            V force_5 = _o341.force_5;
+            V cosine_6 = _o341.cosine_6;
+            V sine_6 = _o341.sine_6;
+            V climb_6 = _o341.climb_6;
+            V along_6 = _o341.along_6;
+            V turn_rate_6 = _o341.turn_rate_6;
+            V cos_6 = _o341.cos_6;
+            V sin_6 = _o341.sin_6;
+            const LANES(court_ring_round_6_out) _o342 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o314.near_6;
-            V omega_6 = _o314.omega_6;
-            V around_6 = _o314.around_6;
-            V tilted_6 = _o314.tilted_6;
-            V pressed_6 = _o314.pressed_6;
-            V force_6 = _o314.force_6;
-            V cosine_7 = _o314.cosine_7;
-            V sine_7 = _o314.sine_7;
-            V climb_7 = _o314.climb_7;
-            V along_7 = _o314.along_7;
-            V turn_rate_7 = _o314.turn_rate_7;
-            V cos_7 = _o314.cos_7;
-            V sin_7 = _o314.sin_7;
-            const LANES(court_ring_round_7_out) _o315 =
+            V near_6 = _o342.near_6;
+            V omega_6 = _o342.omega_6;
+            V around_6 = _o342.around_6;
+            V tilted_6 = _o342.tilted_6;
+            V pressed_6 = _o342.pressed_6;
+            V force_6 = _o342.force_6;
+            V cosine_7 = _o342.cosine_7;
+            V sine_7 = _o342.sine_7;
+            V climb_7 = _o342.climb_7;
+            V along_7 = _o342.along_7;
+            V turn_rate_7 = _o342.turn_rate_7;
+            V cos_7 = _o342.cos_7;
+            V sin_7 = _o342.sin_7;
+            const LANES(court_ring_round_7_out) _o343 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o315.near_7;
-            V omega_7 = _o315.omega_7;
-            V around_7 = _o315.around_7;
-            V tilted_7 = _o315.tilted_7;
-            V pressed_7 = _o315.pressed_7;
-            V force_7 = _o315.force_7;
-            V cosine_8 = _o315.cosine_8;
-            V sine_8 = _o315.sine_8;
-            V climb_8 = _o315.climb_8;
-            V along_8 = _o315.along_8;
-            V turn_rate_8 = _o315.turn_rate_8;
-            V cos_8 = _o315.cos_8;
-            V sin_8 = _o315.sin_8;
-            const LANES(court_ring_round_8_out) _o316 =
+            V near_7 = _o343.near_7;
+            V omega_7 = _o343.omega_7;
+            V around_7 = _o343.around_7;
+            V tilted_7 = _o343.tilted_7;
+            V pressed_7 = _o343.pressed_7;
+            V force_7 = _o343.force_7;
+            V cosine_8 = _o343.cosine_8;
+            V sine_8 = _o343.sine_8;
+            V climb_8 = _o343.climb_8;
+            V along_8 = _o343.along_8;
+            V turn_rate_8 = _o343.turn_rate_8;
+            V cos_8 = _o343.cos_8;
+            V sin_8 = _o343.sin_8;
+            const LANES(court_ring_round_8_out) _o344 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o316.near_8;
-            V omega_8 = _o316.omega_8;
-            V around_8 = _o316.around_8;
-            V tilted_8 = _o316.tilted_8;
-            V pressed_8 = _o316.pressed_8;
-            V force_8 = _o316.force_8;
-            V cosine_9 = _o316.cosine_9;
-            V sine_9 = _o316.sine_9;
-            V climb_9 = _o316.climb_9;
-            V along_9 = _o316.along_9;
-            V turn_rate_9 = _o316.turn_rate_9;
-            V cos_9 = _o316.cos_9;
-            V sin_9 = _o316.sin_9;
-            const LANES(court_ring_round_9_out) _o317 =
+            V near_8 = _o344.near_8;
+            V omega_8 = _o344.omega_8;
+            V around_8 = _o344.around_8;
+            V tilted_8 = _o344.tilted_8;
+            V pressed_8 = _o344.pressed_8;
+            V force_8 = _o344.force_8;
+            V cosine_9 = _o344.cosine_9;
+            V sine_9 = _o344.sine_9;
+            V climb_9 = _o344.climb_9;
+            V along_9 = _o344.along_9;
+            V turn_rate_9 = _o344.turn_rate_9;
+            V cos_9 = _o344.cos_9;
+            V sin_9 = _o344.sin_9;
+            const LANES(court_ring_round_9_out) _o345 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o317.near_9;
-            V omega_9 = _o317.omega_9;
-            V around_9 = _o317.around_9;
-            V tilted_9 = _o317.tilted_9;
-            V pressed_9 = _o317.pressed_9;
-            V force_9 = _o317.force_9;
-            V cosine_10 = _o317.cosine_10;
-            V sine_10 = _o317.sine_10;
-            V climb_10 = _o317.climb_10;
-            V along_10 = _o317.along_10;
-            V turn_rate_10 = _o317.turn_rate_10;
-            V cos_10 = _o317.cos_10;
-            V sin_10 = _o317.sin_10;
-            const LANES(court_ring_round_10_out) _o318 =
+            V near_9 = _o345.near_9;
+            V omega_9 = _o345.omega_9;
+            V around_9 = _o345.around_9;
+            V tilted_9 = _o345.tilted_9;
+            V pressed_9 = _o345.pressed_9;
+            V force_9 = _o345.force_9;
+            V cosine_10 = _o345.cosine_10;
+            V sine_10 = _o345.sine_10;
+            V climb_10 = _o345.climb_10;
+            V along_10 = _o345.along_10;
+            V turn_rate_10 = _o345.turn_rate_10;
+            V cos_10 = _o345.cos_10;
+            V sin_10 = _o345.sin_10;
+            const LANES(court_ring_round_10_out) _o346 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o318.near_10;
-            V omega_10 = _o318.omega_10;
-            V around_10 = _o318.around_10;
-            V tilted_10 = _o318.tilted_10;
-            V pressed_10 = _o318.pressed_10;
-            V force_10 = _o318.force_10;
-            V cosine_11 = _o318.cosine_11;
-            V sine_11 = _o318.sine_11;
-            V climb_11 = _o318.climb_11;
-            V along_11 = _o318.along_11;
-            V turn_rate_11 = _o318.turn_rate_11;
-            V cos_11 = _o318.cos_11;
-            V sin_11 = _o318.sin_11;
-            const LANES(court_ring_round_11_out) _o319 =
+            V near_10 = _o346.near_10;
+            V omega_10 = _o346.omega_10;
+            V around_10 = _o346.around_10;
+            V tilted_10 = _o346.tilted_10;
+            V pressed_10 = _o346.pressed_10;
+            V force_10 = _o346.force_10;
+            V cosine_11 = _o346.cosine_11;
+            V sine_11 = _o346.sine_11;
+            V climb_11 = _o346.climb_11;
+            V along_11 = _o346.along_11;
+            V turn_rate_11 = _o346.turn_rate_11;
+            V cos_11 = _o346.cos_11;
+            V sin_11 = _o346.sin_11;
+            const LANES(court_ring_round_11_out) _o347 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o319.force_11;
-            V cosine_12 = _o319.cosine_12;
-            V sine_12 = _o319.sine_12;
-            V climb_12 = _o319.climb_12;
-            V along_12 = _o319.along_12;
-            V turn_rate_12 = _o319.turn_rate_12;
-            V cos_12 = _o319.cos_12;
-            V sin_12 = _o319.sin_12;
-            const LANES(court_ring_round_pace_out) _o320 =
+            V force_11 = _o347.force_11;
+            V cosine_12 = _o347.cosine_12;
+            V sine_12 = _o347.sine_12;
+            V climb_12 = _o347.climb_12;
+            V along_12 = _o347.along_12;
+            V turn_rate_12 = _o347.turn_rate_12;
+            V cos_12 = _o347.cos_12;
+            V sin_12 = _o347.sin_12;
+            const LANES(court_ring_round_pace_out) _o348 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, p_wire_radius);
-            V stride = _o320.stride;
-            V strongest = _o320.strongest;
-            V fastest = _o320.fastest;
-            V sway = _o320.sway;
-            V force = _o320.force;
-            V force_rate = _o320.force_rate;
-            V force_bend = _o320.force_bend;
-            V brace = _o320.brace;
-            V vx_1 = _o320.vx_1;
-            V vy_1 = _o320.vy_1;
-            V vz_1 = _o320.vz_1;
-            const LANES(court_ring_round_pulled_out) _o321 =
+            V stride = _o348.stride;
+            V strongest = _o348.strongest;
+            V fastest = _o348.fastest;
+            V sway = _o348.sway;
+            V force = _o348.force;
+            V force_rate = _o348.force_rate;
+            V force_bend = _o348.force_bend;
+            V brace = _o348.brace;
+            V vx_1 = _o348.vx_1;
+            V vy_1 = _o348.vy_1;
+            V vz_1 = _o348.vz_1;
+            const LANES(court_ring_round_pulled_out) _o349 =
                 LANES(court_ring_round_pulled)(climb_0, climb_1, cosine_0, cosine_1, p_gravity, omega_0, omega_1, turn_rate_0, turn_rate_1);
-            V drag = _o321.drag;
-            V drag_rate = _o321.drag_rate;
-            const LANES(court_ring_impact_strained_out) _o322 =
+            V drag = _o349.drag;
+            V drag_rate = _o349.drag_rate;
+            const LANES(court_ring_impact_strained_out) _o350 =
                 LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_ring_friction);
-            V strain = _o322.strain;
-            V strain_rate = _o322.strain_rate;
-            const LANES(court_losing_out) _o323 =
+            V strain = _o350.strain;
+            V strain_rate = _o350.strain_rate;
+            const LANES(court_losing_out) _o351 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o323.loses;
-            const M _m324 = lanes_both(active, loses);
-            if (lanes_any(_m324)) {
-                const LANES(court_lost_grip_out) _o325 =
+            M loses = _o351.loses;
+            const M _m352 = lanes_both(active, loses);
+            if (lanes_any(_m352)) {
+                const LANES(court_lost_grip_out) _o353 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m324, _o325.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m352, _o353.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o326 =
+            const LANES(court_tightened_out) _o354 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o326.taut;
-            taut_rate = _o326.taut_rate;
-            taut_clock = _o326.taut_clock;
-            const LANES(court_leaving_force_out) _o327 =
+            taut = _o354.taut;
+            taut_rate = _o354.taut_rate;
+            taut_clock = _o354.taut_clock;
+            const LANES(court_leaving_force_out) _o355 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o327.stride;
-            which = _o327.which;
-            M rests = _o327.rests;
-            doubt = _o327.doubt;
-            const LANES(court_backboard_beside_out) _o328 =
-                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o328.gap;
-            V nearing = _o328.nearing;
-            V dent = _o328.dent;
-            const LANES(court_beside_body_out) _o329 =
-                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o329.stride;
-            which = _o329.which;
-            doubt = _o329.doubt;
-            late = _o329.late;
-            const LANES(court_bridge_beside_out) _o330 =
-                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o330.gap;
-            nearing = _o330.nearing;
-            dent = _o330.dent;
-            const LANES(court_beside_body_out) _o331 =
-                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o331.stride;
-            which = _o331.which;
-            doubt = _o331.doubt;
-            late = _o331.late;
-            const LANES(court_end_beside_out) _o332 =
-                LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o332.gap;
-            nearing = _o332.nearing;
-            dent = _o332.dent;
-            const LANES(court_beside_gate_out) _o333 =
-                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o333.stride;
-            which = _o333.which;
-            doubt = _o333.doubt;
-            late = _o333.late;
-            const LANES(court_beside_time_out) _o334 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o334.stride;
-            which = _o334.which;
-            const LANES(court_apart_out) _o335 =
-                LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o335.apart;
-            const LANES(court_neighbour_out) _o336 =
-                LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o336.far_x;
-            V far_y = _o336.far_y;
-            V far_z = _o336.far_z;
-            V far_vx = _o336.far_vx;
-            V far_vy = _o336.far_vy;
-            V far_vz = _o336.far_vz;
-            V far_wx = _o336.far_wx;
-            V far_wy = _o336.far_wy;
-            V far_wz = _o336.far_wz;
-            const LANES(court_passing_from_out) _o337 =
-                LANES(court_passing_from)(z);
-            M over = _o337.over;
-            const LANES(court_alone_out) _o338 =
-                LANES(court_alone)();
-            V berth = _o338.nearest;
-            const LANES(court_leaps_out) _o339 =
-                LANES(court_leaps)(stride);
-            V forth = _o339.forth;
-            V back = _o339.back;
-            const LANES(court_backboard_around_out) _o340 =
-                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o340.gap;
-            nearing = _o340.nearing;
-            const LANES(court_cleared_out) _o341 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o341.berth;
-            const LANES(court_bridge_around_out) _o342 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o342.gap;
-            nearing = _o342.nearing;
-            const LANES(court_cleared_out) _o343 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o343.berth;
-            const LANES(court_end_around_out) _o344 =
-                LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o344.gap;
-            nearing = _o344.nearing;
-            const LANES(court_cleared_out) _o345 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o345.berth;
-            const LANES(court_ring_round_moved_out) _o346 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o346.x;
-            y = _o346.y;
-            z = _o346.z;
-            vx = _o346.vx;
-            vy = _o346.vy;
-            vz = _o346.vz;
-            wx = _o346.wx;
-            wy = _o346.wy;
-            wz = _o346.wz;
-            V climb = _o346.climb;
-            const LANES(court_passing_in_contact_out) _o347 =
-                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o347.through;
-            const LANES(court_backboard_around_out) _o348 =
-                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o348.gap;
-            nearing = _o348.nearing;
-            const LANES(court_cleared_out) _o349 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o349.berth;
-            const LANES(court_bridge_around_out) _o350 =
-                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o350.gap;
-            nearing = _o350.nearing;
-            const LANES(court_cleared_out) _o351 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o351.berth;
-            const LANES(court_end_around_out) _o352 =
-                LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o352.gap;
-            nearing = _o352.nearing;
-            const LANES(court_cleared_out) _o353 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o353.berth;
-            const LANES(court_ring_swung_out) _o354 =
-                LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, p_gravity, position_error, stride, sway, velocity_error, which, p_wire_radius);
-            circled = _o354.circled;
-            M endless = _o354.endless;
-            doubt = _o354.doubt;
-            const LANES(court_for_ever_out) _o355 =
-                LANES(court_for_ever)(endless, which);
+            stride = _o355.stride;
             which = _o355.which;
-            const LANES(court_ring_round_start_out) _o356 =
-                LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, far_vx, far_vy, far_vz, p_wire_radius, far_wx, far_wy, far_wz, far_x, far_y, far_z);
-            cosine_0 = _o356.cosine_0;
-            sine_0 = _o356.sine_0;
-            climb_0 = _o356.climb_0;
-            along_0 = _o356.along_0;
-            turn_rate_0 = _o356.turn_rate_0;
-            cos_0 = _o356.cos_0;
-            sin_0 = _o356.sin_0;
-            near_0 = _o356.near_0;
-            const LANES(court_ring_round_0_out) _o357 =
-                LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            omega_0 = _o357.omega_0;
-            around_0 = _o357.around_0;
-            tilted_0 = _o357.tilted_0;
-            pressed_0 = _o357.pressed_0;
-            cosine_1 = _o357.cosine_1;
-            sine_1 = _o357.sine_1;
-            climb_1 = _o357.climb_1;
-            along_1 = _o357.along_1;
-            turn_rate_1 = _o357.turn_rate_1;
-            cos_1 = _o357.cos_1;
-            sin_1 = _o357.sin_1;
-            const LANES(court_ring_round_1_out) _o358 =
-                LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            near_1 = _o358.near_1;
-            omega_1 = _o358.omega_1;
-            around_1 = _o358.around_1;
-            tilted_1 = _o358.tilted_1;
-            pressed_1 = _o358.pressed_1;
-            cosine_2 = _o358.cosine_2;
-            sine_2 = _o358.sine_2;
-            climb_2 = _o358.climb_2;
-            along_2 = _o358.along_2;
-            turn_rate_2 = _o358.turn_rate_2;
-            cos_2 = _o358.cos_2;
-            sin_2 = _o358.sin_2;
-            const LANES(court_ring_round_2_out) _o359 =
-                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            near_2 = _o359.near_2;
-            omega_2 = _o359.omega_2;
-            around_2 = _o359.around_2;
-            tilted_2 = _o359.tilted_2;
-            pressed_2 = _o359.pressed_2;
-            cosine_3 = _o359.cosine_3;
-            sine_3 = _o359.sine_3;
-            climb_3 = _o359.climb_3;
-            along_3 = _o359.along_3;
-            turn_rate_3 = _o359.turn_rate_3;
-            cos_3 = _o359.cos_3;
-            sin_3 = _o359.sin_3;
-            const LANES(court_ring_round_3_out) _o360 =
-                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            near_3 = _o360.near_3;
-            omega_3 = _o360.omega_3;
-            around_3 = _o360.around_3;
-            tilted_3 = _o360.tilted_3;
-            pressed_3 = _o360.pressed_3;
-            cosine_4 = _o360.cosine_4;
-            sine_4 = _o360.sine_4;
-            climb_4 = _o360.climb_4;
-            along_4 = _o360.along_4;
-            turn_rate_4 = _o360.turn_rate_4;
-            cos_4 = _o360.cos_4;
-            sin_4 = _o360.sin_4;
-            const LANES(court_ring_round_4_out) _o361 =
-                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            near_4 = _o361.near_4;
-            omega_4 = _o361.omega_4;
-            around_4 = _o361.around_4;
-            tilted_4 = _o361.tilted_4;
-            pressed_4 = _o361.pressed_4;
-            cosine_5 = _o361.cosine_5;
-            sine_5 = _o361.sine_5;
-            climb_5 = _o361.climb_5;
-            along_5 = _o361.along_5;
-            turn_rate_5 = _o361.turn_rate_5;
-            cos_5 = _o361.cos_5;
-            sin_5 = _o361.sin_5;
-            const LANES(court_ring_round_5_out) _o362 =
-                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            near_5 = _o362.near_5;
-            omega_5 = _o362.omega_5;
-            around_5 = _o362.around_5;
-            tilted_5 = _o362.tilted_5;
-            pressed_5 = _o362.pressed_5;
-            cosine_6 = _o362.cosine_6;
-            sine_6 = _o362.sine_6;
-            climb_6 = _o362.climb_6;
-            along_6 = _o362.along_6;
-            turn_rate_6 = _o362.turn_rate_6;
-            cos_6 = _o362.cos_6;
-            sin_6 = _o362.sin_6;
-            const LANES(court_ring_round_6_out) _o363 =
-                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            near_6 = _o363.near_6;
-            omega_6 = _o363.omega_6;
-            around_6 = _o363.around_6;
-            tilted_6 = _o363.tilted_6;
-            pressed_6 = _o363.pressed_6;
-            cosine_7 = _o363.cosine_7;
-            sine_7 = _o363.sine_7;
-            climb_7 = _o363.climb_7;
-            along_7 = _o363.along_7;
-            turn_rate_7 = _o363.turn_rate_7;
-            cos_7 = _o363.cos_7;
-            sin_7 = _o363.sin_7;
-            const LANES(court_ring_round_7_out) _o364 =
-                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            near_7 = _o364.near_7;
-            omega_7 = _o364.omega_7;
-            around_7 = _o364.around_7;
-            tilted_7 = _o364.tilted_7;
-            pressed_7 = _o364.pressed_7;
-            cosine_8 = _o364.cosine_8;
-            sine_8 = _o364.sine_8;
-            climb_8 = _o364.climb_8;
-            along_8 = _o364.along_8;
-            turn_rate_8 = _o364.turn_rate_8;
-            cos_8 = _o364.cos_8;
-            sin_8 = _o364.sin_8;
-            const LANES(court_ring_round_8_out) _o365 =
-                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            near_8 = _o365.near_8;
-            omega_8 = _o365.omega_8;
-            around_8 = _o365.around_8;
-            tilted_8 = _o365.tilted_8;
-            pressed_8 = _o365.pressed_8;
-            cosine_9 = _o365.cosine_9;
-            sine_9 = _o365.sine_9;
-            climb_9 = _o365.climb_9;
-            along_9 = _o365.along_9;
-            turn_rate_9 = _o365.turn_rate_9;
-            cos_9 = _o365.cos_9;
-            sin_9 = _o365.sin_9;
-            const LANES(court_ring_round_9_out) _o366 =
-                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_9 = _o366.near_9;
-            omega_9 = _o366.omega_9;
-            around_9 = _o366.around_9;
-            tilted_9 = _o366.tilted_9;
-            pressed_9 = _o366.pressed_9;
-            cosine_10 = _o366.cosine_10;
-            sine_10 = _o366.sine_10;
-            climb_10 = _o366.climb_10;
-            along_10 = _o366.along_10;
-            turn_rate_10 = _o366.turn_rate_10;
-            cos_10 = _o366.cos_10;
-            sin_10 = _o366.sin_10;
-            const LANES(court_ring_round_10_out) _o367 =
-                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_10 = _o367.near_10;
-            omega_10 = _o367.omega_10;
-            around_10 = _o367.around_10;
-            tilted_10 = _o367.tilted_10;
-            pressed_10 = _o367.pressed_10;
-            cosine_11 = _o367.cosine_11;
-            sine_11 = _o367.sine_11;
-            climb_11 = _o367.climb_11;
-            along_11 = _o367.along_11;
-            turn_rate_11 = _o367.turn_rate_11;
-            cos_11 = _o367.cos_11;
-            sin_11 = _o367.sin_11;
-            const LANES(court_ring_round_11_out) _o368 =
-                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            cosine_12 = _o368.cosine_12;
-            sine_12 = _o368.sine_12;
-            climb_12 = _o368.climb_12;
-            along_12 = _o368.along_12;
-            turn_rate_12 = _o368.turn_rate_12;
-            cos_12 = _o368.cos_12;
-            sin_12 = _o368.sin_12;
-            const LANES(court_ring_round_moved_out) _o369 =
+            M rests = _o355.rests;
+            doubt = _o355.doubt;
+            const LANES(court_backboard_beside_out) _o356 =
+                LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            V gap = _o356.gap;
+            V nearing = _o356.nearing;
+            V dent = _o356.dent;
+            const LANES(court_beside_body_out) _o357 =
+                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o357.stride;
+            which = _o357.which;
+            doubt = _o357.doubt;
+            late = _o357.late;
+            const LANES(court_bridge_beside_out) _o358 =
+                LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o358.gap;
+            nearing = _o358.nearing;
+            dent = _o358.dent;
+            const LANES(court_beside_body_out) _o359 =
+                LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o359.stride;
+            which = _o359.which;
+            doubt = _o359.doubt;
+            late = _o359.late;
+            const LANES(court_end_beside_out) _o360 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o360.gap;
+            nearing = _o360.nearing;
+            dent = _o360.dent;
+            const LANES(court_beside_gate_out) _o361 =
+                LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o361.stride;
+            which = _o361.which;
+            doubt = _o361.doubt;
+            late = _o361.late;
+            const LANES(court_beside_time_out) _o362 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
+            stride = _o362.stride;
+            which = _o362.which;
+            const LANES(court_apart_out) _o363 =
+                LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
+            V apart = _o363.apart;
+            const LANES(court_neighbour_out) _o364 =
+                LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
+            V far_x = _o364.far_x;
+            V far_y = _o364.far_y;
+            V far_z = _o364.far_z;
+            V far_vx = _o364.far_vx;
+            V far_vy = _o364.far_vy;
+            V far_vz = _o364.far_vz;
+            V far_wx = _o364.far_wx;
+            V far_wy = _o364.far_wy;
+            V far_wz = _o364.far_wz;
+            const LANES(court_passing_from_out) _o365 =
+                LANES(court_passing_from)(z);
+            M over = _o365.over;
+            const LANES(court_alone_out) _o366 =
+                LANES(court_alone)();
+            V berth = _o366.nearest;
+            const LANES(court_leaps_out) _o367 =
+                LANES(court_leaps)(stride);
+            V forth = _o367.forth;
+            V back = _o367.back;
+            const LANES(court_backboard_around_out) _o368 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o368.gap;
+            nearing = _o368.nearing;
+            const LANES(court_cleared_out) _o369 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o369.berth;
+            const LANES(court_bridge_around_out) _o370 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o370.gap;
+            nearing = _o370.nearing;
+            const LANES(court_cleared_out) _o371 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o371.berth;
+            const LANES(court_end_around_out) _o372 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o372.gap;
+            nearing = _o372.nearing;
+            const LANES(court_cleared_out) _o373 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o373.berth;
+            const LANES(court_ring_round_moved_out) _o374 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            far_x = _o369.x;
-            far_y = _o369.y;
-            far_z = _o369.z;
-            far_vx = _o369.vx;
-            far_vy = _o369.vy;
-            far_vz = _o369.vz;
-            far_wx = _o369.wx;
-            far_wy = _o369.wy;
-            far_wz = _o369.wz;
-            const LANES(court_compared_out) _o370 =
+            x = _o374.x;
+            y = _o374.y;
+            z = _o374.z;
+            vx = _o374.vx;
+            vy = _o374.vy;
+            vz = _o374.vz;
+            wx = _o374.wx;
+            wy = _o374.wy;
+            wz = _o374.wz;
+            V climb = _o374.climb;
+            const LANES(court_passing_in_contact_out) _o375 =
+                LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
+            through = _o375.through;
+            const LANES(court_backboard_around_out) _o376 =
+                LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
+            gap = _o376.gap;
+            nearing = _o376.nearing;
+            const LANES(court_cleared_out) _o377 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o377.berth;
+            const LANES(court_bridge_around_out) _o378 =
+                LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            gap = _o378.gap;
+            nearing = _o378.nearing;
+            const LANES(court_cleared_out) _o379 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o379.berth;
+            const LANES(court_end_around_out) _o380 =
+                LANES(court_end_around)(p_end_depth, vz, z);
+            gap = _o380.gap;
+            nearing = _o380.nearing;
+            const LANES(court_cleared_out) _o381 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o381.berth;
+            const LANES(court_ring_swung_out) _o382 =
+                LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, p_gravity, position_error, stride, sway, velocity_error, which, p_wire_radius);
+            circled = _o382.circled;
+            M endless = _o382.endless;
+            doubt = _o382.doubt;
+            const LANES(court_for_ever_out) _o383 =
+                LANES(court_for_ever)(endless, which);
+            which = _o383.which;
+            const LANES(court_ring_round_start_out) _o384 =
+                LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, far_vx, far_vy, far_vz, p_wire_radius, far_wx, far_wy, far_wz, far_x, far_y, far_z);
+            cosine_0 = _o384.cosine_0;
+            sine_0 = _o384.sine_0;
+            climb_0 = _o384.climb_0;
+            along_0 = _o384.along_0;
+            turn_rate_0 = _o384.turn_rate_0;
+            cos_0 = _o384.cos_0;
+            sin_0 = _o384.sin_0;
+            near_0 = _o384.near_0;
+            const LANES(court_ring_round_0_out) _o385 =
+                LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
+            omega_0 = _o385.omega_0;
+            around_0 = _o385.around_0;
+            tilted_0 = _o385.tilted_0;
+            pressed_0 = _o385.pressed_0;
+            cosine_1 = _o385.cosine_1;
+            sine_1 = _o385.sine_1;
+            climb_1 = _o385.climb_1;
+            along_1 = _o385.along_1;
+            turn_rate_1 = _o385.turn_rate_1;
+            cos_1 = _o385.cos_1;
+            sin_1 = _o385.sin_1;
+            const LANES(court_ring_round_1_out) _o386 =
+                LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
+            near_1 = _o386.near_1;
+            omega_1 = _o386.omega_1;
+            around_1 = _o386.around_1;
+            tilted_1 = _o386.tilted_1;
+            pressed_1 = _o386.pressed_1;
+            cosine_2 = _o386.cosine_2;
+            sine_2 = _o386.sine_2;
+            climb_2 = _o386.climb_2;
+            along_2 = _o386.along_2;
+            turn_rate_2 = _o386.turn_rate_2;
+            cos_2 = _o386.cos_2;
+            sin_2 = _o386.sin_2;
+            const LANES(court_ring_round_2_out) _o387 =
+                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
+            near_2 = _o387.near_2;
+            omega_2 = _o387.omega_2;
+            around_2 = _o387.around_2;
+            tilted_2 = _o387.tilted_2;
+            pressed_2 = _o387.pressed_2;
+            cosine_3 = _o387.cosine_3;
+            sine_3 = _o387.sine_3;
+            climb_3 = _o387.climb_3;
+            along_3 = _o387.along_3;
+            turn_rate_3 = _o387.turn_rate_3;
+            cos_3 = _o387.cos_3;
+            sin_3 = _o387.sin_3;
+            const LANES(court_ring_round_3_out) _o388 =
+                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
+            near_3 = _o388.near_3;
+            omega_3 = _o388.omega_3;
+            around_3 = _o388.around_3;
+            tilted_3 = _o388.tilted_3;
+            pressed_3 = _o388.pressed_3;
+            cosine_4 = _o388.cosine_4;
+            sine_4 = _o388.sine_4;
+            climb_4 = _o388.climb_4;
+            along_4 = _o388.along_4;
+            turn_rate_4 = _o388.turn_rate_4;
+            cos_4 = _o388.cos_4;
+            sin_4 = _o388.sin_4;
+            const LANES(court_ring_round_4_out) _o389 =
+                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
+            near_4 = _o389.near_4;
+            omega_4 = _o389.omega_4;
+            around_4 = _o389.around_4;
+            tilted_4 = _o389.tilted_4;
+            pressed_4 = _o389.pressed_4;
+            cosine_5 = _o389.cosine_5;
+            sine_5 = _o389.sine_5;
+            climb_5 = _o389.climb_5;
+            along_5 = _o389.along_5;
+            turn_rate_5 = _o389.turn_rate_5;
+            cos_5 = _o389.cos_5;
+            sin_5 = _o389.sin_5;
+            const LANES(court_ring_round_5_out) _o390 =
+                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
+            near_5 = _o390.near_5;
+            omega_5 = _o390.omega_5;
+            around_5 = _o390.around_5;
+            tilted_5 = _o390.tilted_5;
+            pressed_5 = _o390.pressed_5;
+            cosine_6 = _o390.cosine_6;
+            sine_6 = _o390.sine_6;
+            climb_6 = _o390.climb_6;
+            along_6 = _o390.along_6;
+            turn_rate_6 = _o390.turn_rate_6;
+            cos_6 = _o390.cos_6;
+            sin_6 = _o390.sin_6;
+            const LANES(court_ring_round_6_out) _o391 =
+                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
+            near_6 = _o391.near_6;
+            omega_6 = _o391.omega_6;
+            around_6 = _o391.around_6;
+            tilted_6 = _o391.tilted_6;
+            pressed_6 = _o391.pressed_6;
+            cosine_7 = _o391.cosine_7;
+            sine_7 = _o391.sine_7;
+            climb_7 = _o391.climb_7;
+            along_7 = _o391.along_7;
+            turn_rate_7 = _o391.turn_rate_7;
+            cos_7 = _o391.cos_7;
+            sin_7 = _o391.sin_7;
+            const LANES(court_ring_round_7_out) _o392 =
+                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
+            near_7 = _o392.near_7;
+            omega_7 = _o392.omega_7;
+            around_7 = _o392.around_7;
+            tilted_7 = _o392.tilted_7;
+            pressed_7 = _o392.pressed_7;
+            cosine_8 = _o392.cosine_8;
+            sine_8 = _o392.sine_8;
+            climb_8 = _o392.climb_8;
+            along_8 = _o392.along_8;
+            turn_rate_8 = _o392.turn_rate_8;
+            cos_8 = _o392.cos_8;
+            sin_8 = _o392.sin_8;
+            const LANES(court_ring_round_8_out) _o393 =
+                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
+            near_8 = _o393.near_8;
+            omega_8 = _o393.omega_8;
+            around_8 = _o393.around_8;
+            tilted_8 = _o393.tilted_8;
+            pressed_8 = _o393.pressed_8;
+            cosine_9 = _o393.cosine_9;
+            sine_9 = _o393.sine_9;
+            climb_9 = _o393.climb_9;
+            along_9 = _o393.along_9;
+            turn_rate_9 = _o393.turn_rate_9;
+            cos_9 = _o393.cos_9;
+            sin_9 = _o393.sin_9;
+            const LANES(court_ring_round_9_out) _o394 =
+                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            near_9 = _o394.near_9;
+            omega_9 = _o394.omega_9;
+            around_9 = _o394.around_9;
+            tilted_9 = _o394.tilted_9;
+            pressed_9 = _o394.pressed_9;
+            cosine_10 = _o394.cosine_10;
+            sine_10 = _o394.sine_10;
+            climb_10 = _o394.climb_10;
+            along_10 = _o394.along_10;
+            turn_rate_10 = _o394.turn_rate_10;
+            cos_10 = _o394.cos_10;
+            sin_10 = _o394.sin_10;
+            const LANES(court_ring_round_10_out) _o395 =
+                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            near_10 = _o395.near_10;
+            omega_10 = _o395.omega_10;
+            around_10 = _o395.around_10;
+            tilted_10 = _o395.tilted_10;
+            pressed_10 = _o395.pressed_10;
+            cosine_11 = _o395.cosine_11;
+            sine_11 = _o395.sine_11;
+            climb_11 = _o395.climb_11;
+            along_11 = _o395.along_11;
+            turn_rate_11 = _o395.turn_rate_11;
+            cos_11 = _o395.cos_11;
+            sin_11 = _o395.sin_11;
+            const LANES(court_ring_round_11_out) _o396 =
+                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            cosine_12 = _o396.cosine_12;
+            sine_12 = _o396.sine_12;
+            climb_12 = _o396.climb_12;
+            along_12 = _o396.along_12;
+            turn_rate_12 = _o396.turn_rate_12;
+            cos_12 = _o396.cos_12;
+            sin_12 = _o396.sin_12;
+            const LANES(court_ring_round_moved_out) _o397 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
+            far_x = _o397.x;
+            far_y = _o397.y;
+            far_z = _o397.z;
+            far_vx = _o397.vx;
+            far_vy = _o397.vy;
+            far_vz = _o397.vz;
+            far_wx = _o397.wx;
+            far_wy = _o397.wy;
+            far_wz = _o397.wz;
+            const LANES(court_compared_out) _o398 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o370.dx;
-            dy = _o370.dy;
-            dz = _o370.dz;
-            dvx = _o370.dvx;
-            dvy = _o370.dvy;
-            dvz = _o370.dvz;
-            dwx = _o370.dwx;
-            dwy = _o370.dwy;
-            dwz = _o370.dwz;
-            const LANES(court_rolled_on_out) _o371 =
+            dx = _o398.dx;
+            dy = _o398.dy;
+            dz = _o398.dz;
+            dvx = _o398.dvx;
+            dvy = _o398.dvy;
+            dvz = _o398.dvz;
+            dwx = _o398.dwx;
+            dwy = _o398.dwy;
+            dwz = _o398.dwz;
+            const LANES(court_rolled_on_out) _o399 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o371.clock;
-            circling = _o371.rolling;
+            clock = _o399.clock;
+            circling = _o399.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -7830,6 +8718,8 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         }
     }
     }
+    {
+    size_t kept_leaves_shots = 0;
     for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(kept_shots - i);
         M circling = lanes_less(K(0.0), lanes_load(lists->kept_circling + i));
@@ -7860,251 +8750,371 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         const V p_ring_radius = lanes_load(varying ? lists->kept_p_ring_radius + i : lists->p_ring_radius);
         const V p_wire_radius = lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius);
         V per_reach = lanes_load(lists->kept_per_reach + i);
-        V position_error = lanes_load(lists->kept_position_error + i);
         M rolling = lanes_less(K(0.0), lanes_load(lists->kept_rolling + i));
         V snap = lanes_load(lists->kept_snap + i);
         V surge = lanes_load(lists->kept_surge + i);
-        V velocity_error = lanes_load(lists->kept_velocity_error + i);
         V vx = lanes_load(lists->kept_vx + i);
         V vy = lanes_load(lists->kept_vy + i);
         V vz = lanes_load(lists->kept_vz + i);
-        V when = lanes_load(lists->kept_when + i);
-        V which = lanes_load(lists->kept_which + i);
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o372 =
+        const LANES(court_rejoined_out) _o400 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o372.rolling;
-        const M _m373 = lanes_both(rows, leaves);
-        if (lanes_any(_m373)) {
-            const LANES(court_error_bounds_out) _o374 =
-                LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_error = lanes_select(_m373, _o374.position_error, position_error);
-            velocity_error = lanes_select(_m373, _o374.velocity_error, velocity_error);
-            const LANES(court_holding_out) _o375 =
-                LANES(court_holding)(held, K(0.0));
-            M here = _o375.here;
-            const M _m376 = lanes_both(_m373, here);
-            if (lanes_any(_m376)) {
-                const LANES(court_ring_tube_out) _o377 =
-                    LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-                per_reach = lanes_select(_m376, _o377.per_reach, per_reach);
-                const LANES(court_ring_parting_out) _o378 =
-                    LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m376, _o378.lift, lift);
-                surge = lanes_select(_m376, _o378.surge, surge);
-                snap = lanes_select(_m376, _o378.snap, snap);
-            }
-            const LANES(court_holding_out) _o379 =
-                LANES(court_holding)(held, K(1.0));
-            here = _o379.here;
-            const M _m380 = lanes_both(_m373, here);
-            if (lanes_any(_m380)) {
-                const LANES(court_backboard_tube_out) _o381 =
-                    LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                per_reach = lanes_select(_m380, _o381.per_reach, per_reach);
-                const LANES(court_backboard_parting_out) _o382 =
-                    LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                lift = lanes_select(_m380, _o382.lift, lift);
-                surge = lanes_select(_m380, _o382.surge, surge);
-                snap = lanes_select(_m380, _o382.snap, snap);
-            }
-            const LANES(court_holding_out) _o383 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o383.here;
-            const M _m384 = lanes_both(_m373, here);
-            if (lanes_any(_m384)) {
-                const LANES(court_bridge_tube_out) _o385 =
-                    LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                per_reach = lanes_select(_m384, _o385.per_reach, per_reach);
-                const LANES(court_bridge_parting_out) _o386 =
-                    LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                lift = lanes_select(_m384, _o386.lift, lift);
-                surge = lanes_select(_m384, _o386.surge, surge);
-                snap = lanes_select(_m384, _o386.snap, snap);
-            }
-            const LANES(court_unmet_out) _o387 =
-                LANES(court_unmet)();
-            V spare = _o387.spare;
-            const LANES(court_beside_out) _o388 =
-                LANES(court_beside)(held, K(0.0));
-            M beside = _o388.beside;
-            const M _m389 = lanes_both(_m373, beside);
-            if (lanes_any(_m389)) {
-                const LANES(court_ring_beside_out) _o390 =
-                    LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o390.gap;
-                V nearing = _o390.nearing;
-                V dent = _o390.dent;
-                const LANES(court_spared_out) _o391 =
-                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-                spare = lanes_select(_m389, _o391.spare, spare);
-            }
-            const LANES(court_beside_out) _o392 =
-                LANES(court_beside)(held, K(1.0));
-            beside = _o392.beside;
-            const M _m393 = lanes_both(_m373, beside);
-            if (lanes_any(_m393)) {
-                const LANES(court_backboard_beside_out) _o394 =
-                    LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o394.gap;
-                V nearing = _o394.nearing;
-                V dent = _o394.dent;
-                const LANES(court_spared_out) _o395 =
-                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-                spare = lanes_select(_m393, _o395.spare, spare);
-            }
-            const LANES(court_beside_out) _o396 =
-                LANES(court_beside)(held, K(2.0));
-            beside = _o396.beside;
-            const M _m397 = lanes_both(_m373, beside);
-            if (lanes_any(_m397)) {
-                const LANES(court_bridge_beside_out) _o398 =
-                    LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o398.gap;
-                V nearing = _o398.nearing;
-                V dent = _o398.dent;
-                const LANES(court_spared_out) _o399 =
-                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-                spare = lanes_select(_m397, _o399.spare, spare);
-            }
-            const LANES(court_beside_out) _o400 =
-                LANES(court_beside)(held, K(3.0));
-            beside = _o400.beside;
-            const M _m401 = lanes_both(_m373, beside);
-            if (lanes_any(_m401)) {
-                const LANES(court_end_beside_out) _o402 =
-                    LANES(court_end_beside)(p_end_depth, vz, z);
-                V gap = _o402.gap;
-                V nearing = _o402.nearing;
-                V dent = _o402.dent;
-                const LANES(court_spared_out) _o403 =
-                    LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-                spare = lanes_select(_m401, _o403.spare, spare);
-            }
-            const LANES(court_holding_out) _o404 =
-                LANES(court_holding)(held, K(1.0));
-            here = _o404.here;
-            const M _m405 = lanes_both(_m373, here);
-            if (lanes_any(_m405)) {
-                const LANES(court_backboard_seam0_out) _o406 =
-                    LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                V gap = _o406.gap;
-                V nearing = _o406.nearing;
-                V near = _o406.near;
-                const LANES(court_spared_seam_out) _o407 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m405, _o407.spare, spare);
-                const LANES(court_backboard_seam1_out) _o408 =
-                    LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = _o408.gap;
-                nearing = _o408.nearing;
-                near = _o408.near;
-                const LANES(court_spared_seam_out) _o409 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m405, _o409.spare, spare);
-                const LANES(court_backboard_seam2_out) _o410 =
-                    LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = _o410.gap;
-                nearing = _o410.nearing;
-                near = _o410.near;
-                const LANES(court_spared_seam_out) _o411 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m405, _o411.spare, spare);
-                const LANES(court_backboard_seam3_out) _o412 =
-                    LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = _o412.gap;
-                nearing = _o412.nearing;
-                near = _o412.near;
-                const LANES(court_spared_seam_out) _o413 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m405, _o413.spare, spare);
-                const LANES(court_backboard_seam4_out) _o414 =
-                    LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = _o414.gap;
-                nearing = _o414.nearing;
-                near = _o414.near;
-                const LANES(court_spared_seam_out) _o415 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m405, _o415.spare, spare);
-                const LANES(court_backboard_seam5_out) _o416 =
-                    LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = _o416.gap;
-                nearing = _o416.nearing;
-                near = _o416.near;
-                const LANES(court_spared_seam_out) _o417 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m405, _o417.spare, spare);
-            }
-            const LANES(court_holding_out) _o418 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o418.here;
-            const M _m419 = lanes_both(_m373, here);
-            if (lanes_any(_m419)) {
-                const LANES(court_bridge_seam0_out) _o420 =
-                    LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                V gap = _o420.gap;
-                V nearing = _o420.nearing;
-                V near = _o420.near;
-                const LANES(court_spared_seam_out) _o421 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m419, _o421.spare, spare);
-                const LANES(court_bridge_seam1_out) _o422 =
-                    LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = _o422.gap;
-                nearing = _o422.nearing;
-                near = _o422.near;
-                const LANES(court_spared_seam_out) _o423 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m419, _o423.spare, spare);
-                const LANES(court_bridge_seam2_out) _o424 =
-                    LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = _o424.gap;
-                nearing = _o424.nearing;
-                near = _o424.near;
-                const LANES(court_spared_seam_out) _o425 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m419, _o425.spare, spare);
-                const LANES(court_bridge_seam3_out) _o426 =
-                    LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = _o426.gap;
-                nearing = _o426.nearing;
-                near = _o426.near;
-                const LANES(court_spared_seam_out) _o427 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m419, _o427.spare, spare);
-                const LANES(court_bridge_seam4_out) _o428 =
-                    LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = _o428.gap;
-                nearing = _o428.nearing;
-                near = _o428.near;
-                const LANES(court_spared_seam_out) _o429 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m419, _o429.spare, spare);
-                const LANES(court_bridge_seam5_out) _o430 =
-                    LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = _o430.gap;
-                nearing = _o430.nearing;
-                near = _o430.near;
-                const LANES(court_spared_seam_out) _o431 =
-                    LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-                spare = lanes_select(_m419, _o431.spare, spare);
-            }
-            const LANES(court_parted_out) _o432 =
-                LANES(court_parted)(doubt, p_gravity, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz);
-            when = lanes_select(_m373, _o432.when, when);
-            doubt = lanes_select(_m373, _o432.doubt, doubt);
-            const LANES(court_hopping_out) _o433 =
-                LANES(court_hopping)();
-            which = lanes_select(_m373, _o433.which, which);
-        }
-        lanes_store(lists->kept_doubt + i, doubt);
-        lanes_store(lists->kept_position_error + i, position_error);
+        rolling = _o400.rolling;
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
-        lanes_store(lists->kept_velocity_error + i, velocity_error);
-        lanes_store(lists->kept_when + i, when);
-        lanes_store(lists->kept_which + i, which);
+        const M packed = lanes_both(rows, leaves);
+        if (lanes_any(packed)) {
+            lanes_pack(lists->kept_leaves_row + kept_leaves_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+            lanes_pack(lists->kept_leaves_clock_error + kept_leaves_shots, packed, clock_error);
+            lanes_pack(lists->kept_leaves_doubt + kept_leaves_shots, packed, doubt);
+            lanes_pack(lists->kept_leaves_dvx + kept_leaves_shots, packed, dvx);
+            lanes_pack(lists->kept_leaves_dvy + kept_leaves_shots, packed, dvy);
+            lanes_pack(lists->kept_leaves_dvz + kept_leaves_shots, packed, dvz);
+            lanes_pack(lists->kept_leaves_dwx + kept_leaves_shots, packed, dwx);
+            lanes_pack(lists->kept_leaves_dwy + kept_leaves_shots, packed, dwy);
+            lanes_pack(lists->kept_leaves_dwz + kept_leaves_shots, packed, dwz);
+            lanes_pack(lists->kept_leaves_dx + kept_leaves_shots, packed, dx);
+            lanes_pack(lists->kept_leaves_dy + kept_leaves_shots, packed, dy);
+            lanes_pack(lists->kept_leaves_dz + kept_leaves_shots, packed, dz);
+            lanes_pack(lists->kept_leaves_held + kept_leaves_shots, packed, held);
+            lanes_pack(lists->kept_leaves_lift + kept_leaves_shots, packed, lift);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_ball_radius + kept_leaves_shots, packed, p_ball_radius);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_board_bottom + kept_leaves_shots, packed, p_board_bottom);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_board_distance + kept_leaves_shots, packed, p_board_distance);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_board_half_width + kept_leaves_shots, packed, p_board_half_width);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_board_thickness + kept_leaves_shots, packed, p_board_thickness);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_board_top + kept_leaves_shots, packed, p_board_top);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_bridge_depth + kept_leaves_shots, packed, p_bridge_depth);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_bridge_half_width + kept_leaves_shots, packed, p_bridge_half_width);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_end_depth + kept_leaves_shots, packed, p_end_depth);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_gravity + kept_leaves_shots, packed, p_gravity);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_ring_radius + kept_leaves_shots, packed, p_ring_radius);
+            if (varying)
+                lanes_pack(lists->kept_leaves_p_wire_radius + kept_leaves_shots, packed, p_wire_radius);
+            lanes_pack(lists->kept_leaves_per_reach + kept_leaves_shots, packed, per_reach);
+            lanes_pack(lists->kept_leaves_snap + kept_leaves_shots, packed, snap);
+            lanes_pack(lists->kept_leaves_surge + kept_leaves_shots, packed, surge);
+            lanes_pack(lists->kept_leaves_vx + kept_leaves_shots, packed, vx);
+            lanes_pack(lists->kept_leaves_vy + kept_leaves_shots, packed, vy);
+            lanes_pack(lists->kept_leaves_vz + kept_leaves_shots, packed, vz);
+            lanes_pack(lists->kept_leaves_x + kept_leaves_shots, packed, x);
+            lanes_pack(lists->kept_leaves_y + kept_leaves_shots, packed, y);
+            lanes_pack(lists->kept_leaves_z + kept_leaves_shots, packed, z);
+            kept_leaves_shots += lanes_many(packed);
+        }
+    }
+    if (kept_leaves_shots)
+        LANES(court_bounded_leaves)(lists, kept_leaves_shots, varying);
+    for (size_t k = 0; k < kept_leaves_shots; k++) {
+        const size_t row = (size_t)lists->kept_leaves_row[k];
+        lists->kept_doubt[row] = lists->kept_leaves_doubt[k];
+        lists->kept_position_error[row] = lists->kept_leaves_position_error[k];
+        lists->kept_velocity_error[row] = lists->kept_leaves_velocity_error[k];
+        lists->kept_when[row] = lists->kept_leaves_when[k];
+        lists->kept_which[row] = lists->kept_leaves_which[k];
+    }
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(court_bounded_slow)(LANES(court_bounded_lists) *lists, size_t slow_shots, size_t varying)
+{
+    for (size_t i = 0; i < slow_shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(slow_shots - i);
+        V assured = lanes_load(lists->slow_assured + i);
+        V held = lanes_load(lists->slow_held + i);
+        V mode = lanes_load(lists->slow_mode + i);
+        V outcome = lanes_load(lists->slow_outcome + i);
+        const V p_backboard_friction = lanes_load(varying ? lists->slow_p_backboard_friction + i : lists->p_backboard_friction);
+        const V p_backboard_restitution = lanes_load(varying ? lists->slow_p_backboard_restitution + i : lists->p_backboard_restitution);
+        const V p_ball_radius = lanes_load(varying ? lists->slow_p_ball_radius + i : lists->p_ball_radius);
+        const V p_board_bottom = lanes_load(varying ? lists->slow_p_board_bottom + i : lists->p_board_bottom);
+        const V p_board_distance = lanes_load(varying ? lists->slow_p_board_distance + i : lists->p_board_distance);
+        const V p_board_half_width = lanes_load(varying ? lists->slow_p_board_half_width + i : lists->p_board_half_width);
+        const V p_board_thickness = lanes_load(varying ? lists->slow_p_board_thickness + i : lists->p_board_thickness);
+        const V p_board_top = lanes_load(varying ? lists->slow_p_board_top + i : lists->p_board_top);
+        const V p_bridge_depth = lanes_load(varying ? lists->slow_p_bridge_depth + i : lists->p_bridge_depth);
+        const V p_bridge_friction = lanes_load(varying ? lists->slow_p_bridge_friction + i : lists->p_bridge_friction);
+        const V p_bridge_half_width = lanes_load(varying ? lists->slow_p_bridge_half_width + i : lists->p_bridge_half_width);
+        const V p_bridge_restitution = lanes_load(varying ? lists->slow_p_bridge_restitution + i : lists->p_bridge_restitution);
+        const V p_end_depth = lanes_load(varying ? lists->slow_p_end_depth + i : lists->p_end_depth);
+        const V p_gravity = lanes_load(varying ? lists->slow_p_gravity + i : lists->p_gravity);
+        const V p_ring_friction = lanes_load(varying ? lists->slow_p_ring_friction + i : lists->p_ring_friction);
+        const V p_ring_radius = lanes_load(varying ? lists->slow_p_ring_radius + i : lists->p_ring_radius);
+        const V p_ring_restitution = lanes_load(varying ? lists->slow_p_ring_restitution + i : lists->p_ring_restitution);
+        const V p_wire_radius = lanes_load(varying ? lists->slow_p_wire_radius + i : lists->p_wire_radius);
+        V slip_left = lanes_load(lists->slow_slip_left + i);
+        V uncertain = lanes_load(lists->slow_uncertain + i);
+        V velocity_error = lanes_load(lists->slow_velocity_error + i);
+        V vx = lanes_load(lists->slow_vx + i);
+        V vy = lanes_load(lists->slow_vy + i);
+        V vz = lanes_load(lists->slow_vz + i);
+        V which = lanes_load(lists->slow_which + i);
+        V wx = lanes_load(lists->slow_wx + i);
+        V wy = lanes_load(lists->slow_wy + i);
+        V wz = lanes_load(lists->slow_wz + i);
+        V x = lanes_load(lists->slow_x + i);
+        V y = lanes_load(lists->slow_y + i);
+        V z = lanes_load(lists->slow_z + i);
+        const LANES(court_ring_normal_out) _o545 =
+            LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+        V nx = _o545.nx;
+        V ny = _o545.ny;
+        V nz = _o545.nz;
+        const LANES(court_here_out) _o546 =
+            LANES(court_here)(K(1.0), which);
+        M here = _o546.here;
+        const M _m547 = lanes_both(rows, here);
+        {
+            const LANES(court_backboard_normal_out) _o548 =
+                LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+            nx = lanes_select(_m547, _o548.nx, nx);
+            ny = lanes_select(_m547, _o548.ny, ny);
+            nz = lanes_select(_m547, _o548.nz, nz);
+        }
+        const LANES(court_here_out) _o549 =
+            LANES(court_here)(K(2.0), which);
+        here = _o549.here;
+        const M _m550 = lanes_both(rows, here);
+        {
+            const LANES(court_bridge_normal_out) _o551 =
+                LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+            nx = lanes_select(_m550, _o551.nx, nx);
+            ny = lanes_select(_m550, _o551.ny, ny);
+            nz = lanes_select(_m550, _o551.nz, nz);
+        }
+        const LANES(court_nearly_out) _o552 =
+            LANES(court_nearly)(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+        M nearly = _o552.nearly;
+        const LANES(court_gripped_out) _o553 =
+            LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+        V rolled_x = _o553.rolled_x;
+        V rolled_y = _o553.rolled_y;
+        V rolled_z = _o553.rolled_z;
+        V slip = _o553.slip;
+        V bounce = _o553.bounce;
+        const LANES(court_here_out) _o554 =
+            LANES(court_here)(K(0.0), which);
+        here = _o554.here;
+        const M _m555 = lanes_both(rows, here);
+        if (lanes_any(_m555)) {
+            const LANES(court_ring_turning_out) _o556 =
+                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
+            V turning_x = _o556.turning_x;
+            V turning_y = _o556.turning_y;
+            V turning_z = _o556.turning_z;
+            const LANES(court_pressed_on_out) _o557 =
+                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+            V press = _o557.press;
+            V weight = _o557.weight;
+            V drag = _o557.drag;
+            V thrust_x = _o557.thrust_x;
+            V thrust_y = _o557.thrust_y;
+            V thrust_z = _o557.thrust_z;
+            const LANES(court_alone_out) _o558 =
+                LANES(court_alone)();
+            V nearest = _o558.nearest;
+            V wedge = _o558.wedge;
+            const LANES(court_backboard_closing_out) _o559 =
+                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+            V gap = _o559.gap;
+            V nearing = _o559.nearing;
+            V swerve = _o559.swerve;
+            V facing = _o559.facing;
+            const LANES(court_neared_body_out) _o560 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o560.nearest;
+            wedge = _o560.wedge;
+            const LANES(court_bridge_closing_out) _o561 =
+                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            gap = _o561.gap;
+            nearing = _o561.nearing;
+            swerve = _o561.swerve;
+            facing = _o561.facing;
+            const LANES(court_neared_body_out) _o562 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o562.nearest;
+            wedge = _o562.wedge;
+            const LANES(court_end_beside_out) _o563 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o563.gap;
+            const LANES(court_neared_out) _o564 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o564.nearest;
+            const LANES(court_ring_parting_out) _o565 =
+                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
+            V lift = _o565.lift;
+            const LANES(court_ring_impact_settling_out) _o566 =
+                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+            M settles = _o566.settles;
+            M lodges = _o566.lodges;
+            M slides = _o566.slides;
+            M parts = _o566.parts;
+            assured = lanes_select(_m555, _o566.assured, assured);
+            M unsure = _o566.unsure;
+            const LANES(court_settled_out) _o567 =
+                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+            mode = lanes_select(_m555, _o567.mode, mode);
+            held = lanes_select(_m555, _o567.held, held);
+            outcome = lanes_select(_m555, _o567.outcome, outcome);
+            slip_left = lanes_select(_m555, _o567.slip_left, slip_left);
+            uncertain = lanes_select(_m555, _o567.uncertain, uncertain);
+        }
+        const LANES(court_here_out) _o568 =
+            LANES(court_here)(K(1.0), which);
+        here = _o568.here;
+        const M _m569 = lanes_both(rows, here);
+        if (lanes_any(_m569)) {
+            const LANES(court_backboard_turning_out) _o570 =
+                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
+            V turning_x = _o570.turning_x;
+            V turning_y = _o570.turning_y;
+            V turning_z = _o570.turning_z;
+            const LANES(court_pressed_on_out) _o571 =
+                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+            V press = _o571.press;
+            V weight = _o571.weight;
+            V drag = _o571.drag;
+            V thrust_x = _o571.thrust_x;
+            V thrust_y = _o571.thrust_y;
+            V thrust_z = _o571.thrust_z;
+            const LANES(court_alone_out) _o572 =
+                LANES(court_alone)();
+            V nearest = _o572.nearest;
+            V wedge = _o572.wedge;
+            const LANES(court_ring_closing_out) _o573 =
+                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            V gap = _o573.gap;
+            V nearing = _o573.nearing;
+            V swerve = _o573.swerve;
+            V facing = _o573.facing;
+            const LANES(court_neared_body_out) _o574 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o574.nearest;
+            wedge = _o574.wedge;
+            const LANES(court_bridge_closing_out) _o575 =
+                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            gap = _o575.gap;
+            nearing = _o575.nearing;
+            swerve = _o575.swerve;
+            facing = _o575.facing;
+            const LANES(court_neared_body_out) _o576 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o576.nearest;
+            wedge = _o576.wedge;
+            const LANES(court_end_beside_out) _o577 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o577.gap;
+            const LANES(court_neared_out) _o578 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o578.nearest;
+            const LANES(court_backboard_parting_out) _o579 =
+                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
+            V lift = _o579.lift;
+            const LANES(court_ring_impact_settling_out) _o580 =
+                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+            M settles = _o580.settles;
+            M lodges = _o580.lodges;
+            M slides = _o580.slides;
+            M parts = _o580.parts;
+            assured = lanes_select(_m569, _o580.assured, assured);
+            M unsure = _o580.unsure;
+            const LANES(court_settled_out) _o581 =
+                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+            mode = lanes_select(_m569, _o581.mode, mode);
+            held = lanes_select(_m569, _o581.held, held);
+            outcome = lanes_select(_m569, _o581.outcome, outcome);
+            slip_left = lanes_select(_m569, _o581.slip_left, slip_left);
+            uncertain = lanes_select(_m569, _o581.uncertain, uncertain);
+        }
+        const LANES(court_here_out) _o582 =
+            LANES(court_here)(K(2.0), which);
+        here = _o582.here;
+        const M _m583 = lanes_both(rows, here);
+        if (lanes_any(_m583)) {
+            const LANES(court_bridge_turning_out) _o584 =
+                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
+            V turning_x = _o584.turning_x;
+            V turning_y = _o584.turning_y;
+            V turning_z = _o584.turning_z;
+            const LANES(court_pressed_on_out) _o585 =
+                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
+            V press = _o585.press;
+            V weight = _o585.weight;
+            V drag = _o585.drag;
+            V thrust_x = _o585.thrust_x;
+            V thrust_y = _o585.thrust_y;
+            V thrust_z = _o585.thrust_z;
+            const LANES(court_alone_out) _o586 =
+                LANES(court_alone)();
+            V nearest = _o586.nearest;
+            V wedge = _o586.wedge;
+            const LANES(court_ring_closing_out) _o587 =
+                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
+            V gap = _o587.gap;
+            V nearing = _o587.nearing;
+            V swerve = _o587.swerve;
+            V facing = _o587.facing;
+            const LANES(court_neared_body_out) _o588 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o588.nearest;
+            wedge = _o588.wedge;
+            const LANES(court_backboard_closing_out) _o589 =
+                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
+            gap = _o589.gap;
+            nearing = _o589.nearing;
+            swerve = _o589.swerve;
+            facing = _o589.facing;
+            const LANES(court_neared_body_out) _o590 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
+            nearest = _o590.nearest;
+            wedge = _o590.wedge;
+            const LANES(court_end_beside_out) _o591 =
+                LANES(court_end_beside)(p_end_depth, vz, z);
+            gap = _o591.gap;
+            const LANES(court_neared_out) _o592 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o592.nearest;
+            const LANES(court_bridge_parting_out) _o593 =
+                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
+            V lift = _o593.lift;
+            const LANES(court_ring_impact_settling_out) _o594 =
+                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
+            M settles = _o594.settles;
+            M lodges = _o594.lodges;
+            M slides = _o594.slides;
+            M parts = _o594.parts;
+            assured = lanes_select(_m583, _o594.assured, assured);
+            M unsure = _o594.unsure;
+            const LANES(court_settled_out) _o595 =
+                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+            mode = lanes_select(_m583, _o595.mode, mode);
+            held = lanes_select(_m583, _o595.held, held);
+            outcome = lanes_select(_m583, _o595.outcome, outcome);
+            slip_left = lanes_select(_m583, _o595.slip_left, slip_left);
+            uncertain = lanes_select(_m583, _o595.uncertain, uncertain);
+        }
+        lanes_store(lists->slow_assured + i, assured);
+        lanes_store(lists->slow_held + i, held);
+        lanes_store(lists->slow_mode + i, mode);
+        lanes_store(lists->slow_outcome + i, outcome);
+        lanes_store(lists->slow_slip_left + i, slip_left);
+        lanes_store(lists->slow_uncertain + i, uncertain);
     }
 }
 
@@ -9230,7 +10240,7 @@ static void LANES(court_bounded)(const court_job *job)
         }
         }
         {
-        size_t open_shots = 0;
+        size_t reachable_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V doubt = lanes_load(lists->doubt + i);
@@ -9260,160 +10270,229 @@ static void LANES(court_bounded)(const court_job *job)
                 LANES(court_horizon)(when, speed, p_gravity);
             V until = _o73.horizon;
             V pad = _o73.pad;
-            const LANES(court_backboard_clear_out) _o74 =
-                LANES(court_backboard_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V clear = _o74.clear;
-            const LANES(court_opens_in_flight_out) _o75 =
-                LANES(court_opens_in_flight)(clear, kept);
-            M open = _o75.open;
-            const M packed = lanes_both(rows, open);
+            const LANES(court_halved_out) _o74 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, p_gravity);
+            V middle_x = _o74.middle_x;
+            V reach_x = _o74.reach_x;
+            V later_middle_x = _o74.later_middle_x;
+            V later_reach_x = _o74.later_reach_x;
+            V middle_y = _o74.middle_y;
+            V reach_y = _o74.reach_y;
+            V later_middle_y = _o74.later_middle_y;
+            V later_reach_y = _o74.later_reach_y;
+            V middle_z = _o74.middle_z;
+            V reach_z = _o74.reach_z;
+            V later_middle_z = _o74.later_middle_z;
+            V later_reach_z = _o74.later_reach_z;
+            const LANES(court_backboard_near_out) _o75 =
+                LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+            M reachable = _o75.near;
+            const LANES(court_reachable_in_flight_out) _o76 =
+                LANES(court_reachable_in_flight)(kept, reachable);
+            reachable = _o76.reachable;
+            const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_doubt + open_shots, packed, doubt);
-                lanes_pack(lists->open_extent + open_shots, packed, extent);
-                lanes_pack(lists->open_last + open_shots, packed, last);
-                lanes_pack(lists->open_late + open_shots, packed, late);
+                lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_doubt + reachable_shots, packed, doubt);
+                lanes_pack(lists->reachable_extent + reachable_shots, packed, extent);
+                lanes_pack(lists->reachable_last + reachable_shots, packed, last);
+                lanes_pack(lists->reachable_late + reachable_shots, packed, late);
                 if (varying)
-                    lanes_pack(lists->open_p_ball_radius + open_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_p_ball_radius + reachable_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_p_board_bottom + open_shots, packed, p_board_bottom);
+                    lanes_pack(lists->reachable_p_board_bottom + reachable_shots, packed, p_board_bottom);
                 if (varying)
-                    lanes_pack(lists->open_p_board_distance + open_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_p_board_distance + reachable_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_p_board_half_width + open_shots, packed, p_board_half_width);
+                    lanes_pack(lists->reachable_p_board_half_width + reachable_shots, packed, p_board_half_width);
                 if (varying)
-                    lanes_pack(lists->open_p_board_thickness + open_shots, packed, p_board_thickness);
+                    lanes_pack(lists->reachable_p_board_thickness + reachable_shots, packed, p_board_thickness);
                 if (varying)
-                    lanes_pack(lists->open_p_board_top + open_shots, packed, p_board_top);
+                    lanes_pack(lists->reachable_p_board_top + reachable_shots, packed, p_board_top);
                 if (varying)
-                    lanes_pack(lists->open_p_gravity + open_shots, packed, p_gravity);
-                lanes_pack(lists->open_pad + open_shots, packed, pad);
-                lanes_pack(lists->open_position_error + open_shots, packed, position_error);
-                lanes_pack(lists->open_speed + open_shots, packed, speed);
-                lanes_pack(lists->open_until + open_shots, packed, until);
-                lanes_pack(lists->open_velocity_error + open_shots, packed, velocity_error);
-                lanes_pack(lists->open_vx + open_shots, packed, vx);
-                lanes_pack(lists->open_vy + open_shots, packed, vy);
-                lanes_pack(lists->open_vz + open_shots, packed, vz);
-                lanes_pack(lists->open_when + open_shots, packed, when);
-                lanes_pack(lists->open_which + open_shots, packed, which);
-                lanes_pack(lists->open_x + open_shots, packed, x);
-                lanes_pack(lists->open_y + open_shots, packed, y);
-                lanes_pack(lists->open_z + open_shots, packed, z);
-                open_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_p_gravity + reachable_shots, packed, p_gravity);
+                lanes_pack(lists->reachable_position_error + reachable_shots, packed, position_error);
+                lanes_pack(lists->reachable_speed + reachable_shots, packed, speed);
+                lanes_pack(lists->reachable_velocity_error + reachable_shots, packed, velocity_error);
+                lanes_pack(lists->reachable_vx + reachable_shots, packed, vx);
+                lanes_pack(lists->reachable_vy + reachable_shots, packed, vy);
+                lanes_pack(lists->reachable_vz + reachable_shots, packed, vz);
+                lanes_pack(lists->reachable_when + reachable_shots, packed, when);
+                lanes_pack(lists->reachable_which + reachable_shots, packed, which);
+                lanes_pack(lists->reachable_x + reachable_shots, packed, x);
+                lanes_pack(lists->reachable_y + reachable_shots, packed, y);
+                lanes_pack(lists->reachable_z + reachable_shots, packed, z);
+                reachable_shots += lanes_many(packed);
             }
         }
         {
-        size_t open_searching_shots = 0;
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_shots - i);
-            V doubt = lanes_load(lists->open_doubt + i);
-            V extent = lanes_load(lists->open_extent + i);
-            V last = lanes_load(lists->open_last + i);
-            V late = lanes_load(lists->open_late + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_bottom = lanes_load(varying ? lists->open_p_board_bottom + i : lists->p_board_bottom);
-            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
-            const V p_board_half_width = lanes_load(varying ? lists->open_p_board_half_width + i : lists->p_board_half_width);
-            const V p_board_thickness = lanes_load(varying ? lists->open_p_board_thickness + i : lists->p_board_thickness);
-            const V p_board_top = lanes_load(varying ? lists->open_p_board_top + i : lists->p_board_top);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            V pad = lanes_load(lists->open_pad + i);
-            V position_error = lanes_load(lists->open_position_error + i);
-            V speed = lanes_load(lists->open_speed + i);
-            V until = lanes_load(lists->open_until + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
-            V vx = lanes_load(lists->open_vx + i);
-            V vy = lanes_load(lists->open_vy + i);
-            V vz = lanes_load(lists->open_vz + i);
-            V x = lanes_load(lists->open_x + i);
-            V y = lanes_load(lists->open_y + i);
-            V z = lanes_load(lists->open_z + i);
-            const LANES(court_backboard_prepare_out) _o76 =
+        size_t reachable_searching_shots = 0;
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(reachable_shots - i);
+            V doubt = lanes_load(lists->reachable_doubt + i);
+            V extent = lanes_load(lists->reachable_extent + i);
+            V last = lanes_load(lists->reachable_last + i);
+            V late = lanes_load(lists->reachable_late + i);
+            const V p_ball_radius = lanes_load(varying ? lists->reachable_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_bottom = lanes_load(varying ? lists->reachable_p_board_bottom + i : lists->p_board_bottom);
+            const V p_board_distance = lanes_load(varying ? lists->reachable_p_board_distance + i : lists->p_board_distance);
+            const V p_board_half_width = lanes_load(varying ? lists->reachable_p_board_half_width + i : lists->p_board_half_width);
+            const V p_board_thickness = lanes_load(varying ? lists->reachable_p_board_thickness + i : lists->p_board_thickness);
+            const V p_board_top = lanes_load(varying ? lists->reachable_p_board_top + i : lists->p_board_top);
+            const V p_gravity = lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity);
+            V position_error = lanes_load(lists->reachable_position_error + i);
+            V speed = lanes_load(lists->reachable_speed + i);
+            V velocity_error = lanes_load(lists->reachable_velocity_error + i);
+            V vx = lanes_load(lists->reachable_vx + i);
+            V vy = lanes_load(lists->reachable_vy + i);
+            V vz = lanes_load(lists->reachable_vz + i);
+            V when = lanes_load(lists->reachable_when + i);
+            V x = lanes_load(lists->reachable_x + i);
+            V y = lanes_load(lists->reachable_y + i);
+            V z = lanes_load(lists->reachable_z + i);
+            const LANES(court_horizon_out) _o77 =
+                LANES(court_horizon)(when, speed, p_gravity);
+            V until = _o77.horizon;
+            V pad = _o77.pad;
+            const LANES(court_backboard_prepare_out) _o78 =
                 LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V low0 = _o76.low0;
-            V high0 = _o76.high0;
-            V low1 = _o76.low1;
-            V high1 = _o76.high1;
-            V ceiling = _o76.ceiling;
-            V latest = _o76.latest;
-            V lost = _o76.lost;
-            const LANES(court_beginning_out) _o77 =
+            V low0 = _o78.low0;
+            V high0 = _o78.high0;
+            V low1 = _o78.low1;
+            V high1 = _o78.high1;
+            V ceiling = _o78.ceiling;
+            V latest = _o78.latest;
+            V lost = _o78.lost;
+            const LANES(court_beginning_out) _o79 =
                 LANES(court_beginning)();
-            V share = _o77.share;
-            V arrival = _o77.arrival;
-            M certain = _o77.certain;
-            const LANES(court_allowance_out) _o78 =
+            V share = _o79.share;
+            V arrival = _o79.arrival;
+            M certain = _o79.certain;
+            const LANES(court_allowance_out) _o80 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o78.position_level;
-            V velocity_level = _o78.velocity_level;
-            V excess = _o78.excess;
-            const LANES(court_backboard_margins_out) _o79 =
+            V position_level = _o80.position_level;
+            V velocity_level = _o80.velocity_level;
+            V excess = _o80.excess;
+            const LANES(court_backboard_margins_out) _o81 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o79.margin;
-            V tilt = _o79.leaving_margin;
-            V rate_slack = _o79.rate_margin;
-            const LANES(court_beyond_out) _o80 =
-                LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o80.doubt;
-            const LANES(court_backboard_enter_out) _o81 =
+            V flat = _o81.margin;
+            V tilt = _o81.leaving_margin;
+            V rate_slack = _o81.rate_margin;
+            const LANES(court_backboard_enter_out) _o82 =
                 LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o81.t;
-            V end = _o81.end;
-            M searching = _o81.searching;
-            lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_ceiling + i, ceiling);
-            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
-            lanes_store(lists->open_doubt + i, doubt);
-            lanes_store(lists->open_flat + i, flat);
-            lanes_store(lists->open_latest + i, latest);
-            lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
-            lanes_store(lists->open_t + i, t);
-            lanes_store(lists->open_tilt + i, tilt);
+            V t = _o82.t;
+            V end = _o82.end;
+            M searching = _o82.searching;
+            const LANES(court_beyond_windows_out) _o83 =
+                LANES(court_beyond_windows)(doubt, excess, late, lost, pad, searching);
+            doubt = _o83.doubt;
+            const M _m84 = lanes_both(rows, searching);
+            if (lanes_any(_m84)) {
+                const LANES(court_nearby_out) _o85 =
+                    LANES(court_nearby)(flat, K(1.0), last, t, tilt);
+                V leaving = _o85.leaving;
+                V margin = _o85.margin;
+                const LANES(court_backboard_advance_out) _o86 =
+                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                V gap = _o86.gap;
+                V rate = _o86.rate;
+                V bend = _o86.bend;
+                V step = _o86.step;
+                V next = _o86.next;
+                V clearance = _o86.clearance;
+                const LANES(court_struck_or_still_out) _o87 =
+                    LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
+                M hit = _o87.hit;
+                M sure = _o87.sure;
+                M vague = _o87.vague;
+                const M _m88 = lanes_both(_m84, vague);
+                if (lanes_any(_m88)) {
+                    const LANES(court_finer_out) _o89 =
+                        LANES(court_finer)(share);
+                    share = lanes_select(_m88, _o89.share, share);
+                    const LANES(court_allowance_out) _o90 =
+                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    V position_level = _o90.position_level;
+                    V velocity_level = _o90.velocity_level;
+                    V excess = _o90.excess;
+                    const LANES(court_backboard_margins_out) _o91 =
+                        LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = lanes_select(_m88, _o91.margin, flat);
+                    tilt = lanes_select(_m88, _o91.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m88, _o91.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o92 =
+                        LANES(court_exceeded)(doubt, excess, t);
+                    doubt = lanes_select(_m88, _o92.doubt, doubt);
+                }
+                const LANES(court_advanced_out) _o93 =
+                    LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
+                arrival = lanes_select(_m84, _o93.arrival, arrival);
+                certain = lanes_choose(_m84, _o93.certain, certain);
+                M exhausted = _o93.exhausted;
+                searching = lanes_choose(_m84, _o93.searching, searching);
+                t = lanes_select(_m84, _o93.t, t);
+                const M _m94 = lanes_both(_m84, exhausted);
+                {
+                    const LANES(court_backboard_enter_out) _o95 =
+                        LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
+                    t = lanes_select(_m94, _o95.t, t);
+                    end = lanes_select(_m94, _o95.end, end);
+                    searching = lanes_choose(_m94, _o95.searching, searching);
+                }
+            }
+            lanes_store(lists->reachable_arrival + i, arrival);
+            lanes_store(lists->reachable_ceiling + i, ceiling);
+            lanes_store(lists->reachable_certain + i, lanes_select(certain, K(1.0), K(0.0)));
+            lanes_store(lists->reachable_doubt + i, doubt);
+            lanes_store(lists->reachable_flat + i, flat);
+            lanes_store(lists->reachable_latest + i, latest);
+            lanes_store(lists->reachable_searching + i, lanes_select(searching, K(1.0), K(0.0)));
+            lanes_store(lists->reachable_t + i, t);
+            lanes_store(lists->reachable_tilt + i, tilt);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_searching_arrival + open_searching_shots, packed, arrival);
-                lanes_pack(lists->open_searching_ceiling + open_searching_shots, packed, ceiling);
-                lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_searching_doubt + open_searching_shots, packed, doubt);
-                lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
-                lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
-                lanes_pack(lists->open_searching_flat + open_searching_shots, packed, flat);
-                lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
-                lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
-                lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                lanes_pack(lists->open_searching_latest + open_searching_shots, packed, latest);
-                lanes_pack(lists->open_searching_low0 + open_searching_shots, packed, low0);
-                lanes_pack(lists->open_searching_low1 + open_searching_shots, packed, low1);
+                lanes_pack(lists->reachable_searching_row + reachable_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_searching_arrival + reachable_searching_shots, packed, arrival);
+                lanes_pack(lists->reachable_searching_ceiling + reachable_searching_shots, packed, ceiling);
+                lanes_pack(lists->reachable_searching_certain + reachable_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->reachable_searching_doubt + reachable_searching_shots, packed, doubt);
+                lanes_pack(lists->reachable_searching_end + reachable_searching_shots, packed, end);
+                lanes_pack(lists->reachable_searching_extent + reachable_searching_shots, packed, extent);
+                lanes_pack(lists->reachable_searching_flat + reachable_searching_shots, packed, flat);
+                lanes_pack(lists->reachable_searching_high0 + reachable_searching_shots, packed, high0);
+                lanes_pack(lists->reachable_searching_high1 + reachable_searching_shots, packed, high1);
+                lanes_pack(lists->reachable_searching_last + reachable_searching_shots, packed, last);
+                lanes_pack(lists->reachable_searching_latest + reachable_searching_shots, packed, latest);
+                lanes_pack(lists->reachable_searching_low0 + reachable_searching_shots, packed, low0);
+                lanes_pack(lists->reachable_searching_low1 + reachable_searching_shots, packed, low1);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_searching_p_ball_radius + reachable_searching_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_bottom + open_searching_shots, packed, p_board_bottom);
+                    lanes_pack(lists->reachable_searching_p_board_bottom + reachable_searching_shots, packed, p_board_bottom);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_distance + open_searching_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_searching_p_board_distance + reachable_searching_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_half_width + open_searching_shots, packed, p_board_half_width);
+                    lanes_pack(lists->reachable_searching_p_board_half_width + reachable_searching_shots, packed, p_board_half_width);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_thickness + open_searching_shots, packed, p_board_thickness);
+                    lanes_pack(lists->reachable_searching_p_board_thickness + reachable_searching_shots, packed, p_board_thickness);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_top + open_searching_shots, packed, p_board_top);
+                    lanes_pack(lists->reachable_searching_p_board_top + reachable_searching_shots, packed, p_board_top);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_gravity + open_searching_shots, packed, p_gravity);
-                lanes_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
-                lanes_pack(lists->open_searching_rate_slack + open_searching_shots, packed, rate_slack);
-                lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
-                lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
-                lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
-                lanes_pack(lists->open_searching_tilt + open_searching_shots, packed, tilt);
-                lanes_pack(lists->open_searching_velocity_error + open_searching_shots, packed, velocity_error);
-                lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
-                lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
-                lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
-                lanes_pack(lists->open_searching_x + open_searching_shots, packed, x);
-                lanes_pack(lists->open_searching_y + open_searching_shots, packed, y);
-                lanes_pack(lists->open_searching_z + open_searching_shots, packed, z);
-                open_searching_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_searching_p_gravity + reachable_searching_shots, packed, p_gravity);
+                lanes_pack(lists->reachable_searching_position_error + reachable_searching_shots, packed, position_error);
+                lanes_pack(lists->reachable_searching_rate_slack + reachable_searching_shots, packed, rate_slack);
+                lanes_pack(lists->reachable_searching_share + reachable_searching_shots, packed, share);
+                lanes_pack(lists->reachable_searching_speed + reachable_searching_shots, packed, speed);
+                lanes_pack(lists->reachable_searching_t + reachable_searching_shots, packed, t);
+                lanes_pack(lists->reachable_searching_tilt + reachable_searching_shots, packed, tilt);
+                lanes_pack(lists->reachable_searching_velocity_error + reachable_searching_shots, packed, velocity_error);
+                lanes_pack(lists->reachable_searching_vx + reachable_searching_shots, packed, vx);
+                lanes_pack(lists->reachable_searching_vy + reachable_searching_shots, packed, vy);
+                lanes_pack(lists->reachable_searching_vz + reachable_searching_shots, packed, vz);
+                lanes_pack(lists->reachable_searching_x + reachable_searching_shots, packed, x);
+                lanes_pack(lists->reachable_searching_y + reachable_searching_shots, packed, y);
+                lanes_pack(lists->reachable_searching_z + reachable_searching_shots, packed, z);
+                reachable_searching_shots += lanes_many(packed);
             }
         }
         {
@@ -9454,46 +10533,46 @@ static void LANES(court_bounded)(const court_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < reachable_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
-                    row = lanes_expand(lists->open_searching_row + taken, idle, row);
+                    row = lanes_expand(lists->reachable_searching_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
-                    arrival = lanes_expand(lists->open_searching_arrival + taken, idle, arrival);
-                    ceiling = lanes_expand(lists->open_searching_ceiling + taken, idle, ceiling);
-                    certain = lanes_less(K(0.0), lanes_expand(lists->open_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
-                    doubt = lanes_expand(lists->open_searching_doubt + taken, idle, doubt);
-                    end = lanes_expand(lists->open_searching_end + taken, idle, end);
-                    extent = lanes_expand(lists->open_searching_extent + taken, idle, extent);
-                    flat = lanes_expand(lists->open_searching_flat + taken, idle, flat);
-                    high0 = lanes_expand(lists->open_searching_high0 + taken, idle, high0);
-                    high1 = lanes_expand(lists->open_searching_high1 + taken, idle, high1);
-                    last = lanes_expand(lists->open_searching_last + taken, idle, last);
-                    latest = lanes_expand(lists->open_searching_latest + taken, idle, latest);
-                    low0 = lanes_expand(lists->open_searching_low0 + taken, idle, low0);
-                    low1 = lanes_expand(lists->open_searching_low1 + taken, idle, low1);
-                    position_error = lanes_expand(lists->open_searching_position_error + taken, idle, position_error);
-                    rate_slack = lanes_expand(lists->open_searching_rate_slack + taken, idle, rate_slack);
-                    share = lanes_expand(lists->open_searching_share + taken, idle, share);
-                    speed = lanes_expand(lists->open_searching_speed + taken, idle, speed);
-                    t = lanes_expand(lists->open_searching_t + taken, idle, t);
-                    tilt = lanes_expand(lists->open_searching_tilt + taken, idle, tilt);
-                    velocity_error = lanes_expand(lists->open_searching_velocity_error + taken, idle, velocity_error);
-                    vx = lanes_expand(lists->open_searching_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->open_searching_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->open_searching_vz + taken, idle, vz);
-                    x = lanes_expand(lists->open_searching_x + taken, idle, x);
-                    y = lanes_expand(lists->open_searching_y + taken, idle, y);
-                    z = lanes_expand(lists->open_searching_z + taken, idle, z);
+                    arrival = lanes_expand(lists->reachable_searching_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->reachable_searching_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->reachable_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    doubt = lanes_expand(lists->reachable_searching_doubt + taken, idle, doubt);
+                    end = lanes_expand(lists->reachable_searching_end + taken, idle, end);
+                    extent = lanes_expand(lists->reachable_searching_extent + taken, idle, extent);
+                    flat = lanes_expand(lists->reachable_searching_flat + taken, idle, flat);
+                    high0 = lanes_expand(lists->reachable_searching_high0 + taken, idle, high0);
+                    high1 = lanes_expand(lists->reachable_searching_high1 + taken, idle, high1);
+                    last = lanes_expand(lists->reachable_searching_last + taken, idle, last);
+                    latest = lanes_expand(lists->reachable_searching_latest + taken, idle, latest);
+                    low0 = lanes_expand(lists->reachable_searching_low0 + taken, idle, low0);
+                    low1 = lanes_expand(lists->reachable_searching_low1 + taken, idle, low1);
+                    position_error = lanes_expand(lists->reachable_searching_position_error + taken, idle, position_error);
+                    rate_slack = lanes_expand(lists->reachable_searching_rate_slack + taken, idle, rate_slack);
+                    share = lanes_expand(lists->reachable_searching_share + taken, idle, share);
+                    speed = lanes_expand(lists->reachable_searching_speed + taken, idle, speed);
+                    t = lanes_expand(lists->reachable_searching_t + taken, idle, t);
+                    tilt = lanes_expand(lists->reachable_searching_tilt + taken, idle, tilt);
+                    velocity_error = lanes_expand(lists->reachable_searching_velocity_error + taken, idle, velocity_error);
+                    vx = lanes_expand(lists->reachable_searching_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->reachable_searching_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->reachable_searching_vz + taken, idle, vz);
+                    x = lanes_expand(lists->reachable_searching_x + taken, idle, x);
+                    y = lanes_expand(lists->reachable_searching_y + taken, idle, y);
+                    z = lanes_expand(lists->reachable_searching_z + taken, idle, z);
                     if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_searching_p_ball_radius + taken, idle, p_ball_radius);
-                        p_board_bottom = lanes_expand(lists->open_searching_p_board_bottom + taken, idle, p_board_bottom);
-                        p_board_distance = lanes_expand(lists->open_searching_p_board_distance + taken, idle, p_board_distance);
-                        p_board_half_width = lanes_expand(lists->open_searching_p_board_half_width + taken, idle, p_board_half_width);
-                        p_board_thickness = lanes_expand(lists->open_searching_p_board_thickness + taken, idle, p_board_thickness);
-                        p_board_top = lanes_expand(lists->open_searching_p_board_top + taken, idle, p_board_top);
-                        p_gravity = lanes_expand(lists->open_searching_p_gravity + taken, idle, p_gravity);
+                        p_ball_radius = lanes_expand(lists->reachable_searching_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_bottom = lanes_expand(lists->reachable_searching_p_board_bottom + taken, idle, p_board_bottom);
+                        p_board_distance = lanes_expand(lists->reachable_searching_p_board_distance + taken, idle, p_board_distance);
+                        p_board_half_width = lanes_expand(lists->reachable_searching_p_board_half_width + taken, idle, p_board_half_width);
+                        p_board_thickness = lanes_expand(lists->reachable_searching_p_board_thickness + taken, idle, p_board_thickness);
+                        p_board_top = lanes_expand(lists->reachable_searching_p_board_top + taken, idle, p_board_top);
+                        p_gravity = lanes_expand(lists->reachable_searching_p_gravity + taken, idle, p_gravity);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_searching_shots - taken;
+                    const size_t room = LANES_WIDTH - busy, left = reachable_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -9501,56 +10580,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o82 =
+                const LANES(court_nearby_out) _o96 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o82.leaving;
-                V margin = _o82.margin;
-                const LANES(court_backboard_advance_out) _o83 =
+                V leaving = _o96.leaving;
+                V margin = _o96.margin;
+                const LANES(court_backboard_advance_out) _o97 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V gap = _o83.gap;
-                V rate = _o83.rate;
-                V bend = _o83.bend;
-                V step = _o83.step;
-                V next = _o83.next;
-                V clearance = _o83.clearance;
-                const LANES(court_struck_out) _o84 =
-                    LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o84.hit;
-                M sure = _o84.sure;
-                M vague = _o84.vague;
-                const M _m85 = lanes_both(active, vague);
-                if (lanes_any(_m85)) {
-                    const LANES(court_finer_out) _o86 =
+                V gap = _o97.gap;
+                V rate = _o97.rate;
+                V bend = _o97.bend;
+                V step = _o97.step;
+                V next = _o97.next;
+                V clearance = _o97.clearance;
+                const LANES(court_struck_or_still_out) _o98 =
+                    LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
+                M hit = _o98.hit;
+                M sure = _o98.sure;
+                M vague = _o98.vague;
+                const M _m99 = lanes_both(active, vague);
+                if (lanes_any(_m99)) {
+                    const LANES(court_finer_out) _o100 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m85, _o86.share, share);
-                    const LANES(court_allowance_out) _o87 =
+                    share = lanes_select(_m99, _o100.share, share);
+                    const LANES(court_allowance_out) _o101 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o87.position_level;
-                    V velocity_level = _o87.velocity_level;
-                    V excess = _o87.excess;
-                    const LANES(court_backboard_margins_out) _o88 =
+                    V position_level = _o101.position_level;
+                    V velocity_level = _o101.velocity_level;
+                    V excess = _o101.excess;
+                    const LANES(court_backboard_margins_out) _o102 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = lanes_select(_m85, _o88.margin, flat);
-                    tilt = lanes_select(_m85, _o88.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m85, _o88.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o89 =
+                    flat = lanes_select(_m99, _o102.margin, flat);
+                    tilt = lanes_select(_m99, _o102.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m99, _o102.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o103 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m85, _o89.doubt, doubt);
+                    doubt = lanes_select(_m99, _o103.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o90 =
+                const LANES(court_advanced_out) _o104 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o90.arrival;
-                certain = _o90.certain;
-                M exhausted = _o90.exhausted;
-                searching = _o90.searching;
-                t = _o90.t;
-                const M _m91 = lanes_both(active, exhausted);
+                arrival = _o104.arrival;
+                certain = _o104.certain;
+                M exhausted = _o104.exhausted;
+                searching = _o104.searching;
+                t = _o104.t;
+                const M _m105 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o92 =
+                    const LANES(court_backboard_enter_out) _o106 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m91, _o92.t, t);
-                    end = lanes_select(_m91, _o92.end, end);
-                    searching = lanes_choose(_m91, _o92.searching, searching);
+                    t = lanes_select(_m105, _o106.t, t);
+                    end = lanes_select(_m105, _o106.end, end);
+                    searching = lanes_choose(_m105, _o106.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -9574,13 +10653,13 @@ static void LANES(court_bounded)(const court_job *job)
                     for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
                         const int lane = LANES_LOWEST(bits);
                         const size_t k = (size_t)ended_row[lane];
-                        lists->open_arrival[k] = ended_arrival[lane];
-                        lists->open_certain[k] = ended_certain[lane];
-                        lists->open_doubt[k] = ended_doubt[lane];
-                        lists->open_flat[k] = ended_flat[lane];
-                        lists->open_searching[k] = ended_searching[lane];
-                        lists->open_t[k] = ended_t[lane];
-                        lists->open_tilt[k] = ended_tilt[lane];
+                        lists->reachable_arrival[k] = ended_arrival[lane];
+                        lists->reachable_certain[k] = ended_certain[lane];
+                        lists->reachable_doubt[k] = ended_doubt[lane];
+                        lists->reachable_flat[k] = ended_flat[lane];
+                        lists->reachable_searching[k] = ended_searching[lane];
+                        lists->reachable_t[k] = ended_t[lane];
+                        lists->reachable_tilt[k] = ended_tilt[lane];
                     }
                     busy -= lanes_many(ended);
                     active = lanes_both(active, lanes_not(ended));
@@ -9589,99 +10668,99 @@ static void LANES(court_bounded)(const court_job *job)
         }
         }
         {
-        size_t open_refining_shots = 0;
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_shots - i);
-            V arrival = lanes_load(lists->open_arrival + i);
-            V ceiling = lanes_load(lists->open_ceiling + i);
-            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
-            V doubt = lanes_load(lists->open_doubt + i);
-            V flat = lanes_load(lists->open_flat + i);
-            V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_bottom = lanes_load(varying ? lists->open_p_board_bottom + i : lists->p_board_bottom);
-            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
-            const V p_board_half_width = lanes_load(varying ? lists->open_p_board_half_width + i : lists->p_board_half_width);
-            const V p_board_thickness = lanes_load(varying ? lists->open_p_board_thickness + i : lists->p_board_thickness);
-            const V p_board_top = lanes_load(varying ? lists->open_p_board_top + i : lists->p_board_top);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
-            V t = lanes_load(lists->open_t + i);
-            V tilt = lanes_load(lists->open_tilt + i);
-            V vx = lanes_load(lists->open_vx + i);
-            V vy = lanes_load(lists->open_vy + i);
-            V vz = lanes_load(lists->open_vz + i);
-            V x = lanes_load(lists->open_x + i);
-            V y = lanes_load(lists->open_y + i);
-            V z = lanes_load(lists->open_z + i);
-            const LANES(court_questioned_out) _o93 =
+        size_t reachable_refining_shots = 0;
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(reachable_shots - i);
+            V arrival = lanes_load(lists->reachable_arrival + i);
+            V ceiling = lanes_load(lists->reachable_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
+            V doubt = lanes_load(lists->reachable_doubt + i);
+            V flat = lanes_load(lists->reachable_flat + i);
+            V last = lanes_load(lists->reachable_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->reachable_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_bottom = lanes_load(varying ? lists->reachable_p_board_bottom + i : lists->p_board_bottom);
+            const V p_board_distance = lanes_load(varying ? lists->reachable_p_board_distance + i : lists->p_board_distance);
+            const V p_board_half_width = lanes_load(varying ? lists->reachable_p_board_half_width + i : lists->p_board_half_width);
+            const V p_board_thickness = lanes_load(varying ? lists->reachable_p_board_thickness + i : lists->p_board_thickness);
+            const V p_board_top = lanes_load(varying ? lists->reachable_p_board_top + i : lists->p_board_top);
+            const V p_gravity = lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity);
+            M searching = lanes_less(K(0.0), lanes_load(lists->reachable_searching + i));
+            V t = lanes_load(lists->reachable_t + i);
+            V tilt = lanes_load(lists->reachable_tilt + i);
+            V vx = lanes_load(lists->reachable_vx + i);
+            V vy = lanes_load(lists->reachable_vy + i);
+            V vz = lanes_load(lists->reachable_vz + i);
+            V x = lanes_load(lists->reachable_x + i);
+            V y = lanes_load(lists->reachable_y + i);
+            V z = lanes_load(lists->reachable_z + i);
+            const LANES(court_questioned_out) _o107 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o93.doubt;
-            const LANES(court_found_out) _o94 =
+            doubt = _o107.doubt;
+            const LANES(court_found_out) _o108 =
                 LANES(court_found)(arrival);
-            M arrives = _o94.arrives;
-            M refining = _o94.refining;
-            V rate = _o94.rate;
-            const LANES(court_nearby_out) _o95 =
+            M arrives = _o108.arrives;
+            M refining = _o108.refining;
+            V rate = _o108.rate;
+            const LANES(court_nearby_out) _o109 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o95.leaving;
-            const M _m96 = lanes_both(rows, refining);
-            if (lanes_any(_m96)) {
-                const LANES(court_backboard_refine_out) _o97 =
+            V leaving = _o109.leaving;
+            const M _m110 = lanes_both(rows, refining);
+            if (lanes_any(_m110)) {
+                const LANES(court_backboard_refine_out) _o111 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o97.time;
-                V gap = _o97.gap;
-                rate = lanes_select(_m96, _o97.rate, rate);
-                const LANES(court_polished_out) _o98 =
+                V refined = _o111.time;
+                V gap = _o111.gap;
+                rate = lanes_select(_m110, _o111.rate, rate);
+                const LANES(court_polished_out) _o112 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m96, _o98.arrival, arrival);
-                refining = lanes_choose(_m96, _o98.refining, refining);
+                arrival = lanes_select(_m110, _o112.arrival, arrival);
+                refining = lanes_choose(_m110, _o112.refining, refining);
             }
-            const M _m99 = lanes_both(rows, refining);
-            if (lanes_any(_m99)) {
-                const LANES(court_backboard_refine_out) _o100 =
+            const M _m113 = lanes_both(rows, refining);
+            if (lanes_any(_m113)) {
+                const LANES(court_backboard_refine_out) _o114 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o100.time;
-                V gap = _o100.gap;
-                rate = lanes_select(_m99, _o100.rate, rate);
-                const LANES(court_polished_out) _o101 =
+                V refined = _o114.time;
+                V gap = _o114.gap;
+                rate = lanes_select(_m113, _o114.rate, rate);
+                const LANES(court_polished_out) _o115 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m99, _o101.arrival, arrival);
-                refining = lanes_choose(_m99, _o101.refining, refining);
+                arrival = lanes_select(_m113, _o115.arrival, arrival);
+                refining = lanes_choose(_m113, _o115.refining, refining);
             }
-            lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
-            lanes_store(lists->open_doubt + i, doubt);
-            lanes_store(lists->open_leaving + i, leaving);
-            lanes_store(lists->open_rate + i, rate);
+            lanes_store(lists->reachable_arrival + i, arrival);
+            lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            lanes_store(lists->reachable_doubt + i, doubt);
+            lanes_store(lists->reachable_leaving + i, leaving);
+            lanes_store(lists->reachable_rate + i, rate);
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
-                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
-                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                lanes_pack(lists->reachable_refining_row + reachable_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_refining_arrival + reachable_refining_shots, packed, arrival);
+                lanes_pack(lists->reachable_refining_ceiling + reachable_refining_shots, packed, ceiling);
+                lanes_pack(lists->reachable_refining_certain + reachable_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->reachable_refining_leaving + reachable_refining_shots, packed, leaving);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_refining_p_ball_radius + reachable_refining_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_bottom + open_refining_shots, packed, p_board_bottom);
+                    lanes_pack(lists->reachable_refining_p_board_bottom + reachable_refining_shots, packed, p_board_bottom);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_distance + open_refining_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_refining_p_board_distance + reachable_refining_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_half_width + open_refining_shots, packed, p_board_half_width);
+                    lanes_pack(lists->reachable_refining_p_board_half_width + reachable_refining_shots, packed, p_board_half_width);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_thickness + open_refining_shots, packed, p_board_thickness);
+                    lanes_pack(lists->reachable_refining_p_board_thickness + reachable_refining_shots, packed, p_board_thickness);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_top + open_refining_shots, packed, p_board_top);
+                    lanes_pack(lists->reachable_refining_p_board_top + reachable_refining_shots, packed, p_board_top);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
-                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
-                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
-                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
-                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
-                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
-                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
-                open_refining_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_refining_p_gravity + reachable_refining_shots, packed, p_gravity);
+                lanes_pack(lists->reachable_refining_vx + reachable_refining_shots, packed, vx);
+                lanes_pack(lists->reachable_refining_vy + reachable_refining_shots, packed, vy);
+                lanes_pack(lists->reachable_refining_vz + reachable_refining_shots, packed, vz);
+                lanes_pack(lists->reachable_refining_x + reachable_refining_shots, packed, x);
+                lanes_pack(lists->reachable_refining_y + reachable_refining_shots, packed, y);
+                lanes_pack(lists->reachable_refining_z + reachable_refining_shots, packed, z);
+                reachable_refining_shots += lanes_many(packed);
             }
         }
         {
@@ -9706,30 +10785,30 @@ static void LANES(court_bounded)(const court_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < reachable_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
-                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    row = lanes_expand(lists->reachable_refining_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
-                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
-                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
-                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
-                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
-                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
-                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
-                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
-                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    arrival = lanes_expand(lists->reachable_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->reachable_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->reachable_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->reachable_refining_leaving + taken, idle, leaving);
+                    vx = lanes_expand(lists->reachable_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->reachable_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->reachable_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->reachable_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->reachable_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->reachable_refining_z + taken, idle, z);
                     if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
-                        p_board_bottom = lanes_expand(lists->open_refining_p_board_bottom + taken, idle, p_board_bottom);
-                        p_board_distance = lanes_expand(lists->open_refining_p_board_distance + taken, idle, p_board_distance);
-                        p_board_half_width = lanes_expand(lists->open_refining_p_board_half_width + taken, idle, p_board_half_width);
-                        p_board_thickness = lanes_expand(lists->open_refining_p_board_thickness + taken, idle, p_board_thickness);
-                        p_board_top = lanes_expand(lists->open_refining_p_board_top + taken, idle, p_board_top);
-                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
+                        p_ball_radius = lanes_expand(lists->reachable_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_bottom = lanes_expand(lists->reachable_refining_p_board_bottom + taken, idle, p_board_bottom);
+                        p_board_distance = lanes_expand(lists->reachable_refining_p_board_distance + taken, idle, p_board_distance);
+                        p_board_half_width = lanes_expand(lists->reachable_refining_p_board_half_width + taken, idle, p_board_half_width);
+                        p_board_thickness = lanes_expand(lists->reachable_refining_p_board_thickness + taken, idle, p_board_thickness);
+                        p_board_top = lanes_expand(lists->reachable_refining_p_board_top + taken, idle, p_board_top);
+                        p_gravity = lanes_expand(lists->reachable_refining_p_gravity + taken, idle, p_gravity);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    const size_t room = LANES_WIDTH - busy, left = reachable_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -9737,15 +10816,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_backboard_refine_out) _o102 =
+                const LANES(court_backboard_refine_out) _o116 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o102.time;
-                V gap = _o102.gap;
-                V rate = _o102.rate;
-                const LANES(court_polished_out) _o103 =
+                V refined = _o116.time;
+                V gap = _o116.gap;
+                V rate = _o116.rate;
+                const LANES(court_polished_out) _o117 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o103.arrival;
-                refining = _o103.refining;
+                arrival = _o117.arrival;
+                refining = _o117.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -9758,8 +10837,8 @@ static void LANES(court_bounded)(const court_job *job)
                     for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
                         const int lane = LANES_LOWEST(bits);
                         const size_t k = (size_t)ended_row[lane];
-                        lists->open_arrival[k] = ended_arrival[lane];
-                        lists->open_rate[k] = ended_rate[lane];
+                        lists->reachable_arrival[k] = ended_arrival[lane];
+                        lists->reachable_rate[k] = ended_rate[lane];
                     }
                     busy -= lanes_many(ended);
                     active = lanes_both(active, lanes_not(ended));
@@ -9767,71 +10846,71 @@ static void LANES(court_bounded)(const court_job *job)
             }
         }
         }
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            V arrival = lanes_load(lists->open_arrival + i);
-            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
-            V ceiling = lanes_load(lists->open_ceiling + i);
-            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
-            V doubt = lanes_load(lists->open_doubt + i);
-            V extent = lanes_load(lists->open_extent + i);
-            V late = lanes_load(lists->open_late + i);
-            V latest = lanes_load(lists->open_latest + i);
-            V leaving = lanes_load(lists->open_leaving + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_bottom = lanes_load(varying ? lists->open_p_board_bottom + i : lists->p_board_bottom);
-            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
-            const V p_board_half_width = lanes_load(varying ? lists->open_p_board_half_width + i : lists->p_board_half_width);
-            const V p_board_thickness = lanes_load(varying ? lists->open_p_board_thickness + i : lists->p_board_thickness);
-            const V p_board_top = lanes_load(varying ? lists->open_p_board_top + i : lists->p_board_top);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            V position_error = lanes_load(lists->open_position_error + i);
-            V rate = lanes_load(lists->open_rate + i);
-            V speed = lanes_load(lists->open_speed + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
-            V when = lanes_load(lists->open_when + i);
-            V which = lanes_load(lists->open_which + i);
-            const LANES(court_backboard_margins_out) _o104 =
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->reachable_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
+            V ceiling = lanes_load(lists->reachable_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
+            V doubt = lanes_load(lists->reachable_doubt + i);
+            V extent = lanes_load(lists->reachable_extent + i);
+            V late = lanes_load(lists->reachable_late + i);
+            V latest = lanes_load(lists->reachable_latest + i);
+            V leaving = lanes_load(lists->reachable_leaving + i);
+            const V p_ball_radius = lanes_load(varying ? lists->reachable_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_bottom = lanes_load(varying ? lists->reachable_p_board_bottom + i : lists->p_board_bottom);
+            const V p_board_distance = lanes_load(varying ? lists->reachable_p_board_distance + i : lists->p_board_distance);
+            const V p_board_half_width = lanes_load(varying ? lists->reachable_p_board_half_width + i : lists->p_board_half_width);
+            const V p_board_thickness = lanes_load(varying ? lists->reachable_p_board_thickness + i : lists->p_board_thickness);
+            const V p_board_top = lanes_load(varying ? lists->reachable_p_board_top + i : lists->p_board_top);
+            const V p_gravity = lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity);
+            V position_error = lanes_load(lists->reachable_position_error + i);
+            V rate = lanes_load(lists->reachable_rate + i);
+            V speed = lanes_load(lists->reachable_speed + i);
+            V velocity_error = lanes_load(lists->reachable_velocity_error + i);
+            V when = lanes_load(lists->reachable_when + i);
+            V which = lanes_load(lists->reachable_which + i);
+            const LANES(court_backboard_margins_out) _o118 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o104.margin;
-            V tilt = _o104.leaving_margin;
-            V rate_margin = _o104.rate_margin;
-            const LANES(court_own_margin_out) _o105 =
+            V flat = _o118.margin;
+            V tilt = _o118.leaving_margin;
+            V rate_margin = _o118.rate_margin;
+            const LANES(court_own_margin_out) _o119 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o105.margin;
-            const LANES(court_crossing_out) _o106 =
+            V margin = _o119.margin;
+            const LANES(court_crossing_out) _o120 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o106.clearance;
-            V delay = _o106.delay;
-            const LANES(court_landed_out) _o107 =
+            V clearance = _o120.clearance;
+            V delay = _o120.delay;
+            const LANES(court_landed_out) _o121 =
                 LANES(court_landed)(arrival);
-            V time = _o107.time;
-            const LANES(court_landed_surely_out) _o108 =
+            V time = _o121.time;
+            const LANES(court_landed_surely_out) _o122 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o108.delay;
-            doubt = _o108.doubt;
-            const LANES(court_tied_out) _o109 =
+            delay = _o122.delay;
+            doubt = _o122.doubt;
+            const LANES(court_tied_out) _o123 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o109.doubt;
-            late = _o109.late;
-            const LANES(court_sooner_out) _o110 =
+            doubt = _o123.doubt;
+            late = _o123.late;
+            const LANES(court_sooner_out) _o124 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o110.when;
-            which = _o110.which;
-            lanes_store(lists->open_doubt + i, doubt);
-            lanes_store(lists->open_late + i, late);
-            lanes_store(lists->open_when + i, when);
-            lanes_store(lists->open_which + i, which);
+            when = _o124.when;
+            which = _o124.which;
+            lanes_store(lists->reachable_doubt + i, doubt);
+            lanes_store(lists->reachable_late + i, late);
+            lanes_store(lists->reachable_when + i, when);
+            lanes_store(lists->reachable_which + i, which);
         }
-        for (size_t k = 0; k < open_shots; k++) {
-            const size_t row = (size_t)lists->open_row[k];
-            lists->doubt[row] = lists->open_doubt[k];
-            lists->late[row] = lists->open_late[k];
-            lists->when[row] = lists->open_when[k];
-            lists->which[row] = lists->open_which[k];
+        for (size_t k = 0; k < reachable_shots; k++) {
+            const size_t row = (size_t)lists->reachable_row[k];
+            lists->doubt[row] = lists->reachable_doubt[k];
+            lists->late[row] = lists->reachable_late[k];
+            lists->when[row] = lists->reachable_when[k];
+            lists->which[row] = lists->reachable_which[k];
         }
         }
         {
-        size_t open_shots = 0;
+        size_t reachable_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V doubt = lanes_load(lists->doubt + i);
@@ -9857,164 +10936,233 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o111 =
+            const LANES(court_horizon_out) _o125 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o111.horizon;
-            V pad = _o111.pad;
-            const LANES(court_bridge_clear_out) _o112 =
-                LANES(court_bridge_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V clear = _o112.clear;
-            const LANES(court_opens_in_flight_out) _o113 =
-                LANES(court_opens_in_flight)(clear, kept);
-            M open = _o113.open;
-            const M packed = lanes_both(rows, open);
+            V until = _o125.horizon;
+            V pad = _o125.pad;
+            const LANES(court_halved_out) _o126 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, p_gravity);
+            V middle_x = _o126.middle_x;
+            V reach_x = _o126.reach_x;
+            V later_middle_x = _o126.later_middle_x;
+            V later_reach_x = _o126.later_reach_x;
+            V middle_y = _o126.middle_y;
+            V reach_y = _o126.reach_y;
+            V later_middle_y = _o126.later_middle_y;
+            V later_reach_y = _o126.later_reach_y;
+            V middle_z = _o126.middle_z;
+            V reach_z = _o126.reach_z;
+            V later_middle_z = _o126.later_middle_z;
+            V later_reach_z = _o126.later_reach_z;
+            const LANES(court_bridge_near_out) _o127 =
+                LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+            M reachable = _o127.near;
+            const LANES(court_reachable_in_flight_out) _o128 =
+                LANES(court_reachable_in_flight)(kept, reachable);
+            reachable = _o128.reachable;
+            const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_doubt + open_shots, packed, doubt);
-                lanes_pack(lists->open_extent + open_shots, packed, extent);
-                lanes_pack(lists->open_last + open_shots, packed, last);
-                lanes_pack(lists->open_late + open_shots, packed, late);
+                lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_doubt + reachable_shots, packed, doubt);
+                lanes_pack(lists->reachable_extent + reachable_shots, packed, extent);
+                lanes_pack(lists->reachable_last + reachable_shots, packed, last);
+                lanes_pack(lists->reachable_late + reachable_shots, packed, late);
                 if (varying)
-                    lanes_pack(lists->open_p_ball_radius + open_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_p_ball_radius + reachable_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_p_board_distance + open_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_p_board_distance + reachable_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_p_bridge_depth + open_shots, packed, p_bridge_depth);
+                    lanes_pack(lists->reachable_p_bridge_depth + reachable_shots, packed, p_bridge_depth);
                 if (varying)
-                    lanes_pack(lists->open_p_bridge_half_width + open_shots, packed, p_bridge_half_width);
+                    lanes_pack(lists->reachable_p_bridge_half_width + reachable_shots, packed, p_bridge_half_width);
                 if (varying)
-                    lanes_pack(lists->open_p_gravity + open_shots, packed, p_gravity);
+                    lanes_pack(lists->reachable_p_gravity + reachable_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->open_p_ring_radius + open_shots, packed, p_ring_radius);
+                    lanes_pack(lists->reachable_p_ring_radius + reachable_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->open_p_wire_radius + open_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_pad + open_shots, packed, pad);
-                lanes_pack(lists->open_position_error + open_shots, packed, position_error);
-                lanes_pack(lists->open_speed + open_shots, packed, speed);
-                lanes_pack(lists->open_until + open_shots, packed, until);
-                lanes_pack(lists->open_velocity_error + open_shots, packed, velocity_error);
-                lanes_pack(lists->open_vx + open_shots, packed, vx);
-                lanes_pack(lists->open_vy + open_shots, packed, vy);
-                lanes_pack(lists->open_vz + open_shots, packed, vz);
-                lanes_pack(lists->open_when + open_shots, packed, when);
-                lanes_pack(lists->open_which + open_shots, packed, which);
-                lanes_pack(lists->open_x + open_shots, packed, x);
-                lanes_pack(lists->open_y + open_shots, packed, y);
-                lanes_pack(lists->open_z + open_shots, packed, z);
-                open_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_p_wire_radius + reachable_shots, packed, p_wire_radius);
+                lanes_pack(lists->reachable_position_error + reachable_shots, packed, position_error);
+                lanes_pack(lists->reachable_speed + reachable_shots, packed, speed);
+                lanes_pack(lists->reachable_velocity_error + reachable_shots, packed, velocity_error);
+                lanes_pack(lists->reachable_vx + reachable_shots, packed, vx);
+                lanes_pack(lists->reachable_vy + reachable_shots, packed, vy);
+                lanes_pack(lists->reachable_vz + reachable_shots, packed, vz);
+                lanes_pack(lists->reachable_when + reachable_shots, packed, when);
+                lanes_pack(lists->reachable_which + reachable_shots, packed, which);
+                lanes_pack(lists->reachable_x + reachable_shots, packed, x);
+                lanes_pack(lists->reachable_y + reachable_shots, packed, y);
+                lanes_pack(lists->reachable_z + reachable_shots, packed, z);
+                reachable_shots += lanes_many(packed);
             }
         }
         {
-        size_t open_searching_shots = 0;
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_shots - i);
-            V doubt = lanes_load(lists->open_doubt + i);
-            V extent = lanes_load(lists->open_extent + i);
-            V last = lanes_load(lists->open_last + i);
-            V late = lanes_load(lists->open_late + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
-            const V p_bridge_depth = lanes_load(varying ? lists->open_p_bridge_depth + i : lists->p_bridge_depth);
-            const V p_bridge_half_width = lanes_load(varying ? lists->open_p_bridge_half_width + i : lists->p_bridge_half_width);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V pad = lanes_load(lists->open_pad + i);
-            V position_error = lanes_load(lists->open_position_error + i);
-            V speed = lanes_load(lists->open_speed + i);
-            V until = lanes_load(lists->open_until + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
-            V vx = lanes_load(lists->open_vx + i);
-            V vy = lanes_load(lists->open_vy + i);
-            V vz = lanes_load(lists->open_vz + i);
-            V x = lanes_load(lists->open_x + i);
-            V y = lanes_load(lists->open_y + i);
-            V z = lanes_load(lists->open_z + i);
-            const LANES(court_bridge_prepare_out) _o114 =
+        size_t reachable_searching_shots = 0;
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(reachable_shots - i);
+            V doubt = lanes_load(lists->reachable_doubt + i);
+            V extent = lanes_load(lists->reachable_extent + i);
+            V last = lanes_load(lists->reachable_last + i);
+            V late = lanes_load(lists->reachable_late + i);
+            const V p_ball_radius = lanes_load(varying ? lists->reachable_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_distance = lanes_load(varying ? lists->reachable_p_board_distance + i : lists->p_board_distance);
+            const V p_bridge_depth = lanes_load(varying ? lists->reachable_p_bridge_depth + i : lists->p_bridge_depth);
+            const V p_bridge_half_width = lanes_load(varying ? lists->reachable_p_bridge_half_width + i : lists->p_bridge_half_width);
+            const V p_gravity = lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->reachable_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->reachable_p_wire_radius + i : lists->p_wire_radius);
+            V position_error = lanes_load(lists->reachable_position_error + i);
+            V speed = lanes_load(lists->reachable_speed + i);
+            V velocity_error = lanes_load(lists->reachable_velocity_error + i);
+            V vx = lanes_load(lists->reachable_vx + i);
+            V vy = lanes_load(lists->reachable_vy + i);
+            V vz = lanes_load(lists->reachable_vz + i);
+            V when = lanes_load(lists->reachable_when + i);
+            V x = lanes_load(lists->reachable_x + i);
+            V y = lanes_load(lists->reachable_y + i);
+            V z = lanes_load(lists->reachable_z + i);
+            const LANES(court_horizon_out) _o129 =
+                LANES(court_horizon)(when, speed, p_gravity);
+            V until = _o129.horizon;
+            V pad = _o129.pad;
+            const LANES(court_bridge_prepare_out) _o130 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o114.low0;
-            V high0 = _o114.high0;
-            V low1 = _o114.low1;
-            V high1 = _o114.high1;
-            V ceiling = _o114.ceiling;
-            V latest = _o114.latest;
-            V lost = _o114.lost;
-            const LANES(court_beginning_out) _o115 =
+            V low0 = _o130.low0;
+            V high0 = _o130.high0;
+            V low1 = _o130.low1;
+            V high1 = _o130.high1;
+            V ceiling = _o130.ceiling;
+            V latest = _o130.latest;
+            V lost = _o130.lost;
+            const LANES(court_beginning_out) _o131 =
                 LANES(court_beginning)();
-            V share = _o115.share;
-            V arrival = _o115.arrival;
-            M certain = _o115.certain;
-            const LANES(court_allowance_out) _o116 =
+            V share = _o131.share;
+            V arrival = _o131.arrival;
+            M certain = _o131.certain;
+            const LANES(court_allowance_out) _o132 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o116.position_level;
-            V velocity_level = _o116.velocity_level;
-            V excess = _o116.excess;
-            const LANES(court_bridge_margins_out) _o117 =
+            V position_level = _o132.position_level;
+            V velocity_level = _o132.velocity_level;
+            V excess = _o132.excess;
+            const LANES(court_bridge_margins_out) _o133 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o117.margin;
-            V tilt = _o117.leaving_margin;
-            V rate_slack = _o117.rate_margin;
-            const LANES(court_beyond_out) _o118 =
-                LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o118.doubt;
-            const LANES(court_bridge_enter_out) _o119 =
+            V flat = _o133.margin;
+            V tilt = _o133.leaving_margin;
+            V rate_slack = _o133.rate_margin;
+            const LANES(court_bridge_enter_out) _o134 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o119.t;
-            V end = _o119.end;
-            M searching = _o119.searching;
-            lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_ceiling + i, ceiling);
-            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
-            lanes_store(lists->open_doubt + i, doubt);
-            lanes_store(lists->open_flat + i, flat);
-            lanes_store(lists->open_latest + i, latest);
-            lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
-            lanes_store(lists->open_t + i, t);
-            lanes_store(lists->open_tilt + i, tilt);
+            V t = _o134.t;
+            V end = _o134.end;
+            M searching = _o134.searching;
+            const LANES(court_beyond_windows_out) _o135 =
+                LANES(court_beyond_windows)(doubt, excess, late, lost, pad, searching);
+            doubt = _o135.doubt;
+            const M _m136 = lanes_both(rows, searching);
+            if (lanes_any(_m136)) {
+                const LANES(court_nearby_out) _o137 =
+                    LANES(court_nearby)(flat, K(2.0), last, t, tilt);
+                V leaving = _o137.leaving;
+                V margin = _o137.margin;
+                const LANES(court_bridge_advance_out) _o138 =
+                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                V gap = _o138.gap;
+                V rate = _o138.rate;
+                V bend = _o138.bend;
+                V step = _o138.step;
+                V next = _o138.next;
+                V clearance = _o138.clearance;
+                const LANES(court_struck_or_still_out) _o139 =
+                    LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
+                M hit = _o139.hit;
+                M sure = _o139.sure;
+                M vague = _o139.vague;
+                const M _m140 = lanes_both(_m136, vague);
+                if (lanes_any(_m140)) {
+                    const LANES(court_finer_out) _o141 =
+                        LANES(court_finer)(share);
+                    share = lanes_select(_m140, _o141.share, share);
+                    const LANES(court_allowance_out) _o142 =
+                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    V position_level = _o142.position_level;
+                    V velocity_level = _o142.velocity_level;
+                    V excess = _o142.excess;
+                    const LANES(court_bridge_margins_out) _o143 =
+                        LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = lanes_select(_m140, _o143.margin, flat);
+                    tilt = lanes_select(_m140, _o143.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m140, _o143.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o144 =
+                        LANES(court_exceeded)(doubt, excess, t);
+                    doubt = lanes_select(_m140, _o144.doubt, doubt);
+                }
+                const LANES(court_advanced_out) _o145 =
+                    LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
+                arrival = lanes_select(_m136, _o145.arrival, arrival);
+                certain = lanes_choose(_m136, _o145.certain, certain);
+                M exhausted = _o145.exhausted;
+                searching = lanes_choose(_m136, _o145.searching, searching);
+                t = lanes_select(_m136, _o145.t, t);
+                const M _m146 = lanes_both(_m136, exhausted);
+                {
+                    const LANES(court_bridge_enter_out) _o147 =
+                        LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
+                    t = lanes_select(_m146, _o147.t, t);
+                    end = lanes_select(_m146, _o147.end, end);
+                    searching = lanes_choose(_m146, _o147.searching, searching);
+                }
+            }
+            lanes_store(lists->reachable_arrival + i, arrival);
+            lanes_store(lists->reachable_ceiling + i, ceiling);
+            lanes_store(lists->reachable_certain + i, lanes_select(certain, K(1.0), K(0.0)));
+            lanes_store(lists->reachable_doubt + i, doubt);
+            lanes_store(lists->reachable_flat + i, flat);
+            lanes_store(lists->reachable_latest + i, latest);
+            lanes_store(lists->reachable_searching + i, lanes_select(searching, K(1.0), K(0.0)));
+            lanes_store(lists->reachable_t + i, t);
+            lanes_store(lists->reachable_tilt + i, tilt);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_searching_arrival + open_searching_shots, packed, arrival);
-                lanes_pack(lists->open_searching_ceiling + open_searching_shots, packed, ceiling);
-                lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_searching_doubt + open_searching_shots, packed, doubt);
-                lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
-                lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
-                lanes_pack(lists->open_searching_flat + open_searching_shots, packed, flat);
-                lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
-                lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
-                lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                lanes_pack(lists->open_searching_latest + open_searching_shots, packed, latest);
-                lanes_pack(lists->open_searching_low0 + open_searching_shots, packed, low0);
-                lanes_pack(lists->open_searching_low1 + open_searching_shots, packed, low1);
+                lanes_pack(lists->reachable_searching_row + reachable_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_searching_arrival + reachable_searching_shots, packed, arrival);
+                lanes_pack(lists->reachable_searching_ceiling + reachable_searching_shots, packed, ceiling);
+                lanes_pack(lists->reachable_searching_certain + reachable_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->reachable_searching_doubt + reachable_searching_shots, packed, doubt);
+                lanes_pack(lists->reachable_searching_end + reachable_searching_shots, packed, end);
+                lanes_pack(lists->reachable_searching_extent + reachable_searching_shots, packed, extent);
+                lanes_pack(lists->reachable_searching_flat + reachable_searching_shots, packed, flat);
+                lanes_pack(lists->reachable_searching_high0 + reachable_searching_shots, packed, high0);
+                lanes_pack(lists->reachable_searching_high1 + reachable_searching_shots, packed, high1);
+                lanes_pack(lists->reachable_searching_last + reachable_searching_shots, packed, last);
+                lanes_pack(lists->reachable_searching_latest + reachable_searching_shots, packed, latest);
+                lanes_pack(lists->reachable_searching_low0 + reachable_searching_shots, packed, low0);
+                lanes_pack(lists->reachable_searching_low1 + reachable_searching_shots, packed, low1);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_searching_p_ball_radius + reachable_searching_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_board_distance + open_searching_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_searching_p_board_distance + reachable_searching_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_bridge_depth + open_searching_shots, packed, p_bridge_depth);
+                    lanes_pack(lists->reachable_searching_p_bridge_depth + reachable_searching_shots, packed, p_bridge_depth);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_bridge_half_width + open_searching_shots, packed, p_bridge_half_width);
+                    lanes_pack(lists->reachable_searching_p_bridge_half_width + reachable_searching_shots, packed, p_bridge_half_width);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_gravity + open_searching_shots, packed, p_gravity);
+                    lanes_pack(lists->reachable_searching_p_gravity + reachable_searching_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, p_ring_radius);
+                    lanes_pack(lists->reachable_searching_p_ring_radius + reachable_searching_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
-                lanes_pack(lists->open_searching_rate_slack + open_searching_shots, packed, rate_slack);
-                lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
-                lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
-                lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
-                lanes_pack(lists->open_searching_tilt + open_searching_shots, packed, tilt);
-                lanes_pack(lists->open_searching_velocity_error + open_searching_shots, packed, velocity_error);
-                lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
-                lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
-                lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
-                lanes_pack(lists->open_searching_x + open_searching_shots, packed, x);
-                lanes_pack(lists->open_searching_y + open_searching_shots, packed, y);
-                lanes_pack(lists->open_searching_z + open_searching_shots, packed, z);
-                open_searching_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_searching_p_wire_radius + reachable_searching_shots, packed, p_wire_radius);
+                lanes_pack(lists->reachable_searching_position_error + reachable_searching_shots, packed, position_error);
+                lanes_pack(lists->reachable_searching_rate_slack + reachable_searching_shots, packed, rate_slack);
+                lanes_pack(lists->reachable_searching_share + reachable_searching_shots, packed, share);
+                lanes_pack(lists->reachable_searching_speed + reachable_searching_shots, packed, speed);
+                lanes_pack(lists->reachable_searching_t + reachable_searching_shots, packed, t);
+                lanes_pack(lists->reachable_searching_tilt + reachable_searching_shots, packed, tilt);
+                lanes_pack(lists->reachable_searching_velocity_error + reachable_searching_shots, packed, velocity_error);
+                lanes_pack(lists->reachable_searching_vx + reachable_searching_shots, packed, vx);
+                lanes_pack(lists->reachable_searching_vy + reachable_searching_shots, packed, vy);
+                lanes_pack(lists->reachable_searching_vz + reachable_searching_shots, packed, vz);
+                lanes_pack(lists->reachable_searching_x + reachable_searching_shots, packed, x);
+                lanes_pack(lists->reachable_searching_y + reachable_searching_shots, packed, y);
+                lanes_pack(lists->reachable_searching_z + reachable_searching_shots, packed, z);
+                reachable_searching_shots += lanes_many(packed);
             }
         }
         {
@@ -10055,46 +11203,46 @@ static void LANES(court_bounded)(const court_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < reachable_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
-                    row = lanes_expand(lists->open_searching_row + taken, idle, row);
+                    row = lanes_expand(lists->reachable_searching_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
-                    arrival = lanes_expand(lists->open_searching_arrival + taken, idle, arrival);
-                    ceiling = lanes_expand(lists->open_searching_ceiling + taken, idle, ceiling);
-                    certain = lanes_less(K(0.0), lanes_expand(lists->open_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
-                    doubt = lanes_expand(lists->open_searching_doubt + taken, idle, doubt);
-                    end = lanes_expand(lists->open_searching_end + taken, idle, end);
-                    extent = lanes_expand(lists->open_searching_extent + taken, idle, extent);
-                    flat = lanes_expand(lists->open_searching_flat + taken, idle, flat);
-                    high0 = lanes_expand(lists->open_searching_high0 + taken, idle, high0);
-                    high1 = lanes_expand(lists->open_searching_high1 + taken, idle, high1);
-                    last = lanes_expand(lists->open_searching_last + taken, idle, last);
-                    latest = lanes_expand(lists->open_searching_latest + taken, idle, latest);
-                    low0 = lanes_expand(lists->open_searching_low0 + taken, idle, low0);
-                    low1 = lanes_expand(lists->open_searching_low1 + taken, idle, low1);
-                    position_error = lanes_expand(lists->open_searching_position_error + taken, idle, position_error);
-                    rate_slack = lanes_expand(lists->open_searching_rate_slack + taken, idle, rate_slack);
-                    share = lanes_expand(lists->open_searching_share + taken, idle, share);
-                    speed = lanes_expand(lists->open_searching_speed + taken, idle, speed);
-                    t = lanes_expand(lists->open_searching_t + taken, idle, t);
-                    tilt = lanes_expand(lists->open_searching_tilt + taken, idle, tilt);
-                    velocity_error = lanes_expand(lists->open_searching_velocity_error + taken, idle, velocity_error);
-                    vx = lanes_expand(lists->open_searching_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->open_searching_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->open_searching_vz + taken, idle, vz);
-                    x = lanes_expand(lists->open_searching_x + taken, idle, x);
-                    y = lanes_expand(lists->open_searching_y + taken, idle, y);
-                    z = lanes_expand(lists->open_searching_z + taken, idle, z);
+                    arrival = lanes_expand(lists->reachable_searching_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->reachable_searching_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->reachable_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    doubt = lanes_expand(lists->reachable_searching_doubt + taken, idle, doubt);
+                    end = lanes_expand(lists->reachable_searching_end + taken, idle, end);
+                    extent = lanes_expand(lists->reachable_searching_extent + taken, idle, extent);
+                    flat = lanes_expand(lists->reachable_searching_flat + taken, idle, flat);
+                    high0 = lanes_expand(lists->reachable_searching_high0 + taken, idle, high0);
+                    high1 = lanes_expand(lists->reachable_searching_high1 + taken, idle, high1);
+                    last = lanes_expand(lists->reachable_searching_last + taken, idle, last);
+                    latest = lanes_expand(lists->reachable_searching_latest + taken, idle, latest);
+                    low0 = lanes_expand(lists->reachable_searching_low0 + taken, idle, low0);
+                    low1 = lanes_expand(lists->reachable_searching_low1 + taken, idle, low1);
+                    position_error = lanes_expand(lists->reachable_searching_position_error + taken, idle, position_error);
+                    rate_slack = lanes_expand(lists->reachable_searching_rate_slack + taken, idle, rate_slack);
+                    share = lanes_expand(lists->reachable_searching_share + taken, idle, share);
+                    speed = lanes_expand(lists->reachable_searching_speed + taken, idle, speed);
+                    t = lanes_expand(lists->reachable_searching_t + taken, idle, t);
+                    tilt = lanes_expand(lists->reachable_searching_tilt + taken, idle, tilt);
+                    velocity_error = lanes_expand(lists->reachable_searching_velocity_error + taken, idle, velocity_error);
+                    vx = lanes_expand(lists->reachable_searching_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->reachable_searching_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->reachable_searching_vz + taken, idle, vz);
+                    x = lanes_expand(lists->reachable_searching_x + taken, idle, x);
+                    y = lanes_expand(lists->reachable_searching_y + taken, idle, y);
+                    z = lanes_expand(lists->reachable_searching_z + taken, idle, z);
                     if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_searching_p_ball_radius + taken, idle, p_ball_radius);
-                        p_board_distance = lanes_expand(lists->open_searching_p_board_distance + taken, idle, p_board_distance);
-                        p_bridge_depth = lanes_expand(lists->open_searching_p_bridge_depth + taken, idle, p_bridge_depth);
-                        p_bridge_half_width = lanes_expand(lists->open_searching_p_bridge_half_width + taken, idle, p_bridge_half_width);
-                        p_gravity = lanes_expand(lists->open_searching_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_searching_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_searching_p_wire_radius + taken, idle, p_wire_radius);
+                        p_ball_radius = lanes_expand(lists->reachable_searching_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_distance = lanes_expand(lists->reachable_searching_p_board_distance + taken, idle, p_board_distance);
+                        p_bridge_depth = lanes_expand(lists->reachable_searching_p_bridge_depth + taken, idle, p_bridge_depth);
+                        p_bridge_half_width = lanes_expand(lists->reachable_searching_p_bridge_half_width + taken, idle, p_bridge_half_width);
+                        p_gravity = lanes_expand(lists->reachable_searching_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->reachable_searching_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->reachable_searching_p_wire_radius + taken, idle, p_wire_radius);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_searching_shots - taken;
+                    const size_t room = LANES_WIDTH - busy, left = reachable_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -10102,56 +11250,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o120 =
+                const LANES(court_nearby_out) _o148 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o120.leaving;
-                V margin = _o120.margin;
-                const LANES(court_bridge_advance_out) _o121 =
+                V leaving = _o148.leaving;
+                V margin = _o148.margin;
+                const LANES(court_bridge_advance_out) _o149 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o121.gap;
-                V rate = _o121.rate;
-                V bend = _o121.bend;
-                V step = _o121.step;
-                V next = _o121.next;
-                V clearance = _o121.clearance;
-                const LANES(court_struck_out) _o122 =
-                    LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o122.hit;
-                M sure = _o122.sure;
-                M vague = _o122.vague;
-                const M _m123 = lanes_both(active, vague);
-                if (lanes_any(_m123)) {
-                    const LANES(court_finer_out) _o124 =
+                V gap = _o149.gap;
+                V rate = _o149.rate;
+                V bend = _o149.bend;
+                V step = _o149.step;
+                V next = _o149.next;
+                V clearance = _o149.clearance;
+                const LANES(court_struck_or_still_out) _o150 =
+                    LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
+                M hit = _o150.hit;
+                M sure = _o150.sure;
+                M vague = _o150.vague;
+                const M _m151 = lanes_both(active, vague);
+                if (lanes_any(_m151)) {
+                    const LANES(court_finer_out) _o152 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m123, _o124.share, share);
-                    const LANES(court_allowance_out) _o125 =
+                    share = lanes_select(_m151, _o152.share, share);
+                    const LANES(court_allowance_out) _o153 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o125.position_level;
-                    V velocity_level = _o125.velocity_level;
-                    V excess = _o125.excess;
-                    const LANES(court_bridge_margins_out) _o126 =
+                    V position_level = _o153.position_level;
+                    V velocity_level = _o153.velocity_level;
+                    V excess = _o153.excess;
+                    const LANES(court_bridge_margins_out) _o154 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m123, _o126.margin, flat);
-                    tilt = lanes_select(_m123, _o126.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m123, _o126.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o127 =
+                    flat = lanes_select(_m151, _o154.margin, flat);
+                    tilt = lanes_select(_m151, _o154.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m151, _o154.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o155 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m123, _o127.doubt, doubt);
+                    doubt = lanes_select(_m151, _o155.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o128 =
+                const LANES(court_advanced_out) _o156 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o128.arrival;
-                certain = _o128.certain;
-                M exhausted = _o128.exhausted;
-                searching = _o128.searching;
-                t = _o128.t;
-                const M _m129 = lanes_both(active, exhausted);
+                arrival = _o156.arrival;
+                certain = _o156.certain;
+                M exhausted = _o156.exhausted;
+                searching = _o156.searching;
+                t = _o156.t;
+                const M _m157 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o130 =
+                    const LANES(court_bridge_enter_out) _o158 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m129, _o130.t, t);
-                    end = lanes_select(_m129, _o130.end, end);
-                    searching = lanes_choose(_m129, _o130.searching, searching);
+                    t = lanes_select(_m157, _o158.t, t);
+                    end = lanes_select(_m157, _o158.end, end);
+                    searching = lanes_choose(_m157, _o158.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -10175,13 +11323,13 @@ static void LANES(court_bounded)(const court_job *job)
                     for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
                         const int lane = LANES_LOWEST(bits);
                         const size_t k = (size_t)ended_row[lane];
-                        lists->open_arrival[k] = ended_arrival[lane];
-                        lists->open_certain[k] = ended_certain[lane];
-                        lists->open_doubt[k] = ended_doubt[lane];
-                        lists->open_flat[k] = ended_flat[lane];
-                        lists->open_searching[k] = ended_searching[lane];
-                        lists->open_t[k] = ended_t[lane];
-                        lists->open_tilt[k] = ended_tilt[lane];
+                        lists->reachable_arrival[k] = ended_arrival[lane];
+                        lists->reachable_certain[k] = ended_certain[lane];
+                        lists->reachable_doubt[k] = ended_doubt[lane];
+                        lists->reachable_flat[k] = ended_flat[lane];
+                        lists->reachable_searching[k] = ended_searching[lane];
+                        lists->reachable_t[k] = ended_t[lane];
+                        lists->reachable_tilt[k] = ended_tilt[lane];
                     }
                     busy -= lanes_many(ended);
                     active = lanes_both(active, lanes_not(ended));
@@ -10190,99 +11338,99 @@ static void LANES(court_bounded)(const court_job *job)
         }
         }
         {
-        size_t open_refining_shots = 0;
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_shots - i);
-            V arrival = lanes_load(lists->open_arrival + i);
-            V ceiling = lanes_load(lists->open_ceiling + i);
-            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
-            V doubt = lanes_load(lists->open_doubt + i);
-            V flat = lanes_load(lists->open_flat + i);
-            V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
-            const V p_bridge_depth = lanes_load(varying ? lists->open_p_bridge_depth + i : lists->p_bridge_depth);
-            const V p_bridge_half_width = lanes_load(varying ? lists->open_p_bridge_half_width + i : lists->p_bridge_half_width);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
-            V t = lanes_load(lists->open_t + i);
-            V tilt = lanes_load(lists->open_tilt + i);
-            V vx = lanes_load(lists->open_vx + i);
-            V vy = lanes_load(lists->open_vy + i);
-            V vz = lanes_load(lists->open_vz + i);
-            V x = lanes_load(lists->open_x + i);
-            V y = lanes_load(lists->open_y + i);
-            V z = lanes_load(lists->open_z + i);
-            const LANES(court_questioned_out) _o131 =
+        size_t reachable_refining_shots = 0;
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(reachable_shots - i);
+            V arrival = lanes_load(lists->reachable_arrival + i);
+            V ceiling = lanes_load(lists->reachable_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
+            V doubt = lanes_load(lists->reachable_doubt + i);
+            V flat = lanes_load(lists->reachable_flat + i);
+            V last = lanes_load(lists->reachable_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->reachable_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_distance = lanes_load(varying ? lists->reachable_p_board_distance + i : lists->p_board_distance);
+            const V p_bridge_depth = lanes_load(varying ? lists->reachable_p_bridge_depth + i : lists->p_bridge_depth);
+            const V p_bridge_half_width = lanes_load(varying ? lists->reachable_p_bridge_half_width + i : lists->p_bridge_half_width);
+            const V p_gravity = lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->reachable_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->reachable_p_wire_radius + i : lists->p_wire_radius);
+            M searching = lanes_less(K(0.0), lanes_load(lists->reachable_searching + i));
+            V t = lanes_load(lists->reachable_t + i);
+            V tilt = lanes_load(lists->reachable_tilt + i);
+            V vx = lanes_load(lists->reachable_vx + i);
+            V vy = lanes_load(lists->reachable_vy + i);
+            V vz = lanes_load(lists->reachable_vz + i);
+            V x = lanes_load(lists->reachable_x + i);
+            V y = lanes_load(lists->reachable_y + i);
+            V z = lanes_load(lists->reachable_z + i);
+            const LANES(court_questioned_out) _o159 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o131.doubt;
-            const LANES(court_found_out) _o132 =
+            doubt = _o159.doubt;
+            const LANES(court_found_out) _o160 =
                 LANES(court_found)(arrival);
-            M arrives = _o132.arrives;
-            M refining = _o132.refining;
-            V rate = _o132.rate;
-            const LANES(court_nearby_out) _o133 =
+            M arrives = _o160.arrives;
+            M refining = _o160.refining;
+            V rate = _o160.rate;
+            const LANES(court_nearby_out) _o161 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o133.leaving;
-            const M _m134 = lanes_both(rows, refining);
-            if (lanes_any(_m134)) {
-                const LANES(court_bridge_refine_out) _o135 =
+            V leaving = _o161.leaving;
+            const M _m162 = lanes_both(rows, refining);
+            if (lanes_any(_m162)) {
+                const LANES(court_bridge_refine_out) _o163 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o135.time;
-                V gap = _o135.gap;
-                rate = lanes_select(_m134, _o135.rate, rate);
-                const LANES(court_polished_out) _o136 =
+                V refined = _o163.time;
+                V gap = _o163.gap;
+                rate = lanes_select(_m162, _o163.rate, rate);
+                const LANES(court_polished_out) _o164 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m134, _o136.arrival, arrival);
-                refining = lanes_choose(_m134, _o136.refining, refining);
+                arrival = lanes_select(_m162, _o164.arrival, arrival);
+                refining = lanes_choose(_m162, _o164.refining, refining);
             }
-            const M _m137 = lanes_both(rows, refining);
-            if (lanes_any(_m137)) {
-                const LANES(court_bridge_refine_out) _o138 =
+            const M _m165 = lanes_both(rows, refining);
+            if (lanes_any(_m165)) {
+                const LANES(court_bridge_refine_out) _o166 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o138.time;
-                V gap = _o138.gap;
-                rate = lanes_select(_m137, _o138.rate, rate);
-                const LANES(court_polished_out) _o139 =
+                V refined = _o166.time;
+                V gap = _o166.gap;
+                rate = lanes_select(_m165, _o166.rate, rate);
+                const LANES(court_polished_out) _o167 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m137, _o139.arrival, arrival);
-                refining = lanes_choose(_m137, _o139.refining, refining);
+                arrival = lanes_select(_m165, _o167.arrival, arrival);
+                refining = lanes_choose(_m165, _o167.refining, refining);
             }
-            lanes_store(lists->open_arrival + i, arrival);
-            lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
-            lanes_store(lists->open_doubt + i, doubt);
-            lanes_store(lists->open_leaving + i, leaving);
-            lanes_store(lists->open_rate + i, rate);
+            lanes_store(lists->reachable_arrival + i, arrival);
+            lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
+            lanes_store(lists->reachable_doubt + i, doubt);
+            lanes_store(lists->reachable_leaving + i, leaving);
+            lanes_store(lists->reachable_rate + i, rate);
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_refining_row + open_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_refining_arrival + open_refining_shots, packed, arrival);
-                lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
-                lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
+                lanes_pack(lists->reachable_refining_row + reachable_refining_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->reachable_refining_arrival + reachable_refining_shots, packed, arrival);
+                lanes_pack(lists->reachable_refining_ceiling + reachable_refining_shots, packed, ceiling);
+                lanes_pack(lists->reachable_refining_certain + reachable_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->reachable_refining_leaving + reachable_refining_shots, packed, leaving);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
+                    lanes_pack(lists->reachable_refining_p_ball_radius + reachable_refining_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_board_distance + open_refining_shots, packed, p_board_distance);
+                    lanes_pack(lists->reachable_refining_p_board_distance + reachable_refining_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_bridge_depth + open_refining_shots, packed, p_bridge_depth);
+                    lanes_pack(lists->reachable_refining_p_bridge_depth + reachable_refining_shots, packed, p_bridge_depth);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_bridge_half_width + open_refining_shots, packed, p_bridge_half_width);
+                    lanes_pack(lists->reachable_refining_p_bridge_half_width + reachable_refining_shots, packed, p_bridge_half_width);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
+                    lanes_pack(lists->reachable_refining_p_gravity + reachable_refining_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, p_ring_radius);
+                    lanes_pack(lists->reachable_refining_p_ring_radius + reachable_refining_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
-                lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
-                lanes_pack(lists->open_refining_vz + open_refining_shots, packed, vz);
-                lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
-                lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
-                lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
-                open_refining_shots += lanes_many(packed);
+                    lanes_pack(lists->reachable_refining_p_wire_radius + reachable_refining_shots, packed, p_wire_radius);
+                lanes_pack(lists->reachable_refining_vx + reachable_refining_shots, packed, vx);
+                lanes_pack(lists->reachable_refining_vy + reachable_refining_shots, packed, vy);
+                lanes_pack(lists->reachable_refining_vz + reachable_refining_shots, packed, vz);
+                lanes_pack(lists->reachable_refining_x + reachable_refining_shots, packed, x);
+                lanes_pack(lists->reachable_refining_y + reachable_refining_shots, packed, y);
+                lanes_pack(lists->reachable_refining_z + reachable_refining_shots, packed, z);
+                reachable_refining_shots += lanes_many(packed);
             }
         }
         {
@@ -10307,30 +11455,30 @@ static void LANES(court_bounded)(const court_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < reachable_refining_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
-                    row = lanes_expand(lists->open_refining_row + taken, idle, row);
+                    row = lanes_expand(lists->reachable_refining_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
-                    arrival = lanes_expand(lists->open_refining_arrival + taken, idle, arrival);
-                    ceiling = lanes_expand(lists->open_refining_ceiling + taken, idle, ceiling);
-                    certain = lanes_less(K(0.0), lanes_expand(lists->open_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
-                    leaving = lanes_expand(lists->open_refining_leaving + taken, idle, leaving);
-                    vx = lanes_expand(lists->open_refining_vx + taken, idle, vx);
-                    vy = lanes_expand(lists->open_refining_vy + taken, idle, vy);
-                    vz = lanes_expand(lists->open_refining_vz + taken, idle, vz);
-                    x = lanes_expand(lists->open_refining_x + taken, idle, x);
-                    y = lanes_expand(lists->open_refining_y + taken, idle, y);
-                    z = lanes_expand(lists->open_refining_z + taken, idle, z);
+                    arrival = lanes_expand(lists->reachable_refining_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->reachable_refining_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->reachable_refining_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    leaving = lanes_expand(lists->reachable_refining_leaving + taken, idle, leaving);
+                    vx = lanes_expand(lists->reachable_refining_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->reachable_refining_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->reachable_refining_vz + taken, idle, vz);
+                    x = lanes_expand(lists->reachable_refining_x + taken, idle, x);
+                    y = lanes_expand(lists->reachable_refining_y + taken, idle, y);
+                    z = lanes_expand(lists->reachable_refining_z + taken, idle, z);
                     if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
-                        p_board_distance = lanes_expand(lists->open_refining_p_board_distance + taken, idle, p_board_distance);
-                        p_bridge_depth = lanes_expand(lists->open_refining_p_bridge_depth + taken, idle, p_bridge_depth);
-                        p_bridge_half_width = lanes_expand(lists->open_refining_p_bridge_half_width + taken, idle, p_bridge_half_width);
-                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, p_wire_radius);
+                        p_ball_radius = lanes_expand(lists->reachable_refining_p_ball_radius + taken, idle, p_ball_radius);
+                        p_board_distance = lanes_expand(lists->reachable_refining_p_board_distance + taken, idle, p_board_distance);
+                        p_bridge_depth = lanes_expand(lists->reachable_refining_p_bridge_depth + taken, idle, p_bridge_depth);
+                        p_bridge_half_width = lanes_expand(lists->reachable_refining_p_bridge_half_width + taken, idle, p_bridge_half_width);
+                        p_gravity = lanes_expand(lists->reachable_refining_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->reachable_refining_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->reachable_refining_p_wire_radius + taken, idle, p_wire_radius);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
+                    const size_t room = LANES_WIDTH - busy, left = reachable_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -10338,15 +11486,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o140 =
+                const LANES(court_bridge_refine_out) _o168 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o140.time;
-                V gap = _o140.gap;
-                V rate = _o140.rate;
-                const LANES(court_polished_out) _o141 =
+                V refined = _o168.time;
+                V gap = _o168.gap;
+                V rate = _o168.rate;
+                const LANES(court_polished_out) _o169 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o141.arrival;
-                refining = _o141.refining;
+                arrival = _o169.arrival;
+                refining = _o169.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -10359,8 +11507,8 @@ static void LANES(court_bounded)(const court_job *job)
                     for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
                         const int lane = LANES_LOWEST(bits);
                         const size_t k = (size_t)ended_row[lane];
-                        lists->open_arrival[k] = ended_arrival[lane];
-                        lists->open_rate[k] = ended_rate[lane];
+                        lists->reachable_arrival[k] = ended_arrival[lane];
+                        lists->reachable_rate[k] = ended_rate[lane];
                     }
                     busy -= lanes_many(ended);
                     active = lanes_both(active, lanes_not(ended));
@@ -10368,67 +11516,67 @@ static void LANES(court_bounded)(const court_job *job)
             }
         }
         }
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            V arrival = lanes_load(lists->open_arrival + i);
-            M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
-            V ceiling = lanes_load(lists->open_ceiling + i);
-            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
-            V doubt = lanes_load(lists->open_doubt + i);
-            V extent = lanes_load(lists->open_extent + i);
-            V late = lanes_load(lists->open_late + i);
-            V latest = lanes_load(lists->open_latest + i);
-            V leaving = lanes_load(lists->open_leaving + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_distance = lanes_load(varying ? lists->open_p_board_distance + i : lists->p_board_distance);
-            const V p_bridge_depth = lanes_load(varying ? lists->open_p_bridge_depth + i : lists->p_bridge_depth);
-            const V p_bridge_half_width = lanes_load(varying ? lists->open_p_bridge_half_width + i : lists->p_bridge_half_width);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V position_error = lanes_load(lists->open_position_error + i);
-            V rate = lanes_load(lists->open_rate + i);
-            V speed = lanes_load(lists->open_speed + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
-            V when = lanes_load(lists->open_when + i);
-            V which = lanes_load(lists->open_which + i);
-            const LANES(court_bridge_margins_out) _o142 =
+        for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
+            V arrival = lanes_load(lists->reachable_arrival + i);
+            M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
+            V ceiling = lanes_load(lists->reachable_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
+            V doubt = lanes_load(lists->reachable_doubt + i);
+            V extent = lanes_load(lists->reachable_extent + i);
+            V late = lanes_load(lists->reachable_late + i);
+            V latest = lanes_load(lists->reachable_latest + i);
+            V leaving = lanes_load(lists->reachable_leaving + i);
+            const V p_ball_radius = lanes_load(varying ? lists->reachable_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_distance = lanes_load(varying ? lists->reachable_p_board_distance + i : lists->p_board_distance);
+            const V p_bridge_depth = lanes_load(varying ? lists->reachable_p_bridge_depth + i : lists->p_bridge_depth);
+            const V p_bridge_half_width = lanes_load(varying ? lists->reachable_p_bridge_half_width + i : lists->p_bridge_half_width);
+            const V p_gravity = lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->reachable_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->reachable_p_wire_radius + i : lists->p_wire_radius);
+            V position_error = lanes_load(lists->reachable_position_error + i);
+            V rate = lanes_load(lists->reachable_rate + i);
+            V speed = lanes_load(lists->reachable_speed + i);
+            V velocity_error = lanes_load(lists->reachable_velocity_error + i);
+            V when = lanes_load(lists->reachable_when + i);
+            V which = lanes_load(lists->reachable_which + i);
+            const LANES(court_bridge_margins_out) _o170 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o142.margin;
-            V tilt = _o142.leaving_margin;
-            V rate_margin = _o142.rate_margin;
-            const LANES(court_own_margin_out) _o143 =
+            V flat = _o170.margin;
+            V tilt = _o170.leaving_margin;
+            V rate_margin = _o170.rate_margin;
+            const LANES(court_own_margin_out) _o171 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o143.margin;
-            const LANES(court_crossing_out) _o144 =
+            V margin = _o171.margin;
+            const LANES(court_crossing_out) _o172 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o144.clearance;
-            V delay = _o144.delay;
-            const LANES(court_landed_out) _o145 =
+            V clearance = _o172.clearance;
+            V delay = _o172.delay;
+            const LANES(court_landed_out) _o173 =
                 LANES(court_landed)(arrival);
-            V time = _o145.time;
-            const LANES(court_landed_surely_out) _o146 =
+            V time = _o173.time;
+            const LANES(court_landed_surely_out) _o174 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o146.delay;
-            doubt = _o146.doubt;
-            const LANES(court_tied_out) _o147 =
+            delay = _o174.delay;
+            doubt = _o174.doubt;
+            const LANES(court_tied_out) _o175 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o147.doubt;
-            late = _o147.late;
-            const LANES(court_sooner_out) _o148 =
+            doubt = _o175.doubt;
+            late = _o175.late;
+            const LANES(court_sooner_out) _o176 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o148.when;
-            which = _o148.which;
-            lanes_store(lists->open_doubt + i, doubt);
-            lanes_store(lists->open_late + i, late);
-            lanes_store(lists->open_when + i, when);
-            lanes_store(lists->open_which + i, which);
+            when = _o176.when;
+            which = _o176.which;
+            lanes_store(lists->reachable_doubt + i, doubt);
+            lanes_store(lists->reachable_late + i, late);
+            lanes_store(lists->reachable_when + i, when);
+            lanes_store(lists->reachable_which + i, which);
         }
-        for (size_t k = 0; k < open_shots; k++) {
-            const size_t row = (size_t)lists->open_row[k];
-            lists->doubt[row] = lists->open_doubt[k];
-            lists->late[row] = lists->open_late[k];
-            lists->when[row] = lists->open_when[k];
-            lists->which[row] = lists->open_which[k];
+        for (size_t k = 0; k < reachable_shots; k++) {
+            const size_t row = (size_t)lists->reachable_row[k];
+            lists->doubt[row] = lists->reachable_doubt[k];
+            lists->late[row] = lists->reachable_late[k];
+            lists->when[row] = lists->reachable_when[k];
+            lists->which[row] = lists->reachable_which[k];
         }
         }
         {
@@ -10488,22 +11636,22 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m149 = lanes_both(rows, limited);
-            if (lanes_any(_m149)) {
-                const LANES(court_expiry_out) _o150 =
+            const M _m177 = lanes_both(rows, limited);
+            if (lanes_any(_m177)) {
+                const LANES(court_expiry_out) _o178 =
                     LANES(court_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o150.time;
-                V delay = _o150.delay;
-                M arrives = _o150.arrives;
-                doubt = lanes_select(_m149, _o150.doubt, doubt);
-                const LANES(court_tied_out) _o151 =
+                V time = _o178.time;
+                V delay = _o178.delay;
+                M arrives = _o178.arrives;
+                doubt = lanes_select(_m177, _o178.doubt, doubt);
+                const LANES(court_tied_out) _o179 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m149, _o151.doubt, doubt);
-                late = lanes_select(_m149, _o151.late, late);
-                const LANES(court_sooner_out) _o152 =
+                doubt = lanes_select(_m177, _o179.doubt, doubt);
+                late = lanes_select(_m177, _o179.late, late);
+                const LANES(court_sooner_out) _o180 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m149, _o152.when, when);
-                which = lanes_select(_m149, _o152.which, which);
+                when = lanes_select(_m177, _o180.when, when);
+                which = lanes_select(_m177, _o180.which, which);
             }
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->late + i, late);
@@ -10617,6 +11765,8 @@ static void LANES(court_bounded)(const court_job *job)
             lists->z[row] = lists->kept_z[k];
         }
         }
+        {
+        size_t slow_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V assured = lanes_load(lists->assured + i);
@@ -10665,18 +11815,14 @@ static void LANES(court_bounded)(const court_job *job)
             const V p_ring_restitution = lanes_load(lists->p_ring_restitution + (i & varying));
             const V p_tangential_restitution = lanes_load(lists->p_tangential_restitution + (i & varying));
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
-            V position_claim = lanes_load(lists->position_claim + i);
             V position_error = lanes_load(lists->position_error + i);
             M rests = lanes_less(K(0.0), lanes_load(lists->rests + i));
             M rolling = lanes_less(K(0.0), lanes_load(lists->rolling + i));
             V rolls = lanes_load(lists->rolls + i);
             V slip_left = lanes_load(lists->slip_left + i);
             V speed = lanes_load(lists->speed + i);
-            V spin_claim = lanes_load(lists->spin_claim + i);
             V through = lanes_load(lists->through + i);
-            V time_claim = lanes_load(lists->time_claim + i);
             V uncertain = lanes_load(lists->uncertain + i);
-            V velocity_claim = lanes_load(lists->velocity_claim + i);
             V velocity_error = lanes_load(lists->velocity_error + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
@@ -10689,90 +11835,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o434 =
+            const LANES(court_departed_out) _o461 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o434.moves;
-            M ends = _o434.ends;
-            M touches = _o434.touches;
-            V reached = _o434.reached;
-            M edge = _o434.edge;
-            const LANES(court_body_of_out) _o435 =
+            M moves = _o461.moves;
+            M ends = _o461.ends;
+            M touches = _o461.touches;
+            V reached = _o461.reached;
+            M edge = _o461.edge;
+            const LANES(court_body_of_out) _o462 =
                 LANES(court_body_of)(which);
-            V body = _o435.body;
-            const M _m436 = lanes_both(rows, moves);
-            if (lanes_any(_m436)) {
-                const LANES(court_passing_doubt_out) _o437 =
+            V body = _o462.body;
+            const M _m463 = lanes_both(rows, moves);
+            if (lanes_any(_m463)) {
+                const LANES(court_passing_doubt_out) _o464 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o437.unsure;
-                const LANES(court_undecided_out) _o438 =
+                M unsure = _o464.unsure;
+                const LANES(court_undecided_out) _o465 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m436, _o438.uncertain, uncertain);
-                const LANES(court_passing_out) _o439 =
+                uncertain = lanes_select(_m463, _o465.uncertain, uncertain);
+                const LANES(court_passing_out) _o466 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m436, _o439.through, through);
-                const LANES(court_flight_out) _o440 =
+                through = lanes_select(_m463, _o466.through, through);
+                const LANES(court_flight_out) _o467 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m436, _o440.x, x);
-                y = lanes_select(_m436, _o440.y, y);
-                z = lanes_select(_m436, _o440.z, z);
-                vx = lanes_select(_m436, _o440.vx, vx);
-                vy = lanes_select(_m436, _o440.vy, vy);
-                vz = lanes_select(_m436, _o440.vz, vz);
-                const LANES(court_ticked_out) _o441 =
+                x = lanes_select(_m463, _o467.x, x);
+                y = lanes_select(_m463, _o467.y, y);
+                z = lanes_select(_m463, _o467.z, z);
+                vx = lanes_select(_m463, _o467.vx, vx);
+                vy = lanes_select(_m463, _o467.vy, vy);
+                vz = lanes_select(_m463, _o467.vz, vz);
+                const LANES(court_ticked_out) _o468 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m436, _o441.clock, clock);
+                clock = lanes_select(_m463, _o468.clock, clock);
             }
-            const M _m442 = lanes_both(rows, limited);
-            if (lanes_any(_m442)) {
-                const LANES(court_expired_out) _o443 =
+            const M _m469 = lanes_both(rows, limited);
+            if (lanes_any(_m469)) {
+                const LANES(court_expired_out) _o470 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m442, _o443.clock, clock);
-                body = lanes_select(_m442, _o443.body, body);
-                reached = lanes_select(_m442, _o443.reached, reached);
-                ends = lanes_choose(_m442, _o443.ends, ends);
+                clock = lanes_select(_m469, _o470.clock, clock);
+                body = lanes_select(_m469, _o470.body, body);
+                reached = lanes_select(_m469, _o470.reached, reached);
+                ends = lanes_choose(_m469, _o470.ends, ends);
             }
-            const LANES(court_unhopped_out) _o444 =
+            const LANES(court_unhopped_out) _o471 =
                 LANES(court_unhopped)();
-            M hopped = _o444.hopped;
-            const M _m445 = lanes_both(rows, kept);
-            if (lanes_any(_m445)) {
-                const LANES(court_kept_on_out) _o446 =
+            M hopped = _o471.hopped;
+            const M _m472 = lanes_both(rows, kept);
+            if (lanes_any(_m472)) {
+                const LANES(court_kept_on_out) _o473 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m445, _o446.body, body);
-                reached = lanes_select(_m445, _o446.reached, reached);
-                doubt = lanes_select(_m445, _o446.doubt, doubt);
-                ends = lanes_choose(_m445, _o446.ends, ends);
-                hopped = lanes_choose(_m445, _o446.hopped, hopped);
-                last = lanes_select(_m445, _o446.last, last);
-                mode = lanes_select(_m445, _o446.mode, mode);
-                held = lanes_select(_m445, _o446.held, held);
-                rolls = lanes_select(_m445, _o446.rolls, rolls);
+                body = lanes_select(_m472, _o473.body, body);
+                reached = lanes_select(_m472, _o473.reached, reached);
+                doubt = lanes_select(_m472, _o473.doubt, doubt);
+                ends = lanes_choose(_m472, _o473.ends, ends);
+                hopped = lanes_choose(_m472, _o473.hopped, hopped);
+                last = lanes_select(_m472, _o473.last, last);
+                mode = lanes_select(_m472, _o473.mode, mode);
+                held = lanes_select(_m472, _o473.held, held);
+                rolls = lanes_select(_m472, _o473.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o447 =
+            const LANES(court_displacement_out) _o474 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o447.margin;
-            const LANES(court_here_out) _o448 =
+            V slack = _o474.margin;
+            const LANES(court_here_out) _o475 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o448.here;
-            const M _m449 = lanes_both(rows, here);
+            M here = _o475.here;
+            const M _m476 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o450 =
+                const LANES(court_end_bounds_out) _o477 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o450.g0;
-                const LANES(court_end_reached_out) _o451 =
+                V g0 = _o477.g0;
+                const LANES(court_end_reached_out) _o478 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m449, _o451.reached, reached);
-                const LANES(court_end_edge_out) _o452 =
+                reached = lanes_select(_m476, _o478.reached, reached);
+                const LANES(court_end_edge_out) _o479 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m449, _o452.edge, edge);
+                edge = lanes_choose(_m476, _o479.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o453 =
+            const LANES(court_doubted_in_contact_out) _o480 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o453.uncertain;
-            const LANES(court_accounted_out) _o454 =
+            uncertain = _o480.uncertain;
+            const LANES(court_accounted_out) _o481 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o454.contacts;
-            V outcome = _o454.outcome;
+            contacts = _o481.contacts;
+            V outcome = _o481.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -10785,511 +11931,261 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o455 =
+            const LANES(court_meeting_out) _o482 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o455.meeting;
-            const M _m456 = lanes_both(rows, meeting);
-            if (lanes_any(_m456)) {
-                const LANES(court_end_normal_out) _o457 =
+            M meeting = _o482.meeting;
+            const LANES(court_unslowed_out) _o483 =
+                LANES(court_unslowed)();
+            M slow = _o483.slow;
+            const M _m484 = lanes_both(rows, meeting);
+            if (lanes_any(_m484)) {
+                const LANES(court_end_normal_out) _o485 =
                     LANES(court_end_normal)();
-                V nx = _o457.nx;
-                V ny = _o457.ny;
-                V nz = _o457.nz;
-                const LANES(court_here_out) _o458 =
+                V nx = _o485.nx;
+                V ny = _o485.ny;
+                V nz = _o485.nz;
+                const LANES(court_here_out) _o486 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o458.here;
-                const M _m459 = lanes_both(_m456, here);
+                M here = _o486.here;
+                const M _m487 = lanes_both(_m484, here);
                 {
-                    const LANES(court_ring_normal_out) _o460 =
+                    const LANES(court_ring_normal_out) _o488 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m459, _o460.nx, nx);
-                    ny = lanes_select(_m459, _o460.ny, ny);
-                    nz = lanes_select(_m459, _o460.nz, nz);
-                    const LANES(court_counted_out) _o461 =
+                    nx = lanes_select(_m487, _o488.nx, nx);
+                    ny = lanes_select(_m487, _o488.ny, ny);
+                    nz = lanes_select(_m487, _o488.nz, nz);
+                    const LANES(court_counted_out) _o489 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m459, _o461.count, count_0);
+                    count_0 = lanes_select(_m487, _o489.count, count_0);
                 }
-                const LANES(court_here_out) _o462 =
+                const LANES(court_here_out) _o490 =
                     LANES(court_here)(K(1.0), which);
-                here = _o462.here;
-                const M _m463 = lanes_both(_m456, here);
+                here = _o490.here;
+                const M _m491 = lanes_both(_m484, here);
                 {
-                    const LANES(court_backboard_normal_out) _o464 =
+                    const LANES(court_backboard_normal_out) _o492 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m463, _o464.nx, nx);
-                    ny = lanes_select(_m463, _o464.ny, ny);
-                    nz = lanes_select(_m463, _o464.nz, nz);
-                    const LANES(court_counted_out) _o465 =
+                    nx = lanes_select(_m491, _o492.nx, nx);
+                    ny = lanes_select(_m491, _o492.ny, ny);
+                    nz = lanes_select(_m491, _o492.nz, nz);
+                    const LANES(court_counted_out) _o493 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m463, _o465.count, count_1);
+                    count_1 = lanes_select(_m491, _o493.count, count_1);
                 }
-                const LANES(court_here_out) _o466 =
+                const LANES(court_here_out) _o494 =
                     LANES(court_here)(K(2.0), which);
-                here = _o466.here;
-                const M _m467 = lanes_both(_m456, here);
+                here = _o494.here;
+                const M _m495 = lanes_both(_m484, here);
                 {
-                    const LANES(court_bridge_normal_out) _o468 =
+                    const LANES(court_bridge_normal_out) _o496 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m467, _o468.nx, nx);
-                    ny = lanes_select(_m467, _o468.ny, ny);
-                    nz = lanes_select(_m467, _o468.nz, nz);
-                    const LANES(court_counted_out) _o469 =
+                    nx = lanes_select(_m495, _o496.nx, nx);
+                    ny = lanes_select(_m495, _o496.ny, ny);
+                    nz = lanes_select(_m495, _o496.nz, nz);
+                    const LANES(court_counted_out) _o497 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m467, _o469.count, count_2);
+                    count_2 = lanes_select(_m495, _o497.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o470 =
+                const LANES(court_elsewhere_out) _o498 =
                     LANES(court_elsewhere)();
-                V curving = _o470.curving;
-                const LANES(court_anew_out) _o471 =
+                V curving = _o498.curving;
+                const LANES(court_anew_out) _o499 =
                     LANES(court_anew)();
-                V left_nx = _o471.left_nx;
-                V left_ny = _o471.left_ny;
-                V left_nz = _o471.left_nz;
-                const LANES(court_again_out) _o472 =
+                V left_nx = _o499.left_nx;
+                V left_ny = _o499.left_ny;
+                V left_nz = _o499.left_nz;
+                const LANES(court_again_out) _o500 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o472.again;
-                const M _m473 = lanes_both(_m456, again);
-                if (lanes_any(_m473)) {
-                    const LANES(court_ring_curvature_out) _o474 =
+                M again = _o500.again;
+                const M _m501 = lanes_both(_m484, again);
+                if (lanes_any(_m501)) {
+                    const LANES(court_ring_curvature_out) _o502 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m473, _o474.curvature, curving);
-                    const LANES(court_started_out) _o475 =
+                    curving = lanes_select(_m501, _o502.curvature, curving);
+                    const LANES(court_started_out) _o503 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o475.from_x;
-                    V from_y = _o475.from_y;
-                    V from_z = _o475.from_z;
-                    const LANES(court_ring_normal_out) _o476 =
+                    V from_x = _o503.from_x;
+                    V from_y = _o503.from_y;
+                    V from_z = _o503.from_z;
+                    const LANES(court_ring_normal_out) _o504 =
                         LANES(court_ring_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    left_nx = lanes_select(_m473, _o476.nx, left_nx);
-                    left_ny = lanes_select(_m473, _o476.ny, left_ny);
-                    left_nz = lanes_select(_m473, _o476.nz, left_nz);
+                    left_nx = lanes_select(_m501, _o504.nx, left_nx);
+                    left_ny = lanes_select(_m501, _o504.ny, left_ny);
+                    left_nz = lanes_select(_m501, _o504.nz, left_nz);
                 }
-                const LANES(court_again_out) _o477 =
+                const LANES(court_again_out) _o505 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o477.again;
-                const M _m478 = lanes_both(_m456, again);
-                if (lanes_any(_m478)) {
-                    const LANES(court_backboard_curvature_out) _o479 =
+                again = _o505.again;
+                const M _m506 = lanes_both(_m484, again);
+                if (lanes_any(_m506)) {
+                    const LANES(court_backboard_curvature_out) _o507 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m478, _o479.curvature, curving);
-                    const LANES(court_started_out) _o480 =
+                    curving = lanes_select(_m506, _o507.curvature, curving);
+                    const LANES(court_started_out) _o508 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o480.from_x;
-                    V from_y = _o480.from_y;
-                    V from_z = _o480.from_z;
-                    const LANES(court_backboard_normal_out) _o481 =
+                    V from_x = _o508.from_x;
+                    V from_y = _o508.from_y;
+                    V from_z = _o508.from_z;
+                    const LANES(court_backboard_normal_out) _o509 =
                         LANES(court_backboard_normal)(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    left_nx = lanes_select(_m478, _o481.nx, left_nx);
-                    left_ny = lanes_select(_m478, _o481.ny, left_ny);
-                    left_nz = lanes_select(_m478, _o481.nz, left_nz);
+                    left_nx = lanes_select(_m506, _o509.nx, left_nx);
+                    left_ny = lanes_select(_m506, _o509.ny, left_ny);
+                    left_nz = lanes_select(_m506, _o509.nz, left_nz);
                 }
-                const LANES(court_again_out) _o482 =
+                const LANES(court_again_out) _o510 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o482.again;
-                const M _m483 = lanes_both(_m456, again);
-                if (lanes_any(_m483)) {
-                    const LANES(court_bridge_curvature_out) _o484 =
+                again = _o510.again;
+                const M _m511 = lanes_both(_m484, again);
+                if (lanes_any(_m511)) {
+                    const LANES(court_bridge_curvature_out) _o512 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m483, _o484.curvature, curving);
-                    const LANES(court_started_out) _o485 =
+                    curving = lanes_select(_m511, _o512.curvature, curving);
+                    const LANES(court_started_out) _o513 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o485.from_x;
-                    V from_y = _o485.from_y;
-                    V from_z = _o485.from_z;
-                    const LANES(court_bridge_normal_out) _o486 =
+                    V from_x = _o513.from_x;
+                    V from_y = _o513.from_y;
+                    V from_z = _o513.from_z;
+                    const LANES(court_bridge_normal_out) _o514 =
                         LANES(court_bridge_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    left_nx = lanes_select(_m483, _o486.nx, left_nx);
-                    left_ny = lanes_select(_m483, _o486.ny, left_ny);
-                    left_nz = lanes_select(_m483, _o486.nz, left_nz);
+                    left_nx = lanes_select(_m511, _o514.nx, left_nx);
+                    left_ny = lanes_select(_m511, _o514.ny, left_ny);
+                    left_nz = lanes_select(_m511, _o514.nz, left_nz);
                 }
-                const LANES(court_carry_flight_out) _o487 =
+                const LANES(court_carry_flight_out) _o515 =
                     LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
-                dx = lanes_select(_m456, _o487.dx, dx);
-                dy = lanes_select(_m456, _o487.dy, dy);
-                dz = lanes_select(_m456, _o487.dz, dz);
-                V lifting = _o487.lifting;
-                dvx = lanes_select(_m456, _o487.dvx, dvx);
-                dvy = lanes_select(_m456, _o487.dvy, dvy);
-                dvz = lanes_select(_m456, _o487.dvz, dvz);
-                V delay = _o487.delay;
-                V shift = _o487.shift;
-                const LANES(court_delayed_out) _o488 =
+                dx = lanes_select(_m484, _o515.dx, dx);
+                dy = lanes_select(_m484, _o515.dy, dy);
+                dz = lanes_select(_m484, _o515.dz, dz);
+                V lifting = _o515.lifting;
+                dvx = lanes_select(_m484, _o515.dvx, dvx);
+                dvy = lanes_select(_m484, _o515.dvy, dvy);
+                dvz = lanes_select(_m484, _o515.dvz, dvz);
+                V delay = _o515.delay;
+                V shift = _o515.shift;
+                const LANES(court_delayed_out) _o516 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m456, _o488.clock_error, clock_error);
-                const M _m489 = lanes_both(_m456, ends);
+                clock_error = lanes_select(_m484, _o516.clock_error, clock_error);
+                const M _m517 = lanes_both(_m484, ends);
                 {
-                    const LANES(court_floored_out) _o490 =
+                    const LANES(court_floored_out) _o518 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m489, _o490.dx, dx);
-                    dy = lanes_select(_m489, _o490.dy, dy);
-                    dz = lanes_select(_m489, _o490.dz, dz);
+                    dx = lanes_select(_m517, _o518.dx, dx);
+                    dy = lanes_select(_m517, _o518.dy, dy);
+                    dz = lanes_select(_m517, _o518.dz, dz);
                 }
-                const LANES(court_unturned_out) _o491 =
+                const LANES(court_unturned_out) _o519 =
                     LANES(court_unturned)();
-                V dnx = _o491.dnx;
-                V dny = _o491.dny;
-                V dnz = _o491.dnz;
-                V turn = _o491.turn;
-                const LANES(court_here_out) _o492 =
+                V dnx = _o519.dnx;
+                V dny = _o519.dny;
+                V dnz = _o519.dnz;
+                V turn = _o519.turn;
+                const LANES(court_here_out) _o520 =
                     LANES(court_here)(K(0.0), which);
-                here = _o492.here;
-                const M _m493 = lanes_both(_m456, here);
-                if (lanes_any(_m493)) {
-                    const LANES(court_ring_carry_normal_out) _o494 =
+                here = _o520.here;
+                const M _m521 = lanes_both(_m484, here);
+                if (lanes_any(_m521)) {
+                    const LANES(court_ring_carry_normal_out) _o522 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m493, _o494.dnx, dnx);
-                    dny = lanes_select(_m493, _o494.dny, dny);
-                    dnz = lanes_select(_m493, _o494.dnz, dnz);
-                    turn = lanes_select(_m493, _o494.turn, turn);
+                    dnx = lanes_select(_m521, _o522.dnx, dnx);
+                    dny = lanes_select(_m521, _o522.dny, dny);
+                    dnz = lanes_select(_m521, _o522.dnz, dnz);
+                    turn = lanes_select(_m521, _o522.turn, turn);
                 }
-                const LANES(court_here_out) _o495 =
+                const LANES(court_here_out) _o523 =
                     LANES(court_here)(K(1.0), which);
-                here = _o495.here;
-                const M _m496 = lanes_both(_m456, here);
+                here = _o523.here;
+                const M _m524 = lanes_both(_m484, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o497 =
+                    const LANES(court_backboard_carry_normal_out) _o525 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m496, _o497.dnx, dnx);
-                    dny = lanes_select(_m496, _o497.dny, dny);
-                    dnz = lanes_select(_m496, _o497.dnz, dnz);
-                    turn = lanes_select(_m496, _o497.turn, turn);
+                    dnx = lanes_select(_m524, _o525.dnx, dnx);
+                    dny = lanes_select(_m524, _o525.dny, dny);
+                    dnz = lanes_select(_m524, _o525.dnz, dnz);
+                    turn = lanes_select(_m524, _o525.turn, turn);
                 }
-                const LANES(court_here_out) _o498 =
+                const LANES(court_here_out) _o526 =
                     LANES(court_here)(K(2.0), which);
-                here = _o498.here;
-                const M _m499 = lanes_both(_m456, here);
+                here = _o526.here;
+                const M _m527 = lanes_both(_m484, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o500 =
+                    const LANES(court_bridge_carry_normal_out) _o528 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m499, _o500.dnx, dnx);
-                    dny = lanes_select(_m499, _o500.dny, dny);
-                    dnz = lanes_select(_m499, _o500.dnz, dnz);
-                    turn = lanes_select(_m499, _o500.turn, turn);
+                    dnx = lanes_select(_m527, _o528.dnx, dnx);
+                    dny = lanes_select(_m527, _o528.dny, dny);
+                    dnz = lanes_select(_m527, _o528.dnz, dnz);
+                    turn = lanes_select(_m527, _o528.turn, turn);
                 }
-                const LANES(court_untaken_out) _o501 =
+                const LANES(court_untaken_out) _o529 =
                     LANES(court_untaken)();
-                M struck_0 = _o501.mine;
-                const LANES(court_ring_impact_taken_out) _o502 =
+                M struck_0 = _o529.mine;
+                const LANES(court_ring_impact_taken_out) _o530 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o502.its_0;
-                V its_1_ring_impact = _o502.its_1;
+                V its_0_ring_impact = _o530.its_0;
+                V its_1_ring_impact = _o530.its_1;
                 {
-                    const double *const _t504[][2] = {
+                    const double *const _t532[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t505[][1] = {
+                    static const double _t533[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k503 = 0; _k503 < 3; _k503++) {
-                        const V own_1 = lanes_load(_t504[_k503][0] + (i & varying));
-                        const V own_2 = lanes_load(_t504[_k503][1] + (i & varying));
-                        const V own_index = K(_t505[_k503][0]);
-                        const LANES(court_here_out) _o506 =
-                            LANES(court_here)(own_index, which);
-                        M here = _o506.here;
-                        const M _m507 = lanes_both(_m456, here);
-                        if (lanes_any(_m507)) {
-                            const LANES(court_ring_impact_taken_out) _o508 =
-                                LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m507, _o508.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m507, _o508.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m507, _o508.its_1, its_1_ring_impact);
-                        }
-                    }
-                }
-                const M _m509 = lanes_both(_m456, struck_0);
-                if (lanes_any(_m509)) {
-                    const LANES(court_ring_impact_doubt_out) _o510 =
-                        LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    M unsure = _o510.unsure;
-                    const LANES(court_undecided_out) _o511 =
-                        LANES(court_undecided)(uncertain, unsure);
-                    uncertain = lanes_select(_m509, _o511.uncertain, uncertain);
-                    const LANES(court_carry_ring_impact_out) _o512 =
-                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    dvx = lanes_select(_m509, _o512.dvx, dvx);
-                    dvy = lanes_select(_m509, _o512.dvy, dvy);
-                    dvz = lanes_select(_m509, _o512.dvz, dvz);
-                    dwx = lanes_select(_m509, _o512.dwx, dwx);
-                    dwy = lanes_select(_m509, _o512.dwy, dwy);
-                    dwz = lanes_select(_m509, _o512.dwz, dwz);
-                    const LANES(court_ring_impact_out) _o513 =
-                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m509, _o513.vx, vx);
-                    vy = lanes_select(_m509, _o513.vy, vy);
-                    vz = lanes_select(_m509, _o513.vz, vz);
-                    wx = lanes_select(_m509, _o513.wx, wx);
-                    wy = lanes_select(_m509, _o513.wy, wy);
-                    wz = lanes_select(_m509, _o513.wz, wz);
-                }
-                const M _m514 = lanes_both(_m456, touches);
-                {
-                    const LANES(court_touched_out) _o515 =
-                        LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m514, _o515.first, first);
-                    last = lanes_select(_m514, _o515.last, last);
-                }
-                const M _m516 = lanes_both(_m456, touches);
-                if (lanes_any(_m516)) {
-                    const LANES(court_slowed_out) _o517 =
-                        LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, position_error, vx, vy, vz);
-                    M slow = _o517.slow;
-                    M nearly = _o517.nearly;
-                    assured = lanes_select(_m516, _o517.assured, assured);
-                    const M _m518 = lanes_both(_m516, slow);
-                    if (lanes_any(_m518)) {
-                        const LANES(court_gripped_out) _o519 =
-                            LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o519.rolled_x;
-                        V rolled_y = _o519.rolled_y;
-                        V rolled_z = _o519.rolled_z;
-                        V slip = _o519.slip;
-                        V bounce = _o519.bounce;
-                        const LANES(court_here_out) _o520 =
-                            LANES(court_here)(K(0.0), which);
-                        M here = _o520.here;
-                        const M _m521 = lanes_both(_m518, here);
-                        if (lanes_any(_m521)) {
-                            const LANES(court_ring_turning_out) _o522 =
-                                LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o522.turning_x;
-                            V turning_y = _o522.turning_y;
-                            V turning_z = _o522.turning_z;
-                            const LANES(court_pressed_on_out) _o523 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o523.press;
-                            V weight = _o523.weight;
-                            V drag = _o523.drag;
-                            V thrust_x = _o523.thrust_x;
-                            V thrust_y = _o523.thrust_y;
-                            V thrust_z = _o523.thrust_z;
-                            const LANES(court_alone_out) _o524 =
-                                LANES(court_alone)();
-                            V nearest = _o524.nearest;
-                            V wedge = _o524.wedge;
-                            const LANES(court_backboard_closing_out) _o525 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            V gap = _o525.gap;
-                            V nearing = _o525.nearing;
-                            V swerve = _o525.swerve;
-                            V facing = _o525.facing;
-                            const LANES(court_neared_body_out) _o526 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o526.nearest;
-                            wedge = _o526.wedge;
-                            const LANES(court_bridge_closing_out) _o527 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o527.gap;
-                            nearing = _o527.nearing;
-                            swerve = _o527.swerve;
-                            facing = _o527.facing;
-                            const LANES(court_neared_body_out) _o528 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o528.nearest;
-                            wedge = _o528.wedge;
-                            const LANES(court_end_beside_out) _o529 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o529.gap;
-                            const LANES(court_neared_out) _o530 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o530.nearest;
-                            const LANES(court_ring_parting_out) _o531 =
-                                LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-                            V lift = _o531.lift;
-                            const LANES(court_ring_impact_settling_out) _o532 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o532.settles;
-                            M lodges = _o532.lodges;
-                            M slides = _o532.slides;
-                            M parts = _o532.parts;
-                            assured = lanes_select(_m521, _o532.assured, assured);
-                            M unsure = _o532.unsure;
-                            const LANES(court_settled_out) _o533 =
-                                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m521, _o533.mode, mode);
-                            held = lanes_select(_m521, _o533.held, held);
-                            outcome = lanes_select(_m521, _o533.outcome, outcome);
-                            slip_left = lanes_select(_m521, _o533.slip_left, slip_left);
-                            uncertain = lanes_select(_m521, _o533.uncertain, uncertain);
-                        }
+                    for (size_t _k531 = 0; _k531 < 3; _k531++) {
+                        const V own_1 = lanes_load(_t532[_k531][0] + (i & varying));
+                        const V own_2 = lanes_load(_t532[_k531][1] + (i & varying));
+                        const V own_index = K(_t533[_k531][0]);
                         const LANES(court_here_out) _o534 =
-                            LANES(court_here)(K(1.0), which);
-                        here = _o534.here;
-                        const M _m535 = lanes_both(_m518, here);
+                            LANES(court_here)(own_index, which);
+                        M here = _o534.here;
+                        const M _m535 = lanes_both(_m484, here);
                         if (lanes_any(_m535)) {
-                            const LANES(court_backboard_turning_out) _o536 =
-                                LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o536.turning_x;
-                            V turning_y = _o536.turning_y;
-                            V turning_z = _o536.turning_z;
-                            const LANES(court_pressed_on_out) _o537 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o537.press;
-                            V weight = _o537.weight;
-                            V drag = _o537.drag;
-                            V thrust_x = _o537.thrust_x;
-                            V thrust_y = _o537.thrust_y;
-                            V thrust_z = _o537.thrust_z;
-                            const LANES(court_alone_out) _o538 =
-                                LANES(court_alone)();
-                            V nearest = _o538.nearest;
-                            V wedge = _o538.wedge;
-                            const LANES(court_ring_closing_out) _o539 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o539.gap;
-                            V nearing = _o539.nearing;
-                            V swerve = _o539.swerve;
-                            V facing = _o539.facing;
-                            const LANES(court_neared_body_out) _o540 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o540.nearest;
-                            wedge = _o540.wedge;
-                            const LANES(court_bridge_closing_out) _o541 =
-                                LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            gap = _o541.gap;
-                            nearing = _o541.nearing;
-                            swerve = _o541.swerve;
-                            facing = _o541.facing;
-                            const LANES(court_neared_body_out) _o542 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o542.nearest;
-                            wedge = _o542.wedge;
-                            const LANES(court_end_beside_out) _o543 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o543.gap;
-                            const LANES(court_neared_out) _o544 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o544.nearest;
-                            const LANES(court_backboard_parting_out) _o545 =
-                                LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-                            V lift = _o545.lift;
-                            const LANES(court_ring_impact_settling_out) _o546 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o546.settles;
-                            M lodges = _o546.lodges;
-                            M slides = _o546.slides;
-                            M parts = _o546.parts;
-                            assured = lanes_select(_m535, _o546.assured, assured);
-                            M unsure = _o546.unsure;
-                            const LANES(court_settled_out) _o547 =
-                                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m535, _o547.mode, mode);
-                            held = lanes_select(_m535, _o547.held, held);
-                            outcome = lanes_select(_m535, _o547.outcome, outcome);
-                            slip_left = lanes_select(_m535, _o547.slip_left, slip_left);
-                            uncertain = lanes_select(_m535, _o547.uncertain, uncertain);
-                        }
-                        const LANES(court_here_out) _o548 =
-                            LANES(court_here)(K(2.0), which);
-                        here = _o548.here;
-                        const M _m549 = lanes_both(_m518, here);
-                        if (lanes_any(_m549)) {
-                            const LANES(court_bridge_turning_out) _o550 =
-                                LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o550.turning_x;
-                            V turning_y = _o550.turning_y;
-                            V turning_z = _o550.turning_z;
-                            const LANES(court_pressed_on_out) _o551 =
-                                LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-                            V press = _o551.press;
-                            V weight = _o551.weight;
-                            V drag = _o551.drag;
-                            V thrust_x = _o551.thrust_x;
-                            V thrust_y = _o551.thrust_y;
-                            V thrust_z = _o551.thrust_z;
-                            const LANES(court_alone_out) _o552 =
-                                LANES(court_alone)();
-                            V nearest = _o552.nearest;
-                            V wedge = _o552.wedge;
-                            const LANES(court_ring_closing_out) _o553 =
-                                LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-                            V gap = _o553.gap;
-                            V nearing = _o553.nearing;
-                            V swerve = _o553.swerve;
-                            V facing = _o553.facing;
-                            const LANES(court_neared_body_out) _o554 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o554.nearest;
-                            wedge = _o554.wedge;
-                            const LANES(court_backboard_closing_out) _o555 =
-                                LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-                            gap = _o555.gap;
-                            nearing = _o555.nearing;
-                            swerve = _o555.swerve;
-                            facing = _o555.facing;
-                            const LANES(court_neared_body_out) _o556 =
-                                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-                            nearest = _o556.nearest;
-                            wedge = _o556.wedge;
-                            const LANES(court_end_beside_out) _o557 =
-                                LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o557.gap;
-                            const LANES(court_neared_out) _o558 =
-                                LANES(court_neared)(gap, nearest);
-                            nearest = _o558.nearest;
-                            const LANES(court_bridge_parting_out) _o559 =
-                                LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V lift = _o559.lift;
-                            const LANES(court_ring_impact_settling_out) _o560 =
-                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-                            M settles = _o560.settles;
-                            M lodges = _o560.lodges;
-                            M slides = _o560.slides;
-                            M parts = _o560.parts;
-                            assured = lanes_select(_m549, _o560.assured, assured);
-                            M unsure = _o560.unsure;
-                            const LANES(court_settled_out) _o561 =
-                                LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-                            mode = lanes_select(_m549, _o561.mode, mode);
-                            held = lanes_select(_m549, _o561.held, held);
-                            outcome = lanes_select(_m549, _o561.outcome, outcome);
-                            slip_left = lanes_select(_m549, _o561.slip_left, slip_left);
-                            uncertain = lanes_select(_m549, _o561.uncertain, uncertain);
+                            const LANES(court_ring_impact_taken_out) _o536 =
+                                LANES(court_ring_impact_taken)(own_2, own_1);
+                            struck_0 = lanes_choose(_m535, _o536.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m535, _o536.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m535, _o536.its_1, its_1_ring_impact);
                         }
                     }
                 }
-            }
-            const M _m562 = lanes_both(rows, limited);
-            if (lanes_any(_m562)) {
-                const LANES(court_timed_out) _o563 =
-                    LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o563.timed;
-                const M _m564 = lanes_both(_m562, timed);
-                if (lanes_any(_m564)) {
-                    const LANES(court_carry_time_out) _o565 =
-                        LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m564, _o565.dx, dx);
-                    dy = lanes_select(_m564, _o565.dy, dy);
-                    dz = lanes_select(_m564, _o565.dz, dz);
-                    dvx = lanes_select(_m564, _o565.dvx, dvx);
-                    dvy = lanes_select(_m564, _o565.dvy, dvy);
-                    dvz = lanes_select(_m564, _o565.dvz, dvz);
-                    clock_error = lanes_select(_m564, _o565.clock_error, clock_error);
+                const M _m537 = lanes_both(_m484, struck_0);
+                if (lanes_any(_m537)) {
+                    const LANES(court_ring_impact_doubt_out) _o538 =
+                        LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    M unsure = _o538.unsure;
+                    const LANES(court_undecided_out) _o539 =
+                        LANES(court_undecided)(uncertain, unsure);
+                    uncertain = lanes_select(_m537, _o539.uncertain, uncertain);
+                    const LANES(court_carry_ring_impact_out) _o540 =
+                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    dvx = lanes_select(_m537, _o540.dvx, dvx);
+                    dvy = lanes_select(_m537, _o540.dvy, dvy);
+                    dvz = lanes_select(_m537, _o540.dvz, dvz);
+                    dwx = lanes_select(_m537, _o540.dwx, dwx);
+                    dwy = lanes_select(_m537, _o540.dwy, dwy);
+                    dwz = lanes_select(_m537, _o540.dwz, dwz);
+                    const LANES(court_ring_impact_out) _o541 =
+                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
+                    vx = lanes_select(_m537, _o541.vx, vx);
+                    vy = lanes_select(_m537, _o541.vy, vy);
+                    vz = lanes_select(_m537, _o541.vz, vz);
+                    wx = lanes_select(_m537, _o541.wx, wx);
+                    wy = lanes_select(_m537, _o541.wy, wy);
+                    wz = lanes_select(_m537, _o541.wz, wz);
                 }
-            }
-            const M _m566 = lanes_both(rows, hopped);
-            if (lanes_any(_m566)) {
-                const LANES(court_carry_hop_out) _o567 =
-                    LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m566, _o567.dx, dx);
-                dy = lanes_select(_m566, _o567.dy, dy);
-                dz = lanes_select(_m566, _o567.dz, dz);
-            }
-            const LANES(court_closing_out) _o568 =
-                LANES(court_closing)(claims, outcome);
-            M closed = _o568.closed;
-            const M _m569 = lanes_both(rows, closed);
-            {
-                const LANES(court_claimed_errors_out) _o570 =
-                    LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m569, _o570.position_error, position_claim);
-                velocity_claim = lanes_select(_m569, _o570.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m569, _o570.spin_error, spin_claim);
-                time_claim = lanes_select(_m569, _o570.time_error, time_claim);
+                const M _m542 = lanes_both(_m484, touches);
+                {
+                    const LANES(court_touched_out) _o543 =
+                        LANES(court_touched)(body, first, which);
+                    first = lanes_select(_m542, _o543.first, first);
+                    last = lanes_select(_m542, _o543.last, last);
+                    const LANES(court_slowed_out) _o544 =
+                        LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, position_error, vx, vy, vz);
+                    slow = lanes_choose(_m542, _o544.slow, slow);
+                    assured = lanes_select(_m542, _o544.assured, assured);
+                }
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);
@@ -11309,17 +12205,13 @@ static void LANES(court_bounded)(const court_job *job)
             lanes_store(lists->dz + i, dz);
             lanes_store(lists->first + i, first);
             lanes_store(lists->held + i, held);
+            lanes_store(lists->hopped + i, lanes_select(hopped, K(1.0), K(0.0)));
             lanes_store(lists->last + i, last);
             lanes_store(lists->mode + i, mode);
             lanes_store(lists->outcome + i, outcome);
-            lanes_store(lists->position_claim + i, position_claim);
             lanes_store(lists->rolls + i, rolls);
-            lanes_store(lists->slip_left + i, slip_left);
-            lanes_store(lists->spin_claim + i, spin_claim);
             lanes_store(lists->through + i, through);
-            lanes_store(lists->time_claim + i, time_claim);
             lanes_store(lists->uncertain + i, uncertain);
-            lanes_store(lists->velocity_claim + i, velocity_claim);
             lanes_store(lists->vx + i, vx);
             lanes_store(lists->vy + i, vy);
             lanes_store(lists->vz + i, vz);
@@ -11329,6 +12221,155 @@ static void LANES(court_bounded)(const court_job *job)
             lanes_store(lists->x + i, x);
             lanes_store(lists->y + i, y);
             lanes_store(lists->z + i, z);
+            const M packed = lanes_both(rows, slow);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->slow_row + slow_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->slow_assured + slow_shots, packed, assured);
+                lanes_pack(lists->slow_held + slow_shots, packed, held);
+                lanes_pack(lists->slow_mode + slow_shots, packed, mode);
+                lanes_pack(lists->slow_outcome + slow_shots, packed, outcome);
+                if (varying)
+                    lanes_pack(lists->slow_p_backboard_friction + slow_shots, packed, p_backboard_friction);
+                if (varying)
+                    lanes_pack(lists->slow_p_backboard_restitution + slow_shots, packed, p_backboard_restitution);
+                if (varying)
+                    lanes_pack(lists->slow_p_ball_radius + slow_shots, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->slow_p_board_bottom + slow_shots, packed, p_board_bottom);
+                if (varying)
+                    lanes_pack(lists->slow_p_board_distance + slow_shots, packed, p_board_distance);
+                if (varying)
+                    lanes_pack(lists->slow_p_board_half_width + slow_shots, packed, p_board_half_width);
+                if (varying)
+                    lanes_pack(lists->slow_p_board_thickness + slow_shots, packed, p_board_thickness);
+                if (varying)
+                    lanes_pack(lists->slow_p_board_top + slow_shots, packed, p_board_top);
+                if (varying)
+                    lanes_pack(lists->slow_p_bridge_depth + slow_shots, packed, p_bridge_depth);
+                if (varying)
+                    lanes_pack(lists->slow_p_bridge_friction + slow_shots, packed, p_bridge_friction);
+                if (varying)
+                    lanes_pack(lists->slow_p_bridge_half_width + slow_shots, packed, p_bridge_half_width);
+                if (varying)
+                    lanes_pack(lists->slow_p_bridge_restitution + slow_shots, packed, p_bridge_restitution);
+                if (varying)
+                    lanes_pack(lists->slow_p_end_depth + slow_shots, packed, p_end_depth);
+                if (varying)
+                    lanes_pack(lists->slow_p_gravity + slow_shots, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->slow_p_ring_friction + slow_shots, packed, p_ring_friction);
+                if (varying)
+                    lanes_pack(lists->slow_p_ring_radius + slow_shots, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->slow_p_ring_restitution + slow_shots, packed, p_ring_restitution);
+                if (varying)
+                    lanes_pack(lists->slow_p_wire_radius + slow_shots, packed, p_wire_radius);
+                lanes_pack(lists->slow_slip_left + slow_shots, packed, slip_left);
+                lanes_pack(lists->slow_uncertain + slow_shots, packed, uncertain);
+                lanes_pack(lists->slow_velocity_error + slow_shots, packed, velocity_error);
+                lanes_pack(lists->slow_vx + slow_shots, packed, vx);
+                lanes_pack(lists->slow_vy + slow_shots, packed, vy);
+                lanes_pack(lists->slow_vz + slow_shots, packed, vz);
+                lanes_pack(lists->slow_which + slow_shots, packed, which);
+                lanes_pack(lists->slow_wx + slow_shots, packed, wx);
+                lanes_pack(lists->slow_wy + slow_shots, packed, wy);
+                lanes_pack(lists->slow_wz + slow_shots, packed, wz);
+                lanes_pack(lists->slow_x + slow_shots, packed, x);
+                lanes_pack(lists->slow_y + slow_shots, packed, y);
+                lanes_pack(lists->slow_z + slow_shots, packed, z);
+                slow_shots += lanes_many(packed);
+            }
+        }
+        if (slow_shots)
+            LANES(court_bounded_slow)(lists, slow_shots, varying);
+        for (size_t k = 0; k < slow_shots; k++) {
+            const size_t row = (size_t)lists->slow_row[k];
+            lists->assured[row] = lists->slow_assured[k];
+            lists->held[row] = lists->slow_held[k];
+            lists->mode[row] = lists->slow_mode[k];
+            lists->outcome[row] = lists->slow_outcome[k];
+            lists->slip_left[row] = lists->slow_slip_left[k];
+            lists->uncertain[row] = lists->slow_uncertain[k];
+        }
+        }
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(shots - i);
+            V clock = lanes_load(lists->clock + i);
+            V clock_error = lanes_load(lists->clock_error + i);
+            V dvx = lanes_load(lists->dvx + i);
+            V dvy = lanes_load(lists->dvy + i);
+            V dvz = lanes_load(lists->dvz + i);
+            V dwx = lanes_load(lists->dwx + i);
+            V dwy = lanes_load(lists->dwy + i);
+            V dwz = lanes_load(lists->dwz + i);
+            V dx = lanes_load(lists->dx + i);
+            V dy = lanes_load(lists->dy + i);
+            V dz = lanes_load(lists->dz + i);
+            M hopped = lanes_less(K(0.0), lanes_load(lists->hopped + i));
+            M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
+            V outcome = lanes_load(lists->outcome + i);
+            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
+            V position_claim = lanes_load(lists->position_claim + i);
+            V spin_claim = lanes_load(lists->spin_claim + i);
+            V time_claim = lanes_load(lists->time_claim + i);
+            V velocity_claim = lanes_load(lists->velocity_claim + i);
+            V vx = lanes_load(lists->vx + i);
+            V vy = lanes_load(lists->vy + i);
+            V vz = lanes_load(lists->vz + i);
+            V when = lanes_load(lists->when + i);
+            V which = lanes_load(lists->which + i);
+            V x = lanes_load(lists->x + i);
+            V y = lanes_load(lists->y + i);
+            V z = lanes_load(lists->z + i);
+            const M _m596 = lanes_both(rows, limited);
+            if (lanes_any(_m596)) {
+                const LANES(court_timed_out) _o597 =
+                    LANES(court_timed)(claims, K(4.0), which);
+                M timed = _o597.timed;
+                const M _m598 = lanes_both(_m596, timed);
+                if (lanes_any(_m598)) {
+                    const LANES(court_carry_time_out) _o599 =
+                        LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = lanes_select(_m598, _o599.dx, dx);
+                    dy = lanes_select(_m598, _o599.dy, dy);
+                    dz = lanes_select(_m598, _o599.dz, dz);
+                    dvx = lanes_select(_m598, _o599.dvx, dvx);
+                    dvy = lanes_select(_m598, _o599.dvy, dvy);
+                    dvz = lanes_select(_m598, _o599.dvz, dvz);
+                    clock_error = lanes_select(_m598, _o599.clock_error, clock_error);
+                }
+            }
+            const M _m600 = lanes_both(rows, hopped);
+            if (lanes_any(_m600)) {
+                const LANES(court_carry_hop_out) _o601 =
+                    LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
+                dx = lanes_select(_m600, _o601.dx, dx);
+                dy = lanes_select(_m600, _o601.dy, dy);
+                dz = lanes_select(_m600, _o601.dz, dz);
+            }
+            const LANES(court_closing_out) _o602 =
+                LANES(court_closing)(claims, outcome);
+            M closed = _o602.closed;
+            const M _m603 = lanes_both(rows, closed);
+            {
+                const LANES(court_claimed_errors_out) _o604 =
+                    LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = lanes_select(_m603, _o604.position_error, position_claim);
+                velocity_claim = lanes_select(_m603, _o604.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m603, _o604.spin_error, spin_claim);
+                time_claim = lanes_select(_m603, _o604.time_error, time_claim);
+            }
+            lanes_store(lists->clock_error + i, clock_error);
+            lanes_store(lists->dvx + i, dvx);
+            lanes_store(lists->dvy + i, dvy);
+            lanes_store(lists->dvz + i, dvz);
+            lanes_store(lists->dx + i, dx);
+            lanes_store(lists->dy + i, dy);
+            lanes_store(lists->dz + i, dz);
+            lanes_store(lists->position_claim + i, position_claim);
+            lanes_store(lists->spin_claim + i, spin_claim);
+            lanes_store(lists->time_claim + i, time_claim);
+            lanes_store(lists->velocity_claim + i, velocity_claim);
         }
         if (recording)
             for (size_t k = 0; k < shots; k++) {

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation cdcc360d52f646f3,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 17608efa79d077d6,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -478,6 +478,44 @@ LANES(court_passing_in_contact)(M over, V p_ring_radius, V through, V x, V y, V 
     return (LANES(court_passing_in_contact_out)){ lanes_select(lanes_both(lanes_both(lanes_both(over, lanes_less(z, K(0.0))), _s0), lanes_equal(_s1, K(0.0))), K(1.0), _s1) };
 }
 
+/* The same of its first and its second half.
+   Eq. 3, the chords of both and what it is off them. 62 operations: 21 additions, 5 subtractions, 27 multiplications, 1 negation, 6 absolute values, 1 comparison, 1 selection. */
+typedef struct {
+    V middle_x;
+    V reach_x;
+    V later_middle_x;
+    V later_reach_x;
+    V middle_y;
+    V reach_y;
+    V later_middle_y;
+    V later_reach_y;
+    V middle_z;
+    V reach_z;
+    V later_middle_z;
+    V later_reach_z;
+} LANES(court_halved_out);
+
+LANES_INLINE LANES(court_halved_out)
+LANES(court_halved)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V late, V pad, V p_gravity)
+{
+    const V _s0 = lanes_mul(K(0.5), horizon);
+    const V _s1 = lanes_mul(vx, _s0);
+    const V _s2 = lanes_mul(K(0.5), _s1);
+    const V _s3 = lanes_abs(K(0.0));
+    const V _s4 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))))));
+    const V _s5 = lanes_select(lanes_less(pad, late), K(INFINITY), _s4);
+    const V _s6 = lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s3, lanes_mul(K(0.5), lanes_abs(_s1))), _s5));
+    const V _s7 = lanes_mul(vy, _s0);
+    const V _s8 = lanes_mul(K(0.5), _s7);
+    const V _s9 = lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s3, lanes_mul(K(0.5), lanes_abs(_s7))), _s5));
+    const V _s10 = lanes_mul(lanes_mul(K(0.5), p_gravity), _s0);
+    const V _s11 = lanes_mul(_s0, lanes_sub(vz, _s10));
+    const V _s12 = lanes_neg(lanes_mul(lanes_mul(K(0.0625), p_gravity), lanes_mul(_s0, _s0)));
+    const V _s13 = lanes_abs(_s12);
+    const V _s14 = lanes_mul(_s0, lanes_sub(lanes_sub(vz, lanes_mul(p_gravity, _s0)), _s10));
+    return (LANES(court_halved_out)){ lanes_add(x, _s2), _s6, lanes_add(_s2, lanes_add(x, _s1)), _s6, lanes_add(y, _s8), _s9, lanes_add(_s8, lanes_add(y, _s7)), _s9, lanes_sub(lanes_add(z, lanes_mul(K(0.5), _s11)), _s12), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s13, lanes_mul(K(0.5), lanes_abs(_s11))), _s5)), lanes_sub(lanes_add(lanes_mul(K(0.5), _s14), lanes_add(z, _s11)), _s12), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s13, lanes_mul(K(0.5), lanes_abs(_s14))), _s5)) };
+}
+
 /* An event that is on no surface of a kind yet.
    Table 1. No operations. */
 typedef struct {
@@ -620,6 +658,18 @@ LANES(court_beyond)(V doubt, V excess, V late, V lost, V pad)
     return (LANES(court_beyond_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), lost)), lanes_less(pad, late)), K(0.0), doubt) };
 }
 
+/* The same where a search has windows: with none its errors do not matter.
+   Table 1. 7 operations: 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_beyond_windows_out);
+
+LANES_INLINE LANES(court_beyond_windows_out)
+LANES(court_beyond_windows)(V doubt, V excess, V late, V lost, V pad, M searching)
+{
+    return (LANES(court_beyond_windows_out)){ lanes_select(lanes_either(lanes_both(searching, lanes_either(lanes_less(K(0.0), excess), lanes_less(pad, late))), lanes_less(K(0.0), lost)), K(0.0), doubt) };
+}
+
 /* 1 near the surface that the ball left, where F/t is known better than F; the margin.
    Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections. */
 typedef struct {
@@ -699,6 +749,27 @@ LANES(court_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin,
     const M _s3 = lanes_both(_s0, _s1);
     const M _s4 = lanes_both(lanes_both(_s2, lanes_not(_s3)), lanes_less(K(0.0), share));
     return (LANES(court_struck_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
+}
+
+/* The same; or that it is, as no step is possible with errors as large as these.
+   Table 1. 25 operations: 1 subtraction, 8 comparisons, 9 conjunctions, 3 disjunctions, 4 complements. */
+typedef struct {
+    M hit;
+    M sure;
+    M vague;
+} LANES(court_struck_or_still_out);
+
+LANES_INLINE LANES(court_struck_or_still_out)
+LANES(court_struck_or_still)(V bend, V clearance, V end, V gap, V margin, V next, V rate, V rate_margin, V share, V t)
+{
+    const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
+    const M _s1 = lanes_less(K(0.0), clearance);
+    const M _s2 = lanes_both(_s0, lanes_either(lanes_at_most(lanes_sub(gap, margin), margin), _s1));
+    const M _s3 = lanes_both(_s0, _s1);
+    const M _s4 = lanes_less(K(0.0), share);
+    const M _s5 = lanes_both(lanes_both(_s2, lanes_not(_s3)), _s4);
+    const M _s6 = lanes_either(_s5, lanes_both(lanes_both(lanes_not(_s2), lanes_both(lanes_less(t, end), lanes_not(lanes_less(t, next)))), _s4));
+    return (LANES(court_struck_or_still_out)){ lanes_both(_s2, lanes_not(_s5)), _s3, _s6 };
 }
 
 /* The next smaller errors that a search allows for.
@@ -1757,7 +1828,6 @@ LANES(court_pressed_on)(V p_ball_radius, V p_gravity, V nx, V ny, V nz, V rolled
    a hop of less than a micrometre. 21 operations: 5 additions, 10 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction. */
 typedef struct {
     M slow;
-    M nearly;
     V assured;
 } LANES(court_slowed_out);
 
@@ -1767,8 +1837,33 @@ LANES(court_slowed)(V p_ball_radius, V p_gravity, V nx, V ny, V nz, V position_e
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_mul(_s0, _s0);
     const V _s2 = lanes_mul(lanes_mul(K(7.275957614183426e-12), p_ball_radius), lanes_add(p_gravity, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), p_ball_radius)));
-    const M _s3 = lanes_less(_s1, _s2);
-    return (LANES(court_slowed_out)){ lanes_either(_s3, lanes_both(lanes_less(_s1, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)), lanes_less(K(0.0), position_error))), _s3, K(0.0) };
+    return (LANES(court_slowed_out)){ lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s1, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)), lanes_less(K(0.0), position_error))), K(0.0) };
+}
+
+/* A ball that has touched nothing.
+   Table 1. No operations. */
+typedef struct {
+    M slow;
+} LANES(court_unslowed_out);
+
+LANES_INLINE LANES(court_unslowed_out)
+LANES(court_unslowed)(void)
+{
+    return (LANES(court_unslowed_out)){ lanes_nowhere() };
+}
+
+/* Where its bounces are so small that this may be the last.
+   half a hop's height. 16 operations: 5 additions, 9 multiplications, 1 division, 1 comparison. */
+typedef struct {
+    M nearly;
+} LANES(court_nearly_out);
+
+LANES_INLINE LANES(court_nearly_out)
+LANES(court_nearly)(V p_ball_radius, V p_gravity, V nx, V ny, V nz, V vx, V vy, V vz)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_mul(lanes_mul(K(7.275957614183426e-12), p_ball_radius), lanes_add(p_gravity, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), p_ball_radius)));
+    return (LANES(court_nearly_out)){ lanes_less(lanes_mul(_s0, _s0), _s1) };
 }
 
 /* The velocity of a ball whose contact point stops; its slip, and how fast it leaves.
@@ -2216,6 +2311,18 @@ LANES_INLINE LANES(court_opens_in_flight_out)
 LANES(court_opens_in_flight)(V clear, M kept)
 {
     return (LANES(court_opens_in_flight_out)){ lanes_both(lanes_not(lanes_less(K(0.0), clear)), lanes_not(kept)) };
+}
+
+/* Where a ball in flight may reach a surface.
+   Table 1. 2 operations: 1 conjunction, 1 complement. */
+typedef struct {
+    M reachable;
+} LANES(court_reachable_in_flight_out);
+
+LANES_INLINE LANES(court_reachable_in_flight_out)
+LANES(court_reachable_in_flight)(M kept, M reachable)
+{
+    return (LANES(court_reachable_in_flight_out)){ lanes_both(reachable, lanes_not(kept)) };
 }
 
 /* No event yet, of a ball in contact.
@@ -4215,67 +4322,6 @@ LANES(court_backboard_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V 
     return (LANES(court_backboard_carry_normal_out)){ lanes_mul(_s0, _s1), _s2, lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_board_top), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(p_board_bottom, z), K(0.0)), K(0.0), lanes_neg(dz)))), lanes_mul(shift, _s0) };
 }
 
-/* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 123 operations: 24 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections. */
-typedef struct {
-    V clear;
-} LANES(court_backboard_clear_out);
-
-LANES_INLINE LANES(court_backboard_clear_out)
-LANES(court_backboard_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
-{
-    const V _s0 = lanes_div(K(1.0), p_gravity);
-    const V _s1 = lanes_mul(K(0.5), p_board_thickness);
-    const V _s2 = lanes_add(p_board_distance, _s1);
-    const V _s3 = lanes_mul(K(0.5), p_board_bottom);
-    const V _s4 = lanes_mul(K(0.5), p_board_top);
-    const V _s5 = lanes_add(p_ball_radius, _s1);
-    const V _s6 = lanes_add(p_ball_radius, p_board_half_width);
-    const V _s7 = lanes_max(_s5, _s6);
-    const V _s8 = lanes_add(p_ball_radius, _s4);
-    const V _s9 = lanes_sub(_s8, _s3);
-    const V _s10 = lanes_add(lanes_add(lanes_add(_s2, extent), lanes_abs(lanes_add(_s3, _s4))), lanes_max(_s7, _s9));
-    const V _s11 = lanes_min(_s6, _s5);
-    const V _s12 = lanes_min(_s9, _s11);
-    const V _s13 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s0, lanes_add(_s10, _s12)))), lanes_mul(lanes_mul(K(2.0), speed), _s0));
-    const V _s14 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s13, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s0), _s10))), lanes_mul(K(1.52587890625e-05), _s12));
-    const V _s15 = lanes_abs(vx);
-    const V _s16 = lanes_mul(K(6.103515625e-05), _s12);
-    const V _s17 = lanes_add(_s5, _s16);
-    const V _s18 = lanes_add(_s2, x);
-    const V _s19 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s18), _s18);
-    const V _s20 = lanes_div(lanes_neg(lanes_add(_s17, _s19)), _s15);
-    const V _s21 = lanes_max(K(0.0), _s20);
-    const V _s22 = lanes_abs(vy);
-    const V _s23 = lanes_add(_s6, _s16);
-    const V _s24 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
-    const V _s25 = lanes_div(lanes_neg(lanes_add(_s23, _s24)), _s22);
-    const V _s26 = lanes_max(_s21, _s25);
-    const V _s27 = lanes_mul(vz, vz);
-    const V _s28 = lanes_sub(lanes_sub(z, _s3), _s4);
-    const V _s29 = lanes_sub(lanes_add(_s8, _s16), _s3);
-    const V _s30 = lanes_mul(K(2.0), p_gravity);
-    const V _s31 = lanes_add(_s27, lanes_mul(_s30, lanes_sub(_s28, _s29)));
-    const V _s32 = lanes_sqrt(lanes_max(_s31, K(0.0)));
-    const M _s33 = lanes_less(K(0.0), _s31);
-    const V _s34 = lanes_select(_s33, lanes_mul(_s0, lanes_add(vz, _s32)), K(INFINITY));
-    const V _s35 = lanes_max(_s26, _s34);
-    const V _s36 = lanes_add(_s27, lanes_mul(_s30, lanes_add(_s28, _s29)));
-    const V _s37 = lanes_sqrt(_s36);
-    const M _s38 = lanes_at_most(K(0.0), _s36);
-    const V _s39 = lanes_select(_s38, lanes_mul(_s0, lanes_add(vz, _s37)), K(-INFINITY));
-    const V _s40 = lanes_div(lanes_sub(_s23, _s24), _s22);
-    const V _s41 = lanes_div(lanes_sub(_s17, _s19), _s15);
-    const V _s42 = lanes_min(_s41, K(INFINITY));
-    const V _s43 = lanes_min(_s40, _s42);
-    const V _s44 = lanes_min(_s39, _s43);
-    const V _s45 = lanes_select(_s38, lanes_mul(_s0, lanes_sub(vz, _s37)), K(INFINITY));
-    const V _s46 = lanes_max(_s26, _s45);
-    const V _s47 = lanes_select(_s33, lanes_mul(_s0, lanes_sub(vz, _s32)), _s39);
-    const V _s48 = lanes_min(_s47, _s43);
-    return (LANES(court_backboard_clear_out)){ lanes_select(lanes_at_most(_s14, K(0.0)), lanes_select(lanes_less(lanes_max(K(0.0), _s35), lanes_min(_s44, horizon)), K(0.0), lanes_select(lanes_less(lanes_max(K(0.0), _s46), lanes_min(_s48, horizon)), K(0.0), K(1.0))), K(0.0)) };
-}
-
 /* Constants and windows of the search along a flight, and the errors it allows for.
    bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
 typedef struct {
@@ -4492,6 +4538,40 @@ LANES(court_backboard_advance)(V t, V end, V leaving, V margin, V rate_margin, V
     const V _s52 = lanes_min(_s51, _s46);
     const V _s53 = lanes_neg(lanes_add(rate_margin, _s29));
     return (LANES(court_backboard_advance_out)){ _s27, _s29, _s31, _s52, lanes_add(t, _s52), lanes_select(lanes_less(K(0.0), _s53), lanes_sub(lanes_mul(_s53, _s53), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s43))), _s53) };
+}
+
+/* Where a flight may reach the box of a surface at all.
+   boxes that do not meet. 62 operations: 12 additions, 11 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+typedef struct {
+    M near;
+} LANES(court_backboard_near_out);
+
+LANES_INLINE LANES(court_backboard_near_out)
+LANES(court_backboard_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V later_middle_x, V later_middle_y, V later_middle_z, V later_reach_x, V later_reach_y, V later_reach_z, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness)
+{
+    const V _s0 = lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius));
+    const V _s1 = lanes_mul(K(0.5), p_board_thickness);
+    const V _s2 = lanes_neg(lanes_add(p_board_distance, _s1));
+    const V _s3 = lanes_mul(K(1.0000000009313226), _s1);
+    const V _s4 = lanes_sub(lanes_abs(lanes_sub(_s2, middle_x)), lanes_add(reach_x, _s3));
+    const V _s5 = lanes_max(_s4, K(0.0));
+    const V _s6 = lanes_mul(K(1.0000000009313226), p_board_half_width);
+    const V _s7 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, _s6));
+    const V _s8 = lanes_max(_s7, K(0.0));
+    const V _s9 = lanes_mul(K(0.5), p_board_bottom);
+    const V _s10 = lanes_mul(K(0.5), p_board_top);
+    const V _s11 = lanes_add(_s9, _s10);
+    const V _s12 = lanes_mul(K(1.0000000009313226), lanes_sub(_s10, _s9));
+    const V _s13 = lanes_sub(lanes_abs(lanes_sub(_s11, middle_z)), lanes_add(reach_z, _s12));
+    const V _s14 = lanes_max(_s13, K(0.0));
+    const V _s15 = lanes_sub(lanes_abs(lanes_sub(_s2, later_middle_x)), lanes_add(later_reach_x, _s3));
+    const V _s16 = lanes_max(_s15, K(0.0));
+    const V _s17 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _s6));
+    const V _s18 = lanes_max(_s17, K(0.0));
+    const V _s19 = lanes_sub(lanes_abs(lanes_sub(_s11, later_middle_z)), lanes_add(later_reach_z, _s12));
+    const V _s20 = lanes_max(_s19, K(0.0));
+    const M _s21 = lanes_not(lanes_both(lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s8, _s8)), lanes_mul(_s14, _s14))), lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s18, _s18)), lanes_mul(_s20, _s20)))));
+    return (LANES(court_backboard_near_out)){ _s21 };
 }
 
 /* The distance, its rate, and how fast it bends down at most, by the squared speed.
@@ -4851,66 +4931,6 @@ LANES(court_bridge_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V p_b
     return (LANES(court_bridge_carry_normal_out)){ _s1, _s2, _s3, lanes_mul(shift, _s0) };
 }
 
-/* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 124 operations: 25 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections. */
-typedef struct {
-    V clear;
-} LANES(court_bridge_clear_out);
-
-LANES_INLINE LANES(court_bridge_clear_out)
-LANES(court_bridge_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
-{
-    const V _s0 = lanes_div(K(1.0), p_gravity);
-    const V _s1 = lanes_mul(K(0.5), p_board_distance);
-    const V _s2 = lanes_mul(K(0.5), p_ring_radius);
-    const V _s3 = lanes_mul(K(0.5), p_bridge_depth);
-    const V _s4 = lanes_add(p_ball_radius, _s1);
-    const V _s5 = lanes_sub(_s4, _s2);
-    const V _s6 = lanes_add(p_ball_radius, p_bridge_half_width);
-    const V _s7 = lanes_max(_s5, _s6);
-    const V _s8 = lanes_add(p_ball_radius, _s3);
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(_s1, extent), _s2), lanes_abs(lanes_sub(_s3, p_wire_radius))), lanes_max(_s7, _s8));
-    const V _s10 = lanes_min(_s6, _s5);
-    const V _s11 = lanes_min(_s8, _s10);
-    const V _s12 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s0, lanes_add(_s9, _s11)))), lanes_mul(lanes_mul(K(2.0), speed), _s0));
-    const V _s13 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s12, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s0), _s9))), lanes_mul(K(1.52587890625e-05), _s11));
-    const V _s14 = lanes_abs(vx);
-    const V _s15 = lanes_mul(K(6.103515625e-05), _s11);
-    const V _s16 = lanes_sub(lanes_add(_s4, _s15), _s2);
-    const V _s17 = lanes_add(lanes_add(_s1, _s2), x);
-    const V _s18 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s17), _s17);
-    const V _s19 = lanes_div(lanes_neg(lanes_add(_s16, _s18)), _s14);
-    const V _s20 = lanes_max(K(0.0), _s19);
-    const V _s21 = lanes_abs(vy);
-    const V _s22 = lanes_add(_s6, _s15);
-    const V _s23 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
-    const V _s24 = lanes_div(lanes_neg(lanes_add(_s22, _s23)), _s21);
-    const V _s25 = lanes_max(_s20, _s24);
-    const V _s26 = lanes_mul(vz, vz);
-    const V _s27 = lanes_sub(lanes_add(_s3, z), p_wire_radius);
-    const V _s28 = lanes_add(_s8, _s15);
-    const V _s29 = lanes_mul(K(2.0), p_gravity);
-    const V _s30 = lanes_add(_s26, lanes_mul(_s29, lanes_sub(_s27, _s28)));
-    const V _s31 = lanes_sqrt(lanes_max(_s30, K(0.0)));
-    const M _s32 = lanes_less(K(0.0), _s30);
-    const V _s33 = lanes_select(_s32, lanes_mul(_s0, lanes_add(vz, _s31)), K(INFINITY));
-    const V _s34 = lanes_max(_s25, _s33);
-    const V _s35 = lanes_add(_s26, lanes_mul(_s29, lanes_add(_s28, _s27)));
-    const V _s36 = lanes_sqrt(_s35);
-    const M _s37 = lanes_at_most(K(0.0), _s35);
-    const V _s38 = lanes_select(_s37, lanes_mul(_s0, lanes_add(vz, _s36)), K(-INFINITY));
-    const V _s39 = lanes_div(lanes_sub(_s22, _s23), _s21);
-    const V _s40 = lanes_div(lanes_sub(_s16, _s18), _s14);
-    const V _s41 = lanes_min(_s40, K(INFINITY));
-    const V _s42 = lanes_min(_s39, _s41);
-    const V _s43 = lanes_min(_s38, _s42);
-    const V _s44 = lanes_select(_s37, lanes_mul(_s0, lanes_sub(vz, _s36)), K(INFINITY));
-    const V _s45 = lanes_max(_s25, _s44);
-    const V _s46 = lanes_select(_s32, lanes_mul(_s0, lanes_sub(vz, _s31)), _s38);
-    const V _s47 = lanes_min(_s46, _s42);
-    return (LANES(court_bridge_clear_out)){ lanes_select(lanes_at_most(_s13, K(0.0)), lanes_select(lanes_less(lanes_max(K(0.0), _s34), lanes_min(_s43, horizon)), K(0.0), lanes_select(lanes_less(lanes_max(K(0.0), _s45), lanes_min(_s47, horizon)), K(0.0), K(1.0))), K(0.0)) };
-}
-
 /* Constants and windows of the search along a flight, and the errors it allows for.
    bounds of the event condition. 136 operations: 28 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
 typedef struct {
@@ -5126,6 +5146,40 @@ LANES(court_bridge_advance)(V t, V end, V leaving, V margin, V rate_margin, V ce
     const V _s52 = lanes_min(_s51, _s46);
     const V _s53 = lanes_neg(lanes_add(rate_margin, _s29));
     return (LANES(court_bridge_advance_out)){ _s27, _s29, _s31, _s52, lanes_add(t, _s52), lanes_select(lanes_less(K(0.0), _s53), lanes_sub(lanes_mul(_s53, _s53), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s43))), _s53) };
+}
+
+/* Where a flight may reach the box of a surface at all.
+   boxes that do not meet. 62 operations: 11 additions, 12 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+typedef struct {
+    M near;
+} LANES(court_bridge_near_out);
+
+LANES_INLINE LANES(court_bridge_near_out)
+LANES(court_bridge_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V later_middle_x, V later_middle_y, V later_middle_z, V later_reach_x, V later_reach_y, V later_reach_z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth)
+{
+    const V _s0 = lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius));
+    const V _s1 = lanes_mul(K(0.5), p_board_distance);
+    const V _s2 = lanes_mul(K(0.5), p_ring_radius);
+    const V _s3 = lanes_neg(lanes_add(_s1, _s2));
+    const V _s4 = lanes_mul(K(1.0000000009313226), lanes_sub(_s1, _s2));
+    const V _s5 = lanes_sub(lanes_abs(lanes_sub(_s3, middle_x)), lanes_add(reach_x, _s4));
+    const V _s6 = lanes_max(_s5, K(0.0));
+    const V _s7 = lanes_mul(K(1.0000000009313226), p_bridge_half_width);
+    const V _s8 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, _s7));
+    const V _s9 = lanes_max(_s8, K(0.0));
+    const V _s10 = lanes_mul(K(0.5), p_bridge_depth);
+    const V _s11 = lanes_sub(p_wire_radius, _s10);
+    const V _s12 = lanes_mul(K(1.0000000009313226), _s10);
+    const V _s13 = lanes_sub(lanes_abs(lanes_sub(_s11, middle_z)), lanes_add(reach_z, _s12));
+    const V _s14 = lanes_max(_s13, K(0.0));
+    const V _s15 = lanes_sub(lanes_abs(lanes_sub(_s3, later_middle_x)), lanes_add(later_reach_x, _s4));
+    const V _s16 = lanes_max(_s15, K(0.0));
+    const V _s17 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _s7));
+    const V _s18 = lanes_max(_s17, K(0.0));
+    const V _s19 = lanes_sub(lanes_abs(lanes_sub(_s11, later_middle_z)), lanes_add(later_reach_z, _s12));
+    const V _s20 = lanes_max(_s19, K(0.0));
+    const M _s21 = lanes_not(lanes_both(lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s6, _s6), lanes_mul(_s9, _s9)), lanes_mul(_s14, _s14))), lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s18, _s18)), lanes_mul(_s20, _s20)))));
+    return (LANES(court_bridge_near_out)){ _s21 };
 }
 
 /* The distance, its rate, and how fast it bends down at most, by the squared speed.

@@ -201,8 +201,8 @@ class CLists(CGroups):
         return f"varying ? {self.frame.column(name)} : {shared}"
 
     def _listed(self, node: Guard | Repeat | Each) -> bool:
-        """Whether a body has a list of its own: for one without turns the packing costs more."""
-        return any(isinstance(n, Repeat) for n in walk([node]))
+        """Whether a body has a list of its own: for most without turns the packing costs more."""
+        return any(isinstance(n, Repeat) for n in walk([node])) or self.long(node)
 
     def _pass(
         self,

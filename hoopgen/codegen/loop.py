@@ -18,6 +18,7 @@ from hoopgen.derive.ground.tree import (
     Repeat,
     live_before,
     live_in_body,
+    walk,
     writes,
 )
 
@@ -31,6 +32,9 @@ CHEAP = 40
 
 CHEAP_IN_TURNS = 10
 """The same in a body that repeats, where what some rows need is not taken by all in each turn."""
+
+LONG = 1000
+"""What is rarely done and costs more has a list in C, even if it has no turns."""
 
 COSTS = {"div": 8, "sqrt": 8}
 """Operations that cost more than one."""
@@ -107,6 +111,11 @@ class Printer:
         if node.rare or not all(isinstance(n, Do) for n in node.body):
             return False
         return self._cost(node) <= CHEAP
+
+    def long(self, node: Node) -> bool:
+        """Whether a body is rarely done, and then costs much."""
+        cost = sum(self.costs[n.kernel.name] for n in walk([node]) if isinstance(n, Do))
+        return isinstance(node, Guard) and node.rare and cost > LONG
 
     def _cost(self, node: Guard) -> int:
         return sum(self.costs[n.kernel.name] for n in node.body if isinstance(n, Do))

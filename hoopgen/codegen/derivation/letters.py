@@ -71,6 +71,16 @@ FLIGHTS = {
         for axis in AXES
     },
     **{
+        f"later_middle_{axis}": Letter(
+            rf"\mu'_{axis}", f"the same of the box of a flight's second half, along {axis}"
+        )
+        for axis in AXES
+    },
+    **{
+        f"later_reach_{axis}": Letter(rf"\varrho'_{axis}", f"half its size along {axis}")
+        for axis in AXES
+    },
+    **{
         f"least_{axis}": Letter(
             rf"\ell_{axis}",
             f"largest coordinate of a group's bodies against {axis}",
@@ -152,6 +162,7 @@ LOOP = {
     "sure": Letter(r"\text{sure}", "and that root is certain"),
     "met": Letter(r"\text{met}", "it is a root at which the ball comes in"),
     "searching": Letter(r"\text{searching}", "there is a window to search"),
+    "reachable": Letter(r"\text{reachable}", "the flight comes near the surface"),
     "since": Letter(r"t_0", "when a search in single precision began"),
     "sound": Letter(r"\text{sound}", "nothing of it over- or underflows"),
     "served": Letter(r"\text{served}", "a search in single precision began"),
