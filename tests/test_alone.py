@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
 from types import ModuleType
 
 import numpy as np
@@ -11,7 +13,9 @@ from court_shots import all_kinds
 from hoopgen.generated.numpy import court, hoop
 from numpy.typing import NDArray
 
+import hoopgen
 from benchmarks.workloads import bouncing, free_throw, swirl
+from hoopgen import COURT, PAPER_COURT
 from hoopgen.engine import numpy_backend
 from hoopgen.engine.raw import Layout, Raw
 
@@ -52,3 +56,27 @@ def test_shots_one_by_one_have_the_bits_of_those_in_rows(
         one_by_one = flown(monkeypatch, module, states, bounds, alone)
         for name, column in in_rows.arrays.items():
             assert same_bits(column, one_by_one.arrays[name]).all(), (alone, name)
+
+
+@pytest.mark.parametrize("module", [hoop, court], ids=["hoop", "court"])
+def test_no_number_of_python_meets_one_shot(module: ModuleType) -> None:
+    """One of Python's raises where it is divided by zero, and NumPy's is infinite."""
+    text = Path(str(module.__file__)).read_text(encoding="utf-8")
+    alone = [part for part in text.split("\n\n\n") if re.match(r"def _\w+_alone\(", part)]
+    assert len(alone) > 20
+    assert not [part for part in alone if re.search(r"(?<![\w.])\d+\.\d|\b_inf\b", part)]
+
+
+def test_a_ball_that_begins_to_roll_between_board_and_ring_is_followed_alone() -> None:
+    """A board that is near: in rows something is divided by zero, and not a number is passed on."""
+    own = {"board_distance": 0.30, "ring_restitution": 0.0}
+    size = PAPER_COURT | own
+    x, y = 0.245, 0.02
+    reach = size["ball_radius"] + size["wire_radius"]
+    z = np.sqrt(reach**2 - (np.hypot(x, y) - size["ring_radius"]) ** 2) + 1e-4
+    state = [[x, y, z, 0, 0, 0, 0, 0, 0]]
+    alone, lanes = (
+        hoopgen.simulate(state, own, scene=COURT, backend=backend) for backend in ("numpy", "auto")
+    )
+    assert alone.contacts[0] == 1
+    assert alone.time[0] == lanes.time[0]

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 import sympy as sp
+from compiled import load_module
 from hoopgen.derive.flight.parabola import Parabola
+from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.derive.search import search
 from hoopgen.derive.search.plate import apart
@@ -15,13 +21,18 @@ from test_kernels import evaluate_numpy
 
 from benchmarks.workloads import WORKLOADS
 from hoopgen import PAPER
+from hoopgen.codegen import render
+from hoopgen.engine import numpy_backend
+from hoopgen.engine.raw import Layout
 
 Floats = NDArray[np.float64]
 GRAVITY = PAPER["gravity"]
 REACH = PAPER["ball_radius"] + PAPER["wire_radius"]
 
 
-def told(states: Floats, until: Floats | float, off: float = 0.0) -> NDArray[np.bool_]:
+def told(
+    states: Floats, until: Floats | float, off: float = 0.0, late: float = 0.0
+) -> NDArray[np.bool_]:
     """Return where flights from such states may come to board or bridge."""
     x, y, z, vx, vy, vz = states.T[:6]
     taken: dict[str, Floats] = {
@@ -32,6 +43,8 @@ def told(states: Floats, until: Floats | float, off: float = 0.0) -> NDArray[np.
         "horizon": np.asarray(until, float),
         "position_error": np.array([off]),
         "velocity_error": np.zeros(1),
+        "pad": np.array([1e-6]),
+        "late": np.array([late]),
     }
     (found,) = evaluate_numpy("reachable", taken, len(states))
     return np.asarray(found, bool)
@@ -83,6 +96,7 @@ def test_a_flight_may_come_to_a_plate_as_far_as_it_is_known(shot: list[float]) -
     assert not told(states, short - 1e-6)
     assert told(states, short + 1e-6)
     assert told(states, short - 1e-6, off=1e-5)
+    assert told(states, short - 1e-6, late=2e-6)
     assert told(states, np.inf)
     assert told(np.full((1, 9), np.nan), 1.0)
 
@@ -97,3 +111,27 @@ def test_only_coordinates_that_nothing_accelerates_tell_anything() -> None:
         assert len(apart(plate, Parabola((-g, zero, zero)))) == told_by
     assert isinstance(board, Plane)
     assert len(apart(board, Parabola((zero, -g, zero)))) == 1
+
+
+@pytest.mark.parametrize("first", ["floor", "door"])
+def test_an_end_that_stands_upright_is_always_looked_at(first: str, tmp_path: Path) -> None:
+    """A ball that flies away from the plates through a door, above a floor that it would reach."""
+    zero = sp.Integer(0)
+    z = POSITION[2]
+    ends = {
+        "floor": End("floor", Plane("ground", (0, 0, 1), sp.Integer(-2), zero)),
+        "door": End("door", Plane("wall", (-1, 0, 0), sp.Integer(-1), zero, (z - 3,))),
+    }
+    order = (first, *(name for name in ends if name != first))
+    scene = replace(HOOP, name="doors", ends=tuple(ends[name] for name in order))
+    source = tmp_path / "doors.py"
+    source.write_text(render.render_scene(scene, page=False)["numpy/doors.py"], encoding="utf-8")
+    module, layout = load_module(source), Layout(load_module(source))
+    states = np.array([[0.5, 0, 0, 3, 0, 5, 0, 0, 0]], float)
+    given = [float(p.default) for p in scene.parameters]
+    out = layout.allocate(1, layout.fields)
+    numpy_backend.run(module, states, given, None, 5, out)
+    assert out.time is not None
+    assert out.outcome is not None
+    assert list(scene.outcomes)[out.outcome[0]] == "door"
+    assert out.time[0] == pytest.approx(0.5 / 3, rel=1e-15)

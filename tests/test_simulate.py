@@ -409,6 +409,8 @@ def test_arrays_that_must_not_be_written_are_read(simulate: Simulate, mixed: Bat
     states.flags.writeable = gravity.flags.writeable = False
     got = simulate(states, {"gravity": gravity})
     assert got.state.tobytes() == wanted.state.tobytes()
+    one, _ = np.broadcast_arrays(states[0], np.zeros((1, 9)))  # its buffer must not be written
+    assert simulate(one, {"gravity": gravity[0]}).time[0] == wanted.time[0]
 
 
 def test_parameters_that_changed_since_the_last_call_are_read_anew(simulate: Simulate) -> None:

@@ -65,7 +65,7 @@ def swept(flight: Parabola) -> dict[str, sp.Expr]:
     Against free fall it is never higher than v²/2g above its start, and lowest at an end. Where
     the earliest arrival may be later than the horizon, the box has no end.
     """
-    spare = _spare(flight)
+    slack = spare(flight)
     middles, reaches = {}, {}
     for k, (place, v, a) in enumerate(zip(POSITION, VELOCITY, flight.acceleration, strict=True)):
         there = hold(place + hold(v + a * horizon / 2) * horizon)
@@ -76,11 +76,11 @@ def swept(flight: Parabola) -> dict[str, sp.Expr]:
             turned = hold(IfLess(*against, apex, place))
             low, high = hold(smallest(low, turned)), hold(largest(high, turned))
         middles[MIDDLES[k].name] = hold(low + high) / 2
-        reaches[REACHES[k].name] = (1 + SHARE) * hold(hold(high - low) / 2 + spare)
+        reaches[REACHES[k].name] = (1 + SHARE) * hold(hold(high - low) / 2 + slack)
     return middles | reaches
 
 
-def _spare(flight: Parabola) -> sp.Expr:
+def spare(flight: Parabola) -> sp.Expr:
     """Return what is not exact; endless where the earliest arrival may be after the horizon."""
     furthest, _ = flight.size(horizon)
     shift = hold(position_error + velocity_error * horizon + SHARE * furthest)
@@ -89,7 +89,7 @@ def _spare(flight: Parabola) -> sp.Expr:
 
 def halved(flight: Parabola) -> dict[str, sp.Expr]:
     """Return the boxes of the first and the second half of a flight until the horizon."""
-    spare, half = _spare(flight), hold(horizon / 2)
+    slack, half = spare(flight), hold(horizon / 2)
     outputs: dict[str, sp.Expr] = {}
     for k, (place, v, a) in enumerate(zip(POSITION, VELOCITY, flight.acceleration, strict=True)):
         bulge = hold(a * half**2 / 16)
@@ -97,7 +97,7 @@ def halved(flight: Parabola) -> dict[str, sp.Expr]:
         for middles, reaches in ((MIDDLES, REACHES), (LATER_MIDDLES, LATER_REACHES)):
             moved = hold(hold(swift + a * half / 2) * half)
             outputs[middles[k].name] = hold(begun + moved / 2) - bulge
-            outputs[reaches[k].name] = (1 + SHARE) * hold(size(moved) / 2 + size(bulge) + spare)
+            outputs[reaches[k].name] = (1 + SHARE) * hold(size(moved) / 2 + size(bulge) + slack)
             begun, swift = hold(begun + moved), hold(swift + a * half)
     return outputs
 

@@ -49,6 +49,11 @@ class GateSearch(PlaneSearch):
     surface: Gate
 
     @property
+    def apart(self) -> tuple[sp.Basic, ...]:
+        """It is looked at always: only then is known how long a flight is."""
+        return ()
+
+    @property
     def formulas(self) -> dict[str, Formula]:
         """Those of a plane, and the bounds of all ends."""
         sides = {f"g{k}": side for k, side in enumerate(self.surface.sides)}

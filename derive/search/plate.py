@@ -17,11 +17,10 @@ import sympy as sp
 from ..flight.parabola import Parabola
 from ..ground.choice import Less, Not, every, hold, largest, smallest, some
 from ..ground.kernel import Kernel, decision
-from ..ground.rounding import position_error, velocity_error
 from ..ground.symbols import POSITION, VELOCITY
 from ..surfaces import Plane
 from .events import horizon
-from .far import SHARE
+from .far import spare
 
 _ROUNDED = 1 + sp.Rational(1, 2**40)
 """More than roundings make of a sum of squares."""
@@ -32,9 +31,7 @@ Spans = Mapping[sp.Symbol, tuple[sp.Expr, sp.Expr]]
 
 def apart(plane: Plane, flight: Parabola) -> tuple[sp.Basic, ...]:
     """Return conditions, each of which means that a flight does not come to a plate."""
-    furthest, _ = flight.size(horizon)
-    spare = hold(position_error + velocity_error * horizon + SHARE * furthest)
-    return tuple(_apart(plane, _spans(flight), spare))
+    return tuple(_apart(plane, _spans(flight), spare(flight)))
 
 
 def reachable(plates: Sequence[Sequence[sp.Basic]]) -> Kernel:
@@ -54,12 +51,12 @@ def _spans(flight: Parabola) -> Spans:
     return spans
 
 
-def _apart(plane: Plane, spans: Spans, spare: sp.Expr) -> Iterator[sp.Basic]:
+def _apart(plane: Plane, spans: Spans, slack: sp.Expr) -> Iterator[sp.Basic]:
     for place, sign in zip(POSITION, plane.direction, strict=True):
         if sign and place in spans:
             low, high = spans[place]
-            yield Less(spare, (low if sign > 0 else -high) - hold(plane.offset))
-    yield from _inside(plane, spans, spare)
+            yield Less(slack, (low if sign > 0 else -high) - hold(plane.offset))
+    yield from _inside(plane, spans, slack)
 
 
 def _sides(plane: Plane, place: sp.Symbol) -> tuple[list[sp.Expr], list[sp.Expr]]:
@@ -89,7 +86,7 @@ def _square(plane: Plane, place: sp.Symbol, span: tuple[sp.Expr, sp.Expr]) -> sp
     return hold(largest(*(hold(end**2) for end in ends)))
 
 
-def _inside(plane: Plane, spans: Spans, spare: sp.Expr) -> Iterator[sp.Basic]:
+def _inside(plane: Plane, spans: Spans, slack: sp.Expr) -> Iterator[sp.Basic]:
     """Return conditions that what is within all other bounds is in a circle that a plate is not."""
     squares = {place**2: place for place in spans}
     for limit in plane.limits:
@@ -100,5 +97,5 @@ def _inside(plane: Plane, spans: Spans, spare: sp.Expr) -> Iterator[sp.Basic]:
             if all(term in squares for term in terms):
                 places = [squares[term] for term in terms]
                 most = sum(_square(plane, place, spans[place]) for place in places)
-                inner = hold(radius - 2 * spare)
+                inner = hold(radius - 2 * slack)
                 yield every(Less(0, inner), Less(_ROUNDED * hold(most), inner**2))

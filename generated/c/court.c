@@ -14,6 +14,8 @@
 #endif
 #if defined(_MSC_VER) && !defined(__clang__)
 #include <intrin.h>
+#elif defined(__STDC_NO_ATOMICS__)
+#error "threads share a batch by atomics, an optional part of C11 that this compiler has not"
 #else
 #include <stdatomic.h>
 #endif
@@ -122,7 +124,7 @@ static size_t court_take(const court_job *job, size_t *end)
     const size_t least = LANES_SHOTS / 4;
     size_t start = 0, some;
     do {
-        const size_t left = job->shots - start, rows = left / job->parts / least * least;
+        const size_t left = start < job->shots ? job->shots - start : 0, rows = left / job->parts / least * least;
         some = rows ? rows : left < least ? left : least;
     } while (!exchanged(job->next, &start, start + some));
     *end = start + some;

@@ -120,7 +120,8 @@ typedef struct {
    max_contacts at least 1
    time_limit   s since the release at which a shot ends; INFINITY: none
    width        vector lanes: 1, 4, 8 or 16; 0 for the widest that this processor has
-   stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished
+   stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished,
+                event_counts too
 
    Returns the width that was used; or, with nothing run, -1 if that width is not there, -2 if
    doubles are not computed as IEEE 754 says: flags of the compiler (-ffp-contract=fast, parts of
@@ -133,9 +134,9 @@ HOOPGEN_API int court_simulate(size_t shots, const double *states,
 
 /* The same, by several threads that call it with the same arguments: each shot is simulated by one.
 
-   next   the first shot that none has begun, in common; 0 at first
+   next   the first shot that none has begun, in common; 0 before each batch
    parts  which part of the shots that are left a thread takes at a time: some times as many as
-          there are threads */
+          there are threads, at least 1; else it returns -1 */
 HOOPGEN_API int court_share(size_t shots, const double *states,
                            const double *const *parameters, const int64_t *strides,
                            const int8_t *leaving, int32_t max_contacts, double time_limit,

@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation 05f30d4707ed8d67,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation aa6452a71138efb3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -14,6 +14,8 @@
 #endif
 #if defined(_MSC_VER) && !defined(__clang__)
 #include <intrin.h>
+#elif defined(__STDC_NO_ATOMICS__)
+#error "threads share a batch by atomics, an optional part of C11 that this compiler has not"
 #else
 #include <stdatomic.h>
 #endif
@@ -122,7 +124,7 @@ static size_t hoop_take(const hoop_job *job, size_t *end)
     const size_t least = LANES_SHOTS / 4;
     size_t start = 0, some;
     do {
-        const size_t left = job->shots - start, rows = left / job->parts / least * least;
+        const size_t left = start < job->shots ? job->shots - start : 0, rows = left / job->parts / least * least;
         some = rows ? rows : left < least ? left : least;
     } while (!exchanged(job->next, &start, start + some));
     *end = start + some;

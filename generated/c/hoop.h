@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation 05f30d4707ed8d67,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation aa6452a71138efb3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this and the other files
@@ -108,7 +108,8 @@ typedef struct {
    max_contacts at least 1
    time_limit   s since the release at which a shot ends; INFINITY: none
    width        vector lanes: 1, 4, 8 or 16; 0 for the widest that this processor has
-   stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished
+   stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished,
+                event_counts too
 
    Returns the width that was used; or, with nothing run, -1 if that width is not there, -2 if
    doubles are not computed as IEEE 754 says: flags of the compiler (-ffp-contract=fast, parts of
@@ -121,9 +122,9 @@ HOOPGEN_API int hoop_simulate(size_t shots, const double *states,
 
 /* The same, by several threads that call it with the same arguments: each shot is simulated by one.
 
-   next   the first shot that none has begun, in common; 0 at first
+   next   the first shot that none has begun, in common; 0 before each batch
    parts  which part of the shots that are left a thread takes at a time: some times as many as
-          there are threads */
+          there are threads, at least 1; else it returns -1 */
 HOOPGEN_API int hoop_share(size_t shots, const double *states,
                            const double *const *parameters, const int64_t *strides,
                            const int8_t *leaving, int32_t max_contacts, double time_limit,

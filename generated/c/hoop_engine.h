@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 05f30d4707ed8d67,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation aa6452a71138efb3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -572,8 +572,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 const LANES(hoop_horizon_out) _o16 =
                     LANES(hoop_horizon)(when, speed, p_gravity);
                 V until = _o16.horizon;
+                V pad = _o16.pad;
                 const LANES(hoop_reachable_out) _o17 =
-                    LANES(hoop_reachable)(p_ball_radius, p_board_distance, p_bridge_half_width, extent, p_gravity, until, K(0.0), p_ring_radius, speed, K(0.0), vx, x);
+                    LANES(hoop_reachable)(p_ball_radius, p_board_distance, p_bridge_half_width, extent, p_gravity, until, K(0.0), pad, K(0.0), p_ring_radius, speed, K(0.0), vx, x);
                 reachable = lanes_choose(_m15, _o17.reachable, reachable);
             }
             const M _m18 = lanes_both(rows, reachable);
@@ -2319,8 +2320,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 const LANES(hoop_horizon_out) _o22 =
                     LANES(hoop_horizon)(when, speed, p_gravity);
                 V until = _o22.horizon;
+                V pad = _o22.pad;
                 const LANES(hoop_reachable_out) _o23 =
-                    LANES(hoop_reachable)(p_ball_radius, p_board_distance, p_bridge_half_width, extent, p_gravity, until, position_error, p_ring_radius, speed, velocity_error, vx, x);
+                    LANES(hoop_reachable)(p_ball_radius, p_board_distance, p_bridge_half_width, extent, p_gravity, until, late, pad, position_error, p_ring_radius, speed, velocity_error, vx, x);
                 reachable = lanes_choose(_m21, _o23.reachable, reachable);
             }
             const M _m24 = lanes_both(rows, reachable);

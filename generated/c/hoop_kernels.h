@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 05f30d4707ed8d67,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation aa6452a71138efb3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -985,23 +985,24 @@ LANES(hoop_accounted)(V contacts, V most_contacts, V reached, M touches)
 }
 
 /* Where a flight that begins and ends like that may come to a plate.
-   Table 1. 32 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 6 comparisons, 2 conjunctions, 1 complement, 3 selections. */
+   Table 1. 34 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 typedef struct {
     M reachable;
 } LANES(hoop_reachable_out);
 
 LANES_INLINE LANES(hoop_reachable_out)
-LANES(hoop_reachable)(V p_ball_radius, V p_board_distance, V p_bridge_half_width, V extent, V p_gravity, V horizon, V position_error, V p_ring_radius, V speed, V velocity_error, V vx, V x)
+LANES(hoop_reachable)(V p_ball_radius, V p_board_distance, V p_bridge_half_width, V extent, V p_gravity, V horizon, V late, V pad, V position_error, V p_ring_radius, V speed, V velocity_error, V vx, V x)
 {
     const V _s0 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))))));
-    const V _s1 = lanes_add(x, lanes_mul(horizon, vx));
-    const V _s2 = lanes_min(_s1, x);
-    const V _s3 = lanes_sub(p_ring_radius, lanes_mul(K(2.0), _s0));
-    const V _s4 = lanes_neg(p_board_distance);
-    const V _s5 = lanes_max(_s2, _s4);
-    const V _s6 = lanes_min(K(0.0), _s5);
-    const M _s7 = lanes_both(lanes_less(_s0, lanes_sub(_s2, lanes_sub(p_ball_radius, p_board_distance))), lanes_both(lanes_less(K(0.0), _s3), lanes_less(lanes_mul(K(1.0000000000009095), lanes_add(lanes_mul(p_bridge_half_width, p_bridge_half_width), lanes_mul(_s6, _s6))), lanes_mul(_s3, _s3))));
-    return (LANES(hoop_reachable_out)){ lanes_not(_s7) };
+    const V _s1 = lanes_select(lanes_less(pad, late), K(INFINITY), _s0);
+    const V _s2 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s3 = lanes_min(_s2, x);
+    const V _s4 = lanes_sub(p_ring_radius, lanes_mul(K(2.0), _s1));
+    const V _s5 = lanes_neg(p_board_distance);
+    const V _s6 = lanes_max(_s3, _s5);
+    const V _s7 = lanes_min(K(0.0), _s6);
+    const M _s8 = lanes_both(lanes_less(_s1, lanes_sub(_s3, lanes_sub(p_ball_radius, p_board_distance))), lanes_both(lanes_less(K(0.0), _s4), lanes_less(lanes_mul(K(1.0000000000009095), lanes_add(lanes_mul(p_bridge_half_width, p_bridge_half_width), lanes_mul(_s7, _s7))), lanes_mul(_s4, _s4))));
+    return (LANES(hoop_reachable_out)){ lanes_not(_s8) };
 }
 
 /* Velocity and spin after a contact, frame-free.

@@ -752,142 +752,241 @@ def _scalar(value: Any) -> Any:
     return scalar
 
 
-_k0 = _scalar(0.0)
-_k1 = _scalar(6.0)
-_k2 = _scalar(_inf)
-_k3 = _scalar(2.9073548971824276e+135)
-_k4 = _scalar(4.445228907190568e-16)
-_k5 = _scalar(1.0009765625)
-_k6 = _scalar(3.0029296875)
-_k7 = _scalar(4.440892098500626e-16)
-_k8 = _scalar(1.0)
-_k9 = _scalar(2.0)
-_k10 = _scalar(1.1102230246251565e-16)
-_k11 = _scalar(8.0)
-_k12 = _scalar(0.25)
-_k13 = _scalar(0.0625)
-_k14 = _scalar(2.220446049250313e-16)
-_k15 = _scalar(16.0)
-_k16 = _scalar(64.0)
-_k17 = _scalar(0.5)
-_k18 = _scalar(1.7763568394002505e-15)
-_k19 = _scalar(8.881784197001252e-16)
-_k20 = _scalar(-1.0)
-_k21 = _scalar(9.313225746154785e-10)
-_k22 = _scalar(1.0000000009313226)
-_k23 = _scalar(0.4)
-_k24 = _scalar(0.3333333333333333)
-_k25 = _scalar(3.0)
-_k26 = _scalar(4.0)
-_k27 = _scalar(0.2)
-_k28 = _scalar(5.0)
-_k29 = _scalar(0.16666666666666666)
-_k30 = _scalar(0.14285714285714285)
-_k31 = _scalar(7.0)
-_k32 = _scalar(0.125)
-_k33 = _scalar(0.1111111111111111)
-_k34 = _scalar(12.0)
-_k35 = _scalar(20.0)
-_k36 = _scalar(30.0)
-_k37 = _scalar(42.0)
-_k38 = _scalar(0.8)
-_k39 = _scalar(9.5367431640625e-07)
-_k40 = _scalar(9.094947017729282e-13)
-_k41 = _scalar(0.9999990463256836)
-_k42 = _scalar(5.684341886080802e-14)
-_k43 = _scalar(7.105427357601002e-15)
-_k44 = _scalar(128.0)
-_k45 = _scalar(0.0078125)
-_k46 = _scalar(5.960464477539063e-08)
-_k47 = _scalar(1.4210854715202004e-14)
-_k48 = _scalar(1.6)
-_k49 = _scalar(1.4551915228366852e-11)
-_k50 = _scalar(1.5)
-_k51 = _scalar(2.409919865102884e-181)
-_k52 = _scalar(-_inf)
-_k53 = _scalar(3.552713678800501e-15)
-_k54 = _float32(1.00006103515625)
-_k55 = _float32(2.0)
-_k56 = _scalar(_float32(4.76837158203125e-07))
-_k57 = _float32(1.0)
-_k58 = _scalar(_float32(9.5367431640625e-07))
-_k59 = _scalar(_float32(0.0))
-_k60 = _scalar(_float32(_inf))
-_k61 = _scalar(_float32(1.0))
-_k62 = _scalar(_float32(8.673617379884035e-19))
-_k63 = _scalar(_float32(-_inf))
-_k64 = _float32(0.0001220703125)
-_k65 = _scalar(_float32(1.000000238418579))
-_k66 = _float32(32.0)
-_k67 = _float32(4096.0)
-_k68 = _float32(0.000244140625)
-_k69 = _scalar(_float32(4096.0))
-_k70 = _float32(0.0)
-_k71 = _float32(4.76837158203125e-07)
-_k72 = _float32(9.5367431640625e-07)
-_k73 = _float32(_inf)
-_k74 = _float32(8.673617379884035e-19)
-_k75 = _float32(-_inf)
-_k76 = _float32(1.000000238418579)
-_k77 = _scalar(_float32(5.0))
-_k78 = _scalar(_float32(0.00390625))
-_k79 = _scalar(_float32(2.9802322387695312e-08))
-_k80 = _scalar(_float32(2.842170943040401e-14))
-_k81 = _scalar(_float32(2.0))
-_k82 = _float32(4.0)
-_k83 = _float32(6.0003662109375)
-_k84 = _scalar(_float32(0.5))
-_k85 = _scalar(_float32(1.0009765625))
-_k86 = _float32(5.0048828125)
-_k87 = _scalar(_float32(5.684341886080802e-14))
-_k88 = _float32(7.62939453125e-06)
-_k89 = _scalar(_float32(2.384185791015625e-07))
-_k90 = _float32(128.0)
-_k91 = _float32(2.842170943040401e-14)
-_k92 = _float32(0.00390625)
-_k93 = _float32(5.0)
-_k94 = _float32(2.9802322387695312e-08)
-_k95 = _float32(1.0009765625)
-_k96 = _float32(5.684341886080802e-14)
-_k97 = _float32(0.5)
-_k98 = _float32(2.384185791015625e-07)
-_k99 = _float32(6.0)
-_k100 = _scalar(_float32(8.0))
-_k101 = _scalar(_float32(4.0))
-_k102 = _scalar(_float32(0.0001220703125))
-_k103 = _scalar(_float32(3.814697265625e-06))
-_k104 = _scalar(_float32(3.0))
-_k105 = _scalar(_float32(0.000244140625))
-_k106 = _float32(8.0)
-_k107 = _float32(3.814697265625e-06)
-_k108 = _float32(3.0)
-_k109 = _scalar(0.375)
-_k110 = _scalar(0.75)
-_k111 = _scalar(2.25)
-_k112 = _scalar(0.9375)
-_k113 = _scalar(0.6666666666666666)
-_k114 = _scalar(11.0)
-_k115 = _scalar(10.0)
-_k116 = _scalar(9.0)
-_k117 = _scalar(110.0)
-_k118 = _scalar(90.0)
-_k119 = _scalar(72.0)
-_k120 = _scalar(56.0)
-_k121 = _scalar(512.0)
-_k122 = _scalar(0.6)
-_k123 = _scalar(0.1)
-_k124 = _scalar(0.09090909090909091)
-_k125 = _scalar(0.08333333333333333)
-_k126 = _scalar(3.3306690738754696e-16)
-_k127 = _scalar(1.3335686721571705e-15)
-_k128 = _scalar(4.00390625)
-_k129 = _scalar(2.001953125)
-_k130 = _scalar(2.222614453595284e-16)
-_k131 = _float64(0.0)
-_k132 = _float64(1.0)
-_k133 = _float64(2.0)
-_k134 = _float64(_inf)
-_k135 = _float64(3.0)
+_k0 = _float64(0.5)
+_k1 = _float64(1.0)
+_k2 = _float64(0.0)
+_k3 = _float64(0.4)
+_k4 = _float64(0.6)
+_k5 = _float64(0.6666666666666666)
+_k6 = _scalar(0.0)
+_k7 = _scalar(6.0)
+_k8 = _scalar(_inf)
+_k9 = _float64(6.0)
+_k10 = _float64(_inf)
+_k11 = _float64(9.5367431640625e-07)
+_k12 = _scalar(2.9073548971824276e+135)
+_k13 = _float64(2.9073548971824276e+135)
+_k14 = _scalar(4.445228907190568e-16)
+_k15 = _scalar(1.0009765625)
+_k16 = _scalar(3.0029296875)
+_k17 = _scalar(4.440892098500626e-16)
+_k18 = _float64(1.0009765625)
+_k19 = _float64(4.445228907190568e-16)
+_k20 = _float64(3.0029296875)
+_k21 = _float64(4.440892098500626e-16)
+_k22 = _scalar(1.0)
+_k23 = _scalar(2.0)
+_k24 = _scalar(1.1102230246251565e-16)
+_k25 = _scalar(8.0)
+_k26 = _scalar(0.25)
+_k27 = _scalar(0.0625)
+_k28 = _float64(0.25)
+_k29 = _float64(2.0)
+_k30 = _float64(1.1102230246251565e-16)
+_k31 = _float64(8.0)
+_k32 = _float64(0.0625)
+_k33 = _scalar(2.220446049250313e-16)
+_k34 = _float64(2.220446049250313e-16)
+_k35 = _scalar(16.0)
+_k36 = _float64(16.0)
+_k37 = _scalar(64.0)
+_k38 = _float64(64.0)
+_k39 = _float64(-1.0)
+_k40 = _scalar(0.5)
+_k41 = _scalar(1.7763568394002505e-15)
+_k42 = _float64(4.0)
+_k43 = _float64(1.7763568394002505e-15)
+_k44 = _scalar(8.881784197001252e-16)
+_k45 = _float64(8.881784197001252e-16)
+_k46 = _scalar(-1.0)
+_k47 = _scalar(9.313225746154785e-10)
+_k48 = _scalar(1.0000000009313226)
+_k49 = _float64(1.0000000009313226)
+_k50 = _float64(9.313225746154785e-10)
+_k51 = _float64(2.9802322387695312e-08)
+_k52 = _float64(2.842170943040401e-14)
+_k53 = _float64(0.03125)
+_k54 = _float64(5.960464477539063e-08)
+_k55 = _float64(3.0)
+_k56 = _scalar(0.4)
+_k57 = _scalar(0.3333333333333333)
+_k58 = _float64(0.3333333333333333)
+_k59 = _scalar(3.0)
+_k60 = _scalar(4.0)
+_k61 = _scalar(0.2)
+_k62 = _float64(0.2)
+_k63 = _scalar(5.0)
+_k64 = _scalar(0.16666666666666666)
+_k65 = _float64(5.0)
+_k66 = _float64(0.16666666666666666)
+_k67 = _scalar(0.14285714285714285)
+_k68 = _float64(0.14285714285714285)
+_k69 = _scalar(7.0)
+_k70 = _scalar(0.125)
+_k71 = _float64(7.0)
+_k72 = _float64(0.125)
+_k73 = _scalar(0.1111111111111111)
+_k74 = _float64(0.1111111111111111)
+_k75 = _scalar(12.0)
+_k76 = _scalar(20.0)
+_k77 = _scalar(30.0)
+_k78 = _scalar(42.0)
+_k79 = _scalar(0.8)
+_k80 = _float64(0.015625)
+_k81 = _float64(12.0)
+_k82 = _float64(20.0)
+_k83 = _float64(30.0)
+_k84 = _float64(42.0)
+_k85 = _float64(0.8)
+_k86 = _float64(7.275957614183426e-12)
+_k87 = _float64(1.1920928955078125e-07)
+_k88 = _scalar(9.5367431640625e-07)
+_k89 = _scalar(9.094947017729282e-13)
+_k90 = _scalar(0.9999990463256836)
+_k91 = _float64(9.094947017729282e-13)
+_k92 = _float64(0.9999990463256836)
+_k93 = _float64(3.637978807091713e-12)
+_k94 = _float64(1.4551915228366852e-11)
+_k95 = _scalar(5.684341886080802e-14)
+_k96 = _float64(5.684341886080802e-14)
+_k97 = _scalar(7.105427357601002e-15)
+_k98 = _float64(7.105427357601002e-15)
+_k99 = _float64(0.0078125)
+_k100 = _scalar(128.0)
+_k101 = _scalar(0.0078125)
+_k102 = _float64(128.0)
+_k103 = _float64(2.384185791015625e-07)
+_k104 = _scalar(5.960464477539063e-08)
+_k105 = _float64(-_inf)
+_k106 = _scalar(1.4210854715202004e-14)
+_k107 = _scalar(1.6)
+_k108 = _scalar(1.4551915228366852e-11)
+_k109 = _float64(1.4210854715202004e-14)
+_k110 = _float64(1.6)
+_k111 = _float64(3.725290298461914e-09)
+_k112 = _scalar(1.5)
+_k113 = _float64(1.5)
+_k114 = _float64(0.000244140625)
+_k115 = _float64(1.52587890625e-05)
+_k116 = _float64(5.820766091346741e-11)
+_k117 = _float64(1.00006103515625)
+_k118 = _float64(65536.0)
+_k119 = _float64(6.0003662109375)
+_k120 = _float64(0.0001220703125)
+_k121 = _scalar(2.409919865102884e-181)
+_k122 = _scalar(-_inf)
+_k123 = _float64(2.409919865102884e-181)
+_k124 = _scalar(3.552713678800501e-15)
+_k125 = _float64(1.3323489447131243e-15)
+_k126 = _float64(5.00030517578125)
+_k127 = _float64(3.552713678800501e-15)
+_k128 = _float32(1.00006103515625)
+_k129 = _float32(2.0)
+_k130 = _scalar(_float32(4.76837158203125e-07))
+_k131 = _float32(1.0)
+_k132 = _scalar(_float32(9.5367431640625e-07))
+_k133 = _scalar(_float32(0.0))
+_k134 = _scalar(_float32(_inf))
+_k135 = _scalar(_float32(1.0))
+_k136 = _scalar(_float32(8.673617379884035e-19))
+_k137 = _scalar(_float32(-_inf))
+_k138 = _float32(0.0001220703125)
+_k139 = _scalar(_float32(1.000000238418579))
+_k140 = _float32(32.0)
+_k141 = _float32(4096.0)
+_k142 = _float32(0.000244140625)
+_k143 = _scalar(_float32(4096.0))
+_k144 = _float32(0.0)
+_k145 = _float32(4.76837158203125e-07)
+_k146 = _float32(9.5367431640625e-07)
+_k147 = _float32(_inf)
+_k148 = _float32(8.673617379884035e-19)
+_k149 = _float32(-_inf)
+_k150 = _float32(1.000000238418579)
+_k151 = _scalar(_float32(5.0))
+_k152 = _scalar(_float32(0.00390625))
+_k153 = _scalar(_float32(2.9802322387695312e-08))
+_k154 = _scalar(_float32(2.842170943040401e-14))
+_k155 = _scalar(_float32(2.0))
+_k156 = _float32(4.0)
+_k157 = _float32(6.0003662109375)
+_k158 = _scalar(_float32(0.5))
+_k159 = _scalar(_float32(1.0009765625))
+_k160 = _float32(5.0048828125)
+_k161 = _scalar(_float32(5.684341886080802e-14))
+_k162 = _float32(7.62939453125e-06)
+_k163 = _scalar(_float32(2.384185791015625e-07))
+_k164 = _float32(128.0)
+_k165 = _float32(2.842170943040401e-14)
+_k166 = _float32(0.00390625)
+_k167 = _float32(5.0)
+_k168 = _float32(2.9802322387695312e-08)
+_k169 = _float32(1.0009765625)
+_k170 = _float32(5.684341886080802e-14)
+_k171 = _float32(0.5)
+_k172 = _float32(2.384185791015625e-07)
+_k173 = _float32(6.0)
+_k174 = _scalar(_float32(8.0))
+_k175 = _scalar(_float32(4.0))
+_k176 = _scalar(_float32(0.0001220703125))
+_k177 = _scalar(_float32(3.814697265625e-06))
+_k178 = _scalar(_float32(3.0))
+_k179 = _scalar(_float32(0.000244140625))
+_k180 = _float32(8.0)
+_k181 = _float32(3.814697265625e-06)
+_k182 = _float32(3.0)
+_k183 = _scalar(0.375)
+_k184 = _scalar(0.75)
+_k185 = _scalar(2.25)
+_k186 = _scalar(0.9375)
+_k187 = _float64(0.375)
+_k188 = _float64(0.75)
+_k189 = _float64(2.25)
+_k190 = _float64(0.9375)
+_k191 = _scalar(0.6666666666666666)
+_k192 = _scalar(11.0)
+_k193 = _scalar(10.0)
+_k194 = _scalar(9.0)
+_k195 = _scalar(110.0)
+_k196 = _scalar(90.0)
+_k197 = _scalar(72.0)
+_k198 = _scalar(56.0)
+_k199 = _float64(11.0)
+_k200 = _float64(10.0)
+_k201 = _float64(9.0)
+_k202 = _float64(110.0)
+_k203 = _float64(90.0)
+_k204 = _float64(72.0)
+_k205 = _float64(56.0)
+_k206 = _scalar(512.0)
+_k207 = _float64(0.00390625)
+_k208 = _float64(512.0)
+_k209 = _scalar(0.6)
+_k210 = _scalar(0.1)
+_k211 = _float64(0.1)
+_k212 = _scalar(0.09090909090909091)
+_k213 = _float64(0.09090909090909091)
+_k214 = _scalar(0.08333333333333333)
+_k215 = _float64(0.08333333333333333)
+_k216 = _float64(6.103515625e-05)
+_k217 = _float64(1.25)
+_k218 = _scalar(3.3306690738754696e-16)
+_k219 = _scalar(1.3335686721571705e-15)
+_k220 = _scalar(4.00390625)
+_k221 = _scalar(2.001953125)
+_k222 = _float64(5.55653613398821e-16)
+_k223 = _float64(2.001953125)
+_k224 = _float64(3.3306690738754696e-16)
+_k225 = _float64(1.3335686721571705e-15)
+_k226 = _float64(12.01171875)
+_k227 = _float64(6.667843360785852e-15)
+_k228 = _float64(4.00390625)
+_k229 = _float64(6.005859375)
+_k230 = _float64(2.667137344314341e-15)
+_k231 = _float64(5.551115123125783e-16)
+_k232 = _scalar(2.222614453595284e-16)
+_k233 = _float64(6.667843360785852e-16)
+_k234 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1018,8 +1117,8 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any, _room: Any 
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _negative(_add(rate, rate_margin, _r0), _r0)
-    _s1 = _k0 < _s0
-    return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(_k1, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(_k1, margin, _r2), _s0, _r2), _k2, _r0)
+    _s1 = _k6 < _s0
+    return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(_k7, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(_k7, margin, _r2), _s0, _r2), _k8, _r0)
 
 
 def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1066,7 +1165,7 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _ro
     _s9 = _select(_s8 < _s2, _s2, _s8, _r8)
     _s10 = _select(_s9 < _s3, _s3, _s9, _r9)
     _s11 = _select(_s10 < _s4, _s4, _s10, _r10)
-    return _add(_s0, _s1, _r11) + _s2, _add(_s3, _s4, _r11) + _s5, _select(_s11 < _s5, _s5, _s11, _r11) - _k3
+    return _add(_s0, _s1, _r11) + _s2, _add(_s3, _s4, _r11) + _s5, _select(_s11 < _s5, _s5, _s11, _r11) - _k12
 
 
 def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1079,8 +1178,8 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s1 = _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_board_thickness) + p_bridge_depth) + p_bridge_half_width) + p_end_depth
-    _s3 = _multiply(_k4, _add(_s1, (((_s2 + p_ring_radius) + p_wire_radius) + _absolute(p_board_bottom)) + _absolute(p_board_top), _r2), _r2)
-    return _add(_multiply(_multiply(_k5, delay, _r3), _s0, _r3), _s3, _r2) + _multiply(_k6, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k7, _s1, _r1), _r1), _r1),
+    _s3 = _multiply(_k14, _add(_s1, (((_s2 + p_ring_radius) + p_wire_radius) + _absolute(p_board_bottom)) + _absolute(p_board_top), _r2), _r2)
+    return _add(_multiply(_multiply(_k15, delay, _r3), _s0, _r3), _s3, _r2) + _multiply(_k16, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k17, _s1, _r1), _r1), _r1),
 
 
 def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, left_nx: Any, left_ny: Any, left_nz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1096,33 +1195,33 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s3 = _absolute(vz, _r3)
     _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
     _s5 = _multiply(curving, _multiply(t, _s4, _r5), _r5)
-    _s6 = _select(_s5 < _k8, _s5, _k8, _r6)
+    _s6 = _select(_s5 < _k22, _s5, _k22, _r6)
     _s7 = _add(dx, _multiply(dvx, t, _r7), _r7)
     _s8 = _absolute(x, _r8)
     _s9 = _absolute(y, _r9)
     _s10 = _absolute(z, _r10)
-    _s11 = _add(_k8, _multiply(curving, _add(_add(_s8, _s9, _r11), _s10, _r11), _r11), _r11)
-    _s12 = _multiply(_k9, t, _r12)
+    _s11 = _add(_k22, _multiply(curving, _add(_add(_s8, _s9, _r11), _s10, _r11), _r11), _r11)
+    _s12 = _multiply(_k23, t, _r12)
     _s13 = _multiply(_s12, _s0, _r13)
-    _s14 = _multiply(_k10, _add(_s13, _s8, _r8), _r8)
-    _s15 = curving < _k2
-    _s16 = _select(_s15, _multiply(_k7, _multiply(_s13, _s11, _r13), _r13), _s14, _r14)
-    _s17 = _s7 < _k0
+    _s14 = _multiply(_k24, _add(_s13, _s8, _r8), _r8)
+    _s15 = curving < _k8
+    _s16 = _select(_s15, _multiply(_k17, _multiply(_s13, _s11, _r13), _r13), _s14, _r14)
+    _s17 = _s7 < _k6
     _s18 = _add(dy, _multiply(dvy, t, _r15), _r15)
     _s19 = _multiply(_s12, _s1, _r16)
-    _s20 = _multiply(_k10, _add(_s19, _s9, _r9), _r9)
-    _s21 = _select(_s15, _multiply(_k7, _multiply(_s19, _s11, _r16), _r16), _s20, _r17)
-    _s22 = _s18 < _k0
+    _s20 = _multiply(_k24, _add(_s19, _s9, _r9), _r9)
+    _s21 = _select(_s15, _multiply(_k17, _multiply(_s19, _s11, _r16), _r16), _s20, _r17)
+    _s22 = _s18 < _k6
     _s23 = _add(dz, _multiply(dvz, t, _r18), _r18)
     _s24 = _add(_multiply(p_gravity, _multiply(t, t, _r19), _r19), _multiply(_s12, _s3, _r12), _r12)
-    _s25 = _multiply(_k10, _add(_s24, _s10, _r10), _r10)
-    _s26 = _select(_s15, _multiply(_k7, _multiply(_s24, _s11, _r12), _r12), _s25, _r11)
-    _s27 = _s23 < _k0
+    _s25 = _multiply(_k24, _add(_s24, _s10, _r10), _r10)
+    _s26 = _select(_s15, _multiply(_k17, _multiply(_s24, _s11, _r12), _r12), _s25, _r11)
+    _s27 = _s23 < _k6
     _s28 = _add(_add(_multiply(nx, _add(_s7, _select(_s17, _negative(_s16, _r19), _s16, _r20), _r20), _r20), _multiply(ny, _add(_s18, _select(_s22, _negative(_s21, _r19), _s21, _r21), _r21), _r21), _r21), _multiply(nz, _add(_s23, _select(_s27, _negative(_s26, _r20), _s26, _r19), _r19), _r19), _r19)
     _s29 = _add(_add(_multiply(nx, vx, _r21), _multiply(ny, vy, _r20), _r20), _multiply(nz, vz, _r21), _r21)
     _s30 = _negative(_divide(_subtract(_s28, _add(_add(_multiply(dx, left_nx, _r20), _multiply(dy, left_ny, _r22), _r22), _multiply(dz, left_nz, _r20), _r20), _r20), _s29, _r20), _r20)
     _s31 = _add(_multiply(vx, _s30, _r19), _add(_s7, _select(_s17, _negative(_s14, _r22), _s14, _r23), _r23), _r23)
-    _s32 = _add(_k11, _multiply(_k11, contacts, _r19), _r19)
+    _s32 = _add(_k25, _multiply(_k25, contacts, _r19), _r19)
     _s33 = _absolute(dx, _r22)
     _s34 = _absolute(dy, _r7)
     _s35 = _select(_s33 < _s34, _s34, _s33, _r24)
@@ -1139,12 +1238,12 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s46 = _add(_multiply(_divide(_s4, _absolute(_s29, _r21), _r21), _add(_multiply(_s37, _s6, _r26), _add(_s42, _select(_s43 < _s26, _s26, _s43, _r25), _r25), _r25), _r25), _s45, _r25)
     _s47 = _divide(_s46, _s32, _r21)
     _s48 = _negative(_s47, _r26)
-    _s49 = _s6 < _k12
+    _s49 = _s6 < _k26
     _s50 = _add(_multiply(vy, _s30, _r6), _add(_s18, _select(_s22, _negative(_s20, _r5), _s20, _r30), _r30), _r30)
     _s51 = _add(_multiply(vz, _s30, _r6), _add(_s23, _select(_s27, _negative(_s25, _r5), _s25, _r9), _r9), _r9)
     _s52 = _absolute(_s30, _r6)
-    _s53 = _multiply(_k13, late, _r5)
-    return _result(_s49, _s31, _select(_absolute(_s31, _r10) < _s47, _select(_s31 < _k0, _s48, _s47, _r10), _s31, _r18), _r0), _result(_s49, _s50, _select(_absolute(_s50, _r18) < _s47, _select(_s50 < _k0, _s48, _s47, _r18), _s50, _r10), _r0), _result(_s49, _s51, _select(_absolute(_s51, _r10) < _s47, _select(_s51 < _k0, _s48, _s47, _r10), _s51, _r18), _r0), _result(_s49, _k11, _s32, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s30, _r20), _multiply(_k7, _add(clock, t, _r20), _r20) + _select(_s52 < _s53, _s53, _s52, _r19), _result(_s49, _s45, _s46, _r0)
+    _s53 = _multiply(_k27, late, _r5)
+    return _result(_s49, _s31, _select(_absolute(_s31, _r10) < _s47, _select(_s31 < _k6, _s48, _s47, _r10), _s31, _r18), _r0), _result(_s49, _s50, _select(_absolute(_s50, _r18) < _s47, _select(_s50 < _k6, _s48, _s47, _r18), _s50, _r10), _r0), _result(_s49, _s51, _select(_absolute(_s51, _r10) < _s47, _select(_s51 < _k6, _s48, _s47, _r10), _s51, _r18), _r0), _result(_s49, _k25, _s32, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s30, _r20), _multiply(_k17, _add(clock, t, _r20), _r20) + _select(_s52 < _s53, _s53, _s52, _r19), _result(_s49, _s45, _s46, _r0)
 
 
 def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1155,25 +1254,25 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _room[:17]
     _s0 = _absolute(vx, _r0)
-    _s1 = _add(clock_error, _multiply(_k7, _add(clock, t, _r1), _r1), _r1)
+    _s1 = _add(clock_error, _multiply(_k17, _add(clock, t, _r1), _r1), _r1)
     _s2 = _absolute(dvx, _r2)
     _s3 = _absolute(dvy, _r3)
     _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
     _s5 = _absolute(dvz, _r5)
-    _s6 = _multiply(_k9, t, _r6)
-    _s7 = _multiply(_k10, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8)
+    _s6 = _multiply(_k23, t, _r6)
+    _s7 = _multiply(_k24, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8)
     _s8 = _absolute(vy, _r7)
-    _s9 = _multiply(_k10, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10)
+    _s9 = _multiply(_k24, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10)
     _s10 = _select(_s7 < _s9, _s9, _s7, _r9)
     _s11 = _absolute(vz, _r11)
-    _s12 = _multiply(_k10, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12)
+    _s12 = _multiply(_k24, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12)
     _s13 = _absolute(dx, _r6)
     _s14 = _absolute(dy, _r13)
     _s15 = _select(_s13 < _s14, _s14, _s13, _r14)
     _s16 = _absolute(dz, _r15)
     _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
     _s18 = _absolute(0.0)
-    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(_k14, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(_k14, _s8, _r7), _add(_s5, _multiply(_k14, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
+    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(_k33, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(_k33, _s8, _r7), _add(_s5, _multiply(_k33, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1195,7 +1294,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     _s9 = _absolute(dwy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dwz, _r11)
-    return _k15 * _select(_s2 < _s3, _s3, _s2, _r12), _k15 * _select(_s6 < _s7, _s7, _s6, _r12), _k15 * _select(_s10 < _s11, _s11, _s10, _r12), _k15 * clock_error
+    return _k35 * _select(_s2 < _s3, _s3, _s2, _r12), _k35 * _select(_s6 < _s7, _s7, _s6, _r12), _k35 * _select(_s10 < _s11, _s11, _s10, _r12), _k35 * clock_error
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1217,7 +1316,7 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     _s9 = _absolute(dwy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dwz, _r11)
-    return _k16 * _select(_s2 < _s3, _s3, _s2, _r12), _k16 * _select(_s6 < _s7, _s7, _s6, _r12), _k16 * _select(_s10 < _s11, _s11, _s10, _r12), _k16 * clock_error
+    return _k37 * _select(_s2 < _s3, _s3, _s2, _r12), _k37 * _select(_s6 < _s7, _s7, _s6, _r12), _k37 * _select(_s10 < _s11, _s11, _s10, _r12), _k37 * clock_error
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, p_ring_restitution: Any, p_backboard_restitution: Any, p_bridge_restitution: Any, p_ring_friction: Any, p_backboard_friction: Any, p_bridge_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any) -> tuple[Any, ...]:
@@ -1258,37 +1357,37 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = _subtract(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _s1 * _s1, _r1)
-    _s3 = _absolute(last, _r0) < _k17
-    _s4 = _select(_s3, _k8, _select(_k0 <= _s2, _k8, _k0, _r0), _r2)
+    _s3 = _absolute(last, _r0) < _k40
+    _s4 = _select(_s3, _k22, _select(_k6 <= _s2, _k22, _k6, _r0), _r2)
     _s5 = _subtract(z, p_board_top, _r3)
     _s6 = _subtract(p_board_bottom, z, _r4)
-    _s7 = _subtract(_select(_s5 < _k0, _k0, _s5, _r5), _select(_s6 < _k0, _k0, _s6, _r6), _r6)
+    _s7 = _subtract(_select(_s5 < _k6, _k6, _s5, _r5), _select(_s6 < _k6, _k6, _s6, _r6), _r6)
     _s8 = _add(p_board_distance, x, _r4)
     _s9 = _negative(_add(p_board_distance + p_board_thickness, x, _r5), _r5)
-    _s10 = _subtract(_select(_s8 < _k0, _k0, _s8, _r3), _select(_s9 < _k0, _k0, _s9, _r7), _r7)
+    _s10 = _subtract(_select(_s8 < _k6, _k6, _s8, _r3), _select(_s9 < _k6, _k6, _s9, _r7), _r7)
     _s11 = _subtract(y, p_board_half_width, _r5)
     _s12 = _negative(_add(p_board_half_width, y, _r3), _r3)
-    _s13 = _subtract(_select(_s11 < _k0, _k0, _s11, _r8), _select(_s12 < _k0, _k0, _s12, _r9), _r9)
+    _s13 = _subtract(_select(_s11 < _k6, _k6, _s11, _r8), _select(_s12 < _k6, _k6, _s12, _r9), _r9)
     _s14 = _subtract(_sqrt(_add(_add(_multiply(_s7, _s7, _r6), _multiply(_s10, _s10, _r7), _r7), _multiply(_s13, _s13, _r9), _r9), _r9), p_ball_radius, _r9)
-    _s15 = _absolute(_subtract(last, _k8, _r7), _r7) < _k17
-    _s16 = _select(_s15, _s4, _select(_k0 <= _s14, _s4, _k0, _r7), _r6)
+    _s15 = _absolute(_subtract(last, _k22, _r7), _r7) < _k40
+    _s16 = _select(_s15, _s4, _select(_k6 <= _s14, _s4, _k6, _r7), _r6)
     _s17 = _add(p_ring_radius, x, _r3)
     _s18 = _negative(_s8, _r4)
-    _s19 = _subtract(_select(_s17 < _k0, _k0, _s17, _r8), _select(_s18 < _k0, _k0, _s18, _r5), _r5)
+    _s19 = _subtract(_select(_s17 < _k6, _k6, _s17, _r8), _select(_s18 < _k6, _k6, _s18, _r5), _r5)
     _s20 = _subtract(y, p_bridge_half_width, _r4)
     _s21 = _negative(_add(p_bridge_half_width, y, _r8), _r8)
-    _s22 = _subtract(_select(_s20 < _k0, _k0, _s20, _r3), _select(_s21 < _k0, _k0, _s21, _r10), _r10)
+    _s22 = _subtract(_select(_s20 < _k6, _k6, _s20, _r3), _select(_s21 < _k6, _k6, _s21, _r10), _r10)
     _s23 = _subtract(z, p_wire_radius, _r8)
     _s24 = _subtract(p_wire_radius - p_bridge_depth, z, _r3)
-    _s25 = _subtract(_select(_s23 < _k0, _k0, _s23, _r4), _select(_s24 < _k0, _k0, _s24, _r11), _r11)
+    _s25 = _subtract(_select(_s23 < _k6, _k6, _s23, _r4), _select(_s24 < _k6, _k6, _s24, _r11), _r11)
     _s26 = _subtract(_sqrt(_add(_add(_multiply(_s19, _s19, _r5), _multiply(_s22, _s22, _r10), _r10), _multiply(_s25, _s25, _r11), _r11), _r11), p_ball_radius, _r11)
-    _s27 = _absolute(_subtract(last, _k9, _r10), _r10) < _k17
+    _s27 = _absolute(_subtract(last, _k23, _r10), _r10) < _k40
     _s28 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_thickness)) + _absolute(p_board_top)
     _s29 = ((((_s28 + _absolute(p_bridge_depth)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)
-    _s30 = _multiply(_k18, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
-    _s31 = _select(_s3, _k0, _select(_absolute(_s2, _r1) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s30, _r5), _k8, _k0, _r5), _r1)
-    _s32 = _select(_s15, _s31, _select(_absolute(_s14, _r9) <= _s30, _k8, _s31, _r9), _r3)
-    return _result(_s27, _s16, _select(_k0 <= _s26, _s16, _k0, _r4), _r0), _result(_s27, _s32, _select(_absolute(_s26, _r11) <= _s30, _k8, _s32, _r11), _r0)
+    _s30 = _multiply(_k41, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
+    _s31 = _select(_s3, _k6, _select(_absolute(_s2, _r1) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s30, _r5), _k22, _k6, _r5), _r1)
+    _s32 = _select(_s15, _s31, _select(_absolute(_s14, _r9) <= _s30, _k22, _s31, _r9), _r3)
+    return _result(_s27, _s16, _select(_k6 <= _s26, _s16, _k6, _r4), _r0), _result(_s27, _s32, _select(_absolute(_s26, _r11) <= _s30, _k22, _s32, _r11), _r0)
 
 
 def passing_start(last: Any, outcome: Any, uncertain: Any, x: Any, y: Any, z: Any, p_ring_radius: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1298,11 +1397,11 @@ def passing_start(last: Any, outcome: Any, uncertain: Any, x: Any, y: Any, z: An
     Returns through, uncertain.
     """
     _r0, _r1, _r2 = _room[:3]
-    _s0 = _logical_and(_logical_and((_k0 <= last), (z < _k0)), ((-p_end_depth) <= z))
+    _s0 = _logical_and(_logical_and((_k6 <= last), (z < _k6)), ((-p_end_depth) <= z))
     _s1 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s2 = p_ring_radius * p_ring_radius
-    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(_k19, _add(_s2, _s1, _r2), _r2))), (outcome < _k0)), _k8, uncertain, _r0)
-    return _result(_logical_and(_s0, (_s1 < _s2)), _k8, _k0, _r0), _s3
+    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(_k44, _add(_s2, _s1, _r2), _r2))), (outcome < _k6)), _k22, uncertain, _r0)
+    return _result(_logical_and(_s0, (_s1 < _s2)), _k22, _k6, _r0), _s3
 
 
 def passing(through: Any, t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1312,26 +1411,26 @@ def passing(through: Any, t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: 
     Returns through.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
-    _s0 = z < _k0
+    _s0 = z < _k6
     _s1 = _add(z, _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), _r0)
-    _s2 = _s1 < _k0
+    _s2 = _s1 < _k6
     _s3 = _add(_multiply(vz, vz, _r1), _multiply(2.0 * p_gravity, z, _r2), _r2)
-    _s4 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, _s2), (_k0 < vz)), (_k0 < _s3)), (vz < _multiply(p_gravity, t, _r1)))
-    _s5 = _sqrt(_select(_s3 < _k0, _k0, _s3, _r1), _r1)
+    _s4 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, _s2), (_k6 < vz)), (_k6 < _s3)), (vz < _multiply(p_gravity, t, _r1)))
+    _s5 = _sqrt(_select(_s3 < _k6, _k6, _s3, _r1), _r1)
     _s6 = 1.0 / p_gravity
     _s7 = _multiply(_add(vz, _s5, _r2), _s6, _r2)
-    _s8 = _select(_k0 < _s7, _s7, _k0, _r3)
+    _s8 = _select(_k6 < _s7, _s7, _k6, _r3)
     _s9 = _select(_s8 < t, _s8, t, _r4)
     _s10 = _add(x, _multiply(vx, _s9, _r5), _r5)
     _s11 = _add(y, _multiply(vy, _s9, _r4), _r4)
     _s12 = p_ring_radius * p_ring_radius
     _s13 = _multiply(_subtract(vz, _s5, _r1), _s6, _r1)
-    _s14 = _select(_k0 < _s13, _s13, _k0, _r3)
+    _s14 = _select(_k6 < _s13, _s13, _k6, _r3)
     _s15 = _select(_s14 < t, _s14, t, _r2)
     _s16 = _add(x, _multiply(vx, _s15, _r6), _r6)
     _s17 = _add(y, _multiply(vy, _s15, _r2), _r2)
-    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (_k0 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == _k8, _k0, _k20, _r2), through, _r6)
-    _s19 = _result(_logical_and(_logical_and(_logical_or(_s4, _logical_and(_s2, (_k0 <= z))), (_add(_multiply(_s10, _s10, _r5), _multiply(_s11, _s11, _r4), _r4) < _s12)), (_s18 == _k0)), _k8, _s18, _r0)
+    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (_k6 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == _k22, _k6, _k46, _r2), through, _r6)
+    _s19 = _result(_logical_and(_logical_and(_logical_or(_s4, _logical_and(_s2, (_k6 <= z))), (_add(_multiply(_s10, _s10, _r5), _multiply(_s11, _s11, _r4), _r4) < _s12)), (_s18 == _k6)), _k22, _s18, _r0)
     return _s19,
 
 
@@ -1347,30 +1446,30 @@ def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ext
     _s2 = 1.0 / p_gravity
     _s3 = _multiply(p_gravity, t, _r2)
     _s4 = _add(speed, _s3, _r3)
-    _s5 = _multiply(_k5, _add(_add(position_error, _multiply(t, velocity_error, _r4), _r4), _multiply(_k7, _add(extent, _multiply(t, _s4, _r5), _r5), _r5), _r5), _r5)
-    _s6 = _add(_multiply(_k19, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
-    _s7 = z < _k0
-    _s8 = _s0 < _k0
-    _s9 = _logical_and(_logical_and(_s7, _s8), (_k0 < vz))
+    _s5 = _multiply(_k15, _add(_add(position_error, _multiply(t, velocity_error, _r4), _r4), _multiply(_k17, _add(extent, _multiply(t, _s4, _r5), _r5), _r5), _r5), _r5)
+    _s6 = _add(_multiply(_k44, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
+    _s7 = z < _k6
+    _s8 = _s0 < _k6
+    _s9 = _logical_and(_logical_and(_s7, _s8), (_k6 < vz))
     _s10 = _add(_s1, _multiply(2.0 * p_gravity, z, _r6), _r6)
-    _s11 = _sqrt(_select(_s10 < _k0, _k0, _s10, _r1), _r1)
+    _s11 = _sqrt(_select(_s10 < _k6, _k6, _s10, _r1), _r1)
     _s12 = _multiply(_add(vz, _s11, _r7), _s2, _r7)
-    _s13 = _select(_k0 < _s12, _s12, _k0, _r8)
+    _s13 = _select(_k6 < _s12, _s12, _k6, _r8)
     _s14 = _select(_s13 < t, _s13, t, _r9)
     _s15 = _add(x, _multiply(vx, _s14, _r10), _r10)
     _s16 = _add(y, _multiply(vy, _s14, _r9), _r9)
     _s17 = _sqrt(_add(_multiply(_s15, _s15, _r10), _multiply(_s16, _s16, _r9), _r9), _r9)
     _s18 = _multiply(_subtract(vz, _s11, _r1), _s2, _r1)
-    _s19 = _select(_k0 < _s18, _s18, _k0, _r10)
+    _s19 = _select(_k6 < _s18, _s18, _k6, _r10)
     _s20 = _select(_s19 < t, _s19, t, _r8)
     _s21 = _add(x, _multiply(vx, _s20, _r7), _r7)
     _s22 = _add(y, _multiply(vy, _s20, _r8), _r8)
     _s23 = _sqrt(_add(_multiply(_s21, _s21, _r7), _multiply(_s22, _s22, _r8), _r8), _r8)
-    _s24 = _multiply(_multiply(_k5, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(_k19, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
+    _s24 = _multiply(_multiply(_k15, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(_k44, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
     _s25 = _add(_s24, _s5, _r3)
-    _s26 = _logical_and(_logical_or(_logical_or(_logical_and((_k0 < position_error), (_absolute(z, _r5) <= position_error)), (_absolute(_s0, _r5) <= _s6)), _logical_and(_s9, (_absolute(_s10, _r5) <= _multiply(4.0 * p_gravity, _s6, _r4)))), (_select(_s17 < _s23, _s17, _s23, _r4) <= _add(p_ring_radius, _s25, _r5)))
-    _s27 = _logical_and(_logical_and(_s9, (_k0 < _s10)), (vz < _s3))
-    _s28 = _logical_or(_s26, _logical_or(_logical_and(_logical_or(_s27, _logical_and(_s7, (_k0 <= _s0))), (_absolute(_subtract(_s23, p_ring_radius, _r8), _r8) <= _s25)), _logical_and(_logical_or(_s27, _logical_and(_s8, (_k0 <= z))), (_absolute(_subtract(_s17, p_ring_radius, _r9), _r9) <= _s25))))
+    _s26 = _logical_and(_logical_or(_logical_or(_logical_and((_k6 < position_error), (_absolute(z, _r5) <= position_error)), (_absolute(_s0, _r5) <= _s6)), _logical_and(_s9, (_absolute(_s10, _r5) <= _multiply(4.0 * p_gravity, _s6, _r4)))), (_select(_s17 < _s23, _s17, _s23, _r4) <= _add(p_ring_radius, _s25, _r5)))
+    _s27 = _logical_and(_logical_and(_s9, (_k6 < _s10)), (vz < _s3))
+    _s28 = _logical_or(_s26, _logical_or(_logical_and(_logical_or(_s27, _logical_and(_s7, (_k6 <= _s0))), (_absolute(_subtract(_s23, p_ring_radius, _r8), _r8) <= _s25)), _logical_and(_logical_or(_s27, _logical_and(_s8, (_k6 <= z))), (_absolute(_subtract(_s17, p_ring_radius, _r9), _r9) <= _s25))))
     return _s28,
 
 
@@ -1401,22 +1500,22 @@ def halved(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, exte
     Returns middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z, later_reach_z.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = _multiply(_k17, horizon, _r0)
+    _s0 = _multiply(_k40, horizon, _r0)
     _s1 = _multiply(vx, _s0, _r1)
-    _s2 = _multiply(_k17, _s1, _r2)
+    _s2 = _multiply(_k40, _s1, _r2)
     _s3 = _absolute(0.0)
-    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k21, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s5 = _select(pad < late, _k2, _s4, _r3)
-    _s6 = _k22 * _add(_add(_s3, _multiply(_k17, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
+    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k47, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s5 = _select(pad < late, _k8, _s4, _r3)
+    _s6 = _k48 * _add(_add(_s3, _multiply(_k40, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
     _s7 = _multiply(vy, _s0, _r5)
-    _s8 = _multiply(_k17, _s7, _r6)
-    _s9 = _k22 * _add(_add(_s3, _multiply(_k17, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
+    _s8 = _multiply(_k40, _s7, _r6)
+    _s9 = _k48 * _add(_add(_s3, _multiply(_k40, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
     _s10 = _multiply(0.5 * p_gravity, _s0, _r7)
     _s11 = _multiply(_s0, _subtract(vz, _s10, _r8), _r8)
     _s12 = _negative(_multiply(0.0625 * p_gravity, _multiply(_s0, _s0, _r9), _r9), _r9)
     _s13 = _absolute(_s12, _r10)
     _s14 = _multiply(_s0, _subtract(_subtract(vz, _multiply(p_gravity, _s0, _r11), _r11), _s10, _r11), _r11)
-    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k17, _s11, _r5), _r5) - _s12, _k22 * _add(_add(_s13, _multiply(_k17, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k17, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k22 * _add(_add(_s13, _multiply(_k17, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
+    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k40, _s11, _r5), _r5) - _s12, _k48 * _add(_add(_s13, _multiply(_k40, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k40, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k48 * _add(_add(_s13, _multiply(_k40, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
 
 
 def untaken() -> tuple[Any, ...]:
@@ -1694,8 +1793,8 @@ def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y
     Returns finite.
     """
     _r0, = _room[:1]
-    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _k2), (_absolute(y, _r0) < _k2)), (_absolute(z, _r0) < _k2)), (_absolute(vx, _r0) < _k2)), (_absolute(vy, _r0) < _k2))
-    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _k2)), (_absolute(wx, _r0) < _k2)), (_absolute(wy, _r0) < _k2)), (_absolute(wz, _r0) < _k2))
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _k8), (_absolute(y, _r0) < _k8)), (_absolute(z, _r0) < _k8)), (_absolute(vx, _r0) < _k8)), (_absolute(vy, _r0) < _k8))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _k8)), (_absolute(wx, _r0) < _k8)), (_absolute(wy, _r0) < _k8)), (_absolute(wz, _r0) < _k8))
     return _s1,
 
 
@@ -1958,7 +2057,7 @@ def roll_0(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, nx_0: Any, ny_
     _s5 = _multiply(ny_0, _s3, _r1) - _multiply(nz_0, _s2, _r0)
     _s6 = _multiply(nz_0, _s1, _r0) - _multiply(nx_0, _s3, _r1)
     _s7 = _multiply(nx_0, _s2, _r1) - _multiply(ny_0, _s1, _r0)
-    return _s4, _s5, _s6, _s7, _multiply(nx_0, _s4, _r0) + _multiply(_k23, _multiply(turn_rate_0, _s5, _r1), _r1), _multiply(ny_0, _s4, _r1) + _multiply(_k23, _multiply(turn_rate_0, _s6, _r0), _r0), _add(_multiply(nz_0, _s4, _r0), _multiply(_k23, _multiply(turn_rate_0, _s7, _r1), _r1), _r1) - _s0, _s1, _s2, _s3, -_add(_add(_multiply(vx_0, _s5, _r1), _multiply(vy_0, _s6, _r0), _r0), _multiply(vz_0, _s7, _r1), _r1)
+    return _s4, _s5, _s6, _s7, _multiply(nx_0, _s4, _r0) + _multiply(_k56, _multiply(turn_rate_0, _s5, _r1), _r1), _multiply(ny_0, _s4, _r1) + _multiply(_k56, _multiply(turn_rate_0, _s6, _r0), _r0), _add(_multiply(nz_0, _s4, _r0), _multiply(_k56, _multiply(turn_rate_0, _s7, _r1), _r1), _r1) - _s0, _s1, _s2, _s3, -_add(_add(_multiply(vx_0, _s5, _r1), _multiply(vy_0, _s6, _r0), _r0), _multiply(vz_0, _s7, _r1), _r1)
 
 
 def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, ty_0: Any, tz_0: Any, vx_0: Any, vx_1: Any, vy_0: Any, vy_1: Any, vz_0: Any, vz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1978,8 +2077,8 @@ def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, n
     _s7 = _add(_s6, _multiply(nz_0, _s0, _r3), _r3) - _add(_multiply(nx_0, _s2, _r4), _s6, _r4)
     _s8 = _multiply(nx_1, ny_1, _r4)
     _s9 = _add(_multiply(nx_0, _s1, _r3), _s8, _r3) - _add(_s8, _multiply(ny_0, _s0, _r6), _r6)
-    _s10 = -_multiply(_k17, _add(_add(_add(_multiply(tx_0, vx_1, _r6), _multiply(vx_0, _s5, _r3), _r3), _add(_multiply(ty_0, vy_1, _r6), _multiply(vy_0, _s7, _r4), _r4), _r4), _add(_multiply(tz_0, vz_1, _r3), _multiply(vz_0, _s9, _r6), _r6), _r6), _r6)
-    return _s3, _s5, _s7, _s9, _k17 * _add(_add(_multiply(lift_0, nx_1, _r6), _multiply(nx_0, _s3, _r4), _r4), _multiply(_k23, _add(_multiply(turn_rate_0, _s5, _r6), _multiply(turn_rate_1, tx_0, _r3), _r3), _r3), _r3), _k17 * _add(_add(_multiply(lift_0, ny_1, _r3), _multiply(ny_0, _s3, _r4), _r4), _multiply(_k23, _add(_multiply(turn_rate_0, _s7, _r3), _multiply(turn_rate_1, ty_0, _r6), _r6), _r6), _r6), _k17 * _add(_add(_multiply(lift_0, nz_1, _r6), _multiply(nz_0, _s3, _r4), _r4), _multiply(_k23, _add(_multiply(turn_rate_0, _s9, _r6), _multiply(turn_rate_1, tz_0, _r3), _r3), _r3), _r3), _k17 * _s0, _k17 * _s1, _k17 * _s2, _s10
+    _s10 = -_multiply(_k40, _add(_add(_add(_multiply(tx_0, vx_1, _r6), _multiply(vx_0, _s5, _r3), _r3), _add(_multiply(ty_0, vy_1, _r6), _multiply(vy_0, _s7, _r4), _r4), _r4), _add(_multiply(tz_0, vz_1, _r3), _multiply(vz_0, _s9, _r6), _r6), _r6), _r6)
+    return _s3, _s5, _s7, _s9, _k40 * _add(_add(_multiply(lift_0, nx_1, _r6), _multiply(nx_0, _s3, _r4), _r4), _multiply(_k56, _add(_multiply(turn_rate_0, _s5, _r6), _multiply(turn_rate_1, tx_0, _r3), _r3), _r3), _r3), _k40 * _add(_add(_multiply(lift_0, ny_1, _r3), _multiply(ny_0, _s3, _r4), _r4), _multiply(_k56, _add(_multiply(turn_rate_0, _s7, _r3), _multiply(turn_rate_1, ty_0, _r6), _r6), _r6), _r6), _k40 * _add(_add(_multiply(lift_0, nz_1, _r6), _multiply(nz_0, _s3, _r4), _r4), _multiply(_k56, _add(_multiply(turn_rate_0, _s9, _r6), _multiply(turn_rate_1, tz_0, _r3), _r3), _r3), _r3), _k40 * _s0, _k40 * _s1, _k40 * _s2, _s10
 
 
 def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1989,21 +2088,21 @@ def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Returns lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3, turn_rate_3.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k9, nx_2, _r0)
+    _s0 = _multiply(_k23, nx_2, _r0)
     _s1 = _multiply(_multiply(bent_x, per_reach, _r1), vx_2, _r1)
-    _s2 = _multiply(_k9, ny_2, _r2)
+    _s2 = _multiply(_k23, ny_2, _r2)
     _s3 = _multiply(_multiply(bent_y, per_reach, _r3), vy_2, _r3)
     _s4 = _multiply(_multiply(bent_z, per_reach, _r4), vz_2, _r4)
-    _s5 = _multiply(0.6 * p_gravity, nz_2, _r5) - _add(_add(_add(_add(_multiply(nx_1, vx_2, _r6), _multiply(_s0, vx_1, _r7), _r7), _multiply(vx_0, _s1, _r6), _r6), _add(_add(_multiply(ny_1, vy_2, _r7), _multiply(_s2, vy_1, _r8), _r8), _multiply(vy_0, _s3, _r7), _r7), _r7), _add(_add(_multiply(nz_1, vz_2, _r6), _multiply(_multiply(_k9, nz_2, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s4, _r6), _r6), _r6)
-    _s6 = _add(_add(_multiply(ny_0, _s4, _r6), _multiply(_multiply(_k9, ny_1, _r5), nz_2, _r5), _r5), _multiply(ny_2, nz_1, _r6), _r6) - _add(_add(_multiply(ny_1, nz_2, _r5), _multiply(_s2, nz_1, _r2), _r2), _multiply(nz_0, _s3, _r5), _r5)
-    _s7 = _multiply(_k9, nx_1, _r5)
+    _s5 = _multiply(0.6 * p_gravity, nz_2, _r5) - _add(_add(_add(_add(_multiply(nx_1, vx_2, _r6), _multiply(_s0, vx_1, _r7), _r7), _multiply(vx_0, _s1, _r6), _r6), _add(_add(_multiply(ny_1, vy_2, _r7), _multiply(_s2, vy_1, _r8), _r8), _multiply(vy_0, _s3, _r7), _r7), _r7), _add(_add(_multiply(nz_1, vz_2, _r6), _multiply(_multiply(_k23, nz_2, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s4, _r6), _r6), _r6)
+    _s6 = _add(_add(_multiply(ny_0, _s4, _r6), _multiply(_multiply(_k23, ny_1, _r5), nz_2, _r5), _r5), _multiply(ny_2, nz_1, _r6), _r6) - _add(_add(_multiply(ny_1, nz_2, _r5), _multiply(_s2, nz_1, _r2), _r2), _multiply(nz_0, _s3, _r5), _r5)
+    _s7 = _multiply(_k23, nx_1, _r5)
     _s8 = _add(_add(_multiply(nx_1, nz_2, _r6), _multiply(_s0, nz_1, _r2), _r2), _multiply(nz_0, _s1, _r6), _r6) - _add(_add(_multiply(nx_0, _s4, _r2), _multiply(_s7, nz_2, _r7), _r7), _multiply(nx_2, nz_1, _r2), _r2)
     _s9 = _add(_add(_multiply(nx_0, _s3, _r2), _multiply(_s7, ny_2, _r5), _r5), _multiply(nx_2, ny_1, _r2), _r2) - _add(_add(_multiply(nx_1, ny_2, _r5), _multiply(_s0, ny_1, _r0), _r0), _multiply(ny_0, _s1, _r5), _r5)
-    _s10 = _k24 * _add(_add(_add(_multiply(lift_0, nx_2, _r5), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s5, _r5), _r5), _multiply(_k23, _add(_add(_multiply(turn_rate_0, _s6, _r2), _multiply(turn_rate_1, tx_1, _r0), _r0), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
-    _s11 = _k24 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r5), _r5), _multiply(ny_0, _s5, _r2), _r2), _multiply(_k23, _add(_add(_multiply(turn_rate_0, _s8, _r5), _multiply(turn_rate_1, ty_1, _r0), _r0), _multiply(turn_rate_2, ty_0, _r5), _r5), _r5), _r5)
-    _s12 = _k24 * _add(_add(_add(_multiply(lift_0, nz_2, _r5), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s5, _r5), _r5), _multiply(_k23, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, tz_1, _r0), _r0), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
-    _s13 = _multiply(_k24, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r5), _r5), _multiply(vx_0, _s6, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r5), _multiply(ty_1, vy_1, _r0), _r0), _multiply(vy_0, _s8, _r5), _r5), _r5), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r0), _r0), _multiply(vz_0, _s9, _r2), _r2), _r2), _r2)
-    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k24 * _s1, _k24 * _s3, _k24 * _s4, -_s13
+    _s10 = _k57 * _add(_add(_add(_multiply(lift_0, nx_2, _r5), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s5, _r5), _r5), _multiply(_k56, _add(_add(_multiply(turn_rate_0, _s6, _r2), _multiply(turn_rate_1, tx_1, _r0), _r0), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
+    _s11 = _k57 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r5), _r5), _multiply(ny_0, _s5, _r2), _r2), _multiply(_k56, _add(_add(_multiply(turn_rate_0, _s8, _r5), _multiply(turn_rate_1, ty_1, _r0), _r0), _multiply(turn_rate_2, ty_0, _r5), _r5), _r5), _r5)
+    _s12 = _k57 * _add(_add(_add(_multiply(lift_0, nz_2, _r5), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s5, _r5), _r5), _multiply(_k56, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, tz_1, _r0), _r0), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
+    _s13 = _multiply(_k57, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r5), _r5), _multiply(vx_0, _s6, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r5), _multiply(ty_1, vy_1, _r0), _r0), _multiply(vy_0, _s8, _r5), _r5), _r5), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r0), _r0), _multiply(vz_0, _s9, _r2), _r2), _r2), _r2)
+    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k57 * _s1, _k57 * _s3, _k57 * _s4, -_s13
 
 
 def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2013,27 +2112,27 @@ def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Returns lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4, turn_rate_4.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
-    _s0 = _multiply(_k9, nx_2, _r0)
-    _s1 = _multiply(_k25, nx_3, _r1)
+    _s0 = _multiply(_k23, nx_2, _r0)
+    _s1 = _multiply(_k59, nx_3, _r1)
     _s2 = _multiply(_multiply(bent_x, per_reach, _r2), vx_3, _r2)
-    _s3 = _multiply(_k9, ny_2, _r3)
-    _s4 = _multiply(_k25, ny_3, _r4)
+    _s3 = _multiply(_k23, ny_2, _r3)
+    _s4 = _multiply(_k59, ny_3, _r4)
     _s5 = _multiply(_multiply(bent_y, per_reach, _r5), vy_3, _r5)
     _s6 = _multiply(_multiply(bent_z, per_reach, _r6), vz_3, _r6)
-    _s7 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s0, vx_2, _r8), _r8), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s3, vy_2, _r9), _r9), _multiply(_s4, vy_1, _r7), _r7), _multiply(vy_0, _s5, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k9, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k25, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s6, _r7), _r7), _r7)
+    _s7 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s0, vx_2, _r8), _r8), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s3, vy_2, _r9), _r9), _multiply(_s4, vy_1, _r7), _r7), _multiply(vy_0, _s5, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k23, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k59, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s6, _r7), _r7), _r7)
     _s8 = _multiply(0.6 * p_gravity, nz_3, _r9) - _s7
     _s9 = _multiply(_s3, nz_2, _r3)
-    _s10 = _add(_add(_add(_multiply(ny_0, _s6, _r7), _multiply(_multiply(_k25, ny_1, _r9), nz_3, _r9), _r9), _s9, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s9, _r9), _multiply(_s4, nz_1, _r4), _r4), _multiply(nz_0, _s5, _r9), _r9)
+    _s10 = _add(_add(_add(_multiply(ny_0, _s6, _r7), _multiply(_multiply(_k59, ny_1, _r9), nz_3, _r9), _r9), _s9, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s9, _r9), _multiply(_s4, nz_1, _r4), _r4), _multiply(nz_0, _s5, _r9), _r9)
     _s11 = _multiply(_s0, nz_2, _r9)
-    _s12 = _multiply(_k25, nx_1, _r7)
+    _s12 = _multiply(_k59, nx_1, _r7)
     _s13 = _add(_add(_add(_multiply(nx_1, nz_3, _r4), _s11, _r4), _multiply(_s1, nz_1, _r3), _r3), _multiply(nz_0, _s2, _r4), _r4) - _add(_add(_add(_multiply(nx_0, _s6, _r3), _multiply(_s12, nz_3, _r8), _r8), _s11, _r8), _multiply(nx_3, nz_1, _r9), _r9)
     _s14 = _multiply(_s0, ny_2, _r0)
     _s15 = _add(_add(_add(_multiply(nx_0, _s5, _r9), _multiply(_s12, ny_3, _r7), _r7), _s14, _r7), _multiply(nx_3, ny_1, _r9), _r9) - _add(_add(_add(_multiply(nx_1, ny_3, _r7), _s14, _r7), _multiply(_s1, ny_1, _r1), _r1), _multiply(ny_0, _s2, _r7), _r7)
-    _s16 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r7), _multiply(lift_1, nx_2, _r9), _r9), _multiply(lift_2, nx_1, _r7), _r7), _multiply(nx_0, _s8, _r9), _r9), _multiply(_k23, _add(_add(_add(_multiply(turn_rate_0, _s10, _r7), _multiply(turn_rate_1, tx_2, _r1), _r1), _multiply(turn_rate_2, tx_1, _r7), _r7), _multiply(turn_rate_3, tx_0, _r1), _r1), _r1), _r1)
-    _s17 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r9), _multiply(lift_1, ny_2, _r7), _r7), _multiply(lift_2, ny_1, _r9), _r9), _multiply(ny_0, _s8, _r7), _r7), _multiply(_k23, _add(_add(_add(_multiply(turn_rate_0, _s13, _r9), _multiply(turn_rate_1, ty_2, _r0), _r0), _multiply(turn_rate_2, ty_1, _r9), _r9), _multiply(turn_rate_3, ty_0, _r0), _r0), _r0), _r0)
-    _s18 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r7), _multiply(lift_1, nz_2, _r9), _r9), _multiply(lift_2, nz_1, _r7), _r7), _multiply(nz_0, _s8, _r9), _r9), _multiply(_k23, _add(_add(_add(_multiply(turn_rate_0, _s15, _r7), _multiply(turn_rate_1, tz_2, _r4), _r4), _multiply(turn_rate_2, tz_1, _r7), _r7), _multiply(turn_rate_3, tz_0, _r4), _r4), _r4), _r4)
+    _s16 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r7), _multiply(lift_1, nx_2, _r9), _r9), _multiply(lift_2, nx_1, _r7), _r7), _multiply(nx_0, _s8, _r9), _r9), _multiply(_k56, _add(_add(_add(_multiply(turn_rate_0, _s10, _r7), _multiply(turn_rate_1, tx_2, _r1), _r1), _multiply(turn_rate_2, tx_1, _r7), _r7), _multiply(turn_rate_3, tx_0, _r1), _r1), _r1), _r1)
+    _s17 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r9), _multiply(lift_1, ny_2, _r7), _r7), _multiply(lift_2, ny_1, _r9), _r9), _multiply(ny_0, _s8, _r7), _r7), _multiply(_k56, _add(_add(_add(_multiply(turn_rate_0, _s13, _r9), _multiply(turn_rate_1, ty_2, _r0), _r0), _multiply(turn_rate_2, ty_1, _r9), _r9), _multiply(turn_rate_3, ty_0, _r0), _r0), _r0), _r0)
+    _s18 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r7), _multiply(lift_1, nz_2, _r9), _r9), _multiply(lift_2, nz_1, _r7), _r7), _multiply(nz_0, _s8, _r9), _r9), _multiply(_k56, _add(_add(_add(_multiply(turn_rate_0, _s15, _r7), _multiply(turn_rate_1, tz_2, _r4), _r4), _multiply(turn_rate_2, tz_1, _r7), _r7), _multiply(turn_rate_3, tz_0, _r4), _r4), _r4), _r4)
     _s19 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_3, _r9), _multiply(tx_1, vx_2, _r7), _r7), _multiply(tx_2, vx_1, _r9), _r9), _multiply(vx_0, _s10, _r7), _r7), _add(_add(_add(_multiply(ty_0, vy_3, _r9), _multiply(ty_1, vy_2, _r8), _r8), _multiply(ty_2, vy_1, _r9), _r9), _multiply(vy_0, _s13, _r8), _r8), _r8), _add(_add(_add(_multiply(tz_0, vz_3, _r7), _multiply(tz_1, vz_2, _r9), _r9), _multiply(tz_2, vz_1, _r7), _r7), _multiply(vz_0, _s15, _r9), _r9), _r9)
-    return _s8, _s10, _s13, _s15, _k12 * _s16, _k12 * _s17, _k12 * _s18, _k12 * _s2, _k12 * _s5, _k12 * _s6, -_multiply(_k12, _s19, _r9)
+    return _s8, _s10, _s13, _s15, _k26 * _s16, _k26 * _s17, _k26 * _s18, _k26 * _s2, _k26 * _s5, _k26 * _s6, -_multiply(_k26, _s19, _r9)
 
 
 def roll_4(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2043,34 +2142,34 @@ def roll_4(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Returns lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5, turn_rate_5.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = _multiply(_k9, nx_2, _r0)
-    _s1 = _multiply(_k25, nx_3, _r1)
-    _s2 = _multiply(_k26, nx_4, _r2)
+    _s0 = _multiply(_k23, nx_2, _r0)
+    _s1 = _multiply(_k59, nx_3, _r1)
+    _s2 = _multiply(_k60, nx_4, _r2)
     _s3 = _multiply(_multiply(bent_x, per_reach, _r3), vx_4, _r3)
-    _s4 = _multiply(_k9, ny_2, _r4)
-    _s5 = _multiply(_k25, ny_3, _r5)
-    _s6 = _multiply(_k26, ny_4, _r6)
+    _s4 = _multiply(_k23, ny_2, _r4)
+    _s5 = _multiply(_k59, ny_3, _r5)
+    _s6 = _multiply(_k60, ny_4, _r6)
     _s7 = _multiply(_multiply(bent_y, per_reach, _r7), vy_4, _r7)
     _s8 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_4, _r8), _multiply(_s0, vx_3, _r9), _r9), _multiply(_s1, vx_2, _r8), _r8), _multiply(_s2, vx_1, _r9), _r9), _multiply(vx_0, _s3, _r8), _r8), _add(_add(_add(_add(_multiply(ny_1, vy_4, _r9), _multiply(_s4, vy_3, _r10), _r10), _multiply(_s5, vy_2, _r9), _r9), _multiply(_s6, vy_1, _r10), _r10), _multiply(vy_0, _s7, _r9), _r9), _r9)
     _s9 = _multiply(_multiply(bent_z, per_reach, _r8), vz_4, _r8)
-    _s10 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k9, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k25, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k26, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s9, _r10), _r10)
+    _s10 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k23, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k59, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k60, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s9, _r10), _r10)
     _s11 = _multiply(0.6 * p_gravity, nz_4, _r11) - _add(_s8, _s10, _r10)
-    _s12 = _add(_add(_add(_add(_multiply(ny_0, _s9, _r10), _multiply(_multiply(_k26, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k25, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k9, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
+    _s12 = _add(_add(_add(_add(_multiply(ny_0, _s9, _r10), _multiply(_multiply(_k60, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k59, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k23, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
     _s13 = _s12 - _add(_add(_add(_add(_multiply(ny_1, nz_4, _r11), _multiply(_s4, nz_3, _r4), _r4), _multiply(_s5, nz_2, _r5), _r5), _multiply(_s6, nz_1, _r6), _r6), _multiply(nz_0, _s7, _r5), _r5)
-    _s14 = _multiply(_k26, nx_1, _r5)
-    _s15 = _multiply(_k25, nx_2, _r10)
-    _s16 = _multiply(_k9, nx_3, _r6)
+    _s14 = _multiply(_k60, nx_1, _r5)
+    _s15 = _multiply(_k59, nx_2, _r10)
+    _s16 = _multiply(_k23, nx_3, _r6)
     _s17 = _add(_add(_add(_add(_multiply(nx_1, nz_4, _r4), _multiply(_s0, nz_3, _r11), _r11), _multiply(_s1, nz_2, _r4), _r4), _multiply(_s2, nz_1, _r11), _r11), _multiply(nz_0, _s3, _r4), _r4) - _add(_add(_add(_add(_multiply(nx_0, _s9, _r11), _multiply(_s14, nz_4, _r9), _r9), _multiply(_s15, nz_3, _r11), _r11), _multiply(_s16, nz_2, _r9), _r9), _multiply(nx_4, nz_1, _r11), _r11)
     _s18 = _add(_add(_add(_add(_multiply(nx_0, _s7, _r11), _multiply(_s14, ny_4, _r5), _r5), _multiply(_s15, ny_3, _r10), _r10), _multiply(_s16, ny_2, _r6), _r6), _multiply(nx_4, ny_1, _r10), _r10) - _add(_add(_add(_add(_multiply(nx_1, ny_4, _r6), _multiply(_s0, ny_3, _r0), _r0), _multiply(_s1, ny_2, _r1), _r1), _multiply(_s2, ny_1, _r2), _r2), _multiply(ny_0, _s3, _r1), _r1)
-    _s19 = _multiply(_k23, _add(_add(_add(_add(_multiply(turn_rate_0, _s13, _r1), _multiply(turn_rate_1, tx_3, _r10), _r10), _multiply(turn_rate_2, tx_2, _r1), _r1), _multiply(turn_rate_3, tx_1, _r10), _r10), _multiply(turn_rate_4, tx_0, _r1), _r1), _r1)
+    _s19 = _multiply(_k56, _add(_add(_add(_add(_multiply(turn_rate_0, _s13, _r1), _multiply(turn_rate_1, tx_3, _r10), _r10), _multiply(turn_rate_2, tx_2, _r1), _r1), _multiply(turn_rate_3, tx_1, _r10), _r10), _multiply(turn_rate_4, tx_0, _r1), _r1), _r1)
     _s20 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_4, _r10), _multiply(lift_1, nx_3, _r2), _r2), _multiply(lift_2, nx_2, _r10), _r10), _multiply(lift_3, nx_1, _r2), _r2), _multiply(nx_0, _s11, _r10), _r10), _s19, _r1)
-    _s21 = _multiply(_k23, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r10), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r10), _r10), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r10), _r10), _r10)
+    _s21 = _multiply(_k56, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r10), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r10), _r10), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r10), _r10), _r10)
     _s22 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_4, _r2), _multiply(lift_1, ny_3, _r0), _r0), _multiply(lift_2, ny_2, _r2), _r2), _multiply(lift_3, ny_1, _r0), _r0), _multiply(ny_0, _s11, _r2), _r2), _s21, _r10)
-    _s23 = _multiply(_k23, _add(_add(_add(_add(_multiply(turn_rate_0, _s18, _r2), _multiply(turn_rate_1, tz_3, _r0), _r0), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r0), _r0), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
+    _s23 = _multiply(_k56, _add(_add(_add(_add(_multiply(turn_rate_0, _s18, _r2), _multiply(turn_rate_1, tz_3, _r0), _r0), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r0), _r0), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
     _s24 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_4, _r0), _multiply(lift_1, nz_3, _r6), _r6), _multiply(lift_2, nz_2, _r0), _r0), _multiply(lift_3, nz_1, _r6), _r6), _multiply(nz_0, _s11, _r0), _r0), _s23, _r2)
     _s25 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_4, _r0), _multiply(tx_1, vx_3, _r6), _r6), _multiply(tx_2, vx_2, _r0), _r0), _multiply(tx_3, vx_1, _r6), _r6), _multiply(vx_0, _s13, _r0), _r0), _add(_add(_add(_add(_multiply(ty_0, vy_4, _r6), _multiply(ty_1, vy_3, _r5), _r5), _multiply(ty_2, vy_2, _r6), _r6), _multiply(ty_3, vy_1, _r5), _r5), _multiply(vy_0, _s17, _r6), _r6), _r6)
     _s26 = _add(_s25, _add(_add(_add(_add(_multiply(tz_0, vz_4, _r0), _multiply(tz_1, vz_3, _r5), _r5), _multiply(tz_2, vz_2, _r0), _r0), _multiply(tz_3, vz_1, _r5), _r5), _multiply(vz_0, _s18, _r0), _r0), _r0)
-    return _s11, _s13, _s17, _s18, _k27 * _s20, _k27 * _s22, _k27 * _s24, _k27 * _s3, _k27 * _s7, _k27 * _s9, -_multiply(_k27, _s26, _r0)
+    return _s11, _s13, _s17, _s18, _k61 * _s20, _k61 * _s22, _k61 * _s24, _k61 * _s3, _k61 * _s7, _k61 * _s9, -_multiply(_k61, _s26, _r0)
 
 
 def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2080,30 +2179,30 @@ def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Returns lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6, turn_rate_6.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
-    _s0 = _multiply(_k9, nx_2, _r0)
-    _s1 = _multiply(_k25, nx_3, _r1)
-    _s2 = _multiply(_k26, nx_4, _r2)
-    _s3 = _multiply(_k28, nx_5, _r3)
+    _s0 = _multiply(_k23, nx_2, _r0)
+    _s1 = _multiply(_k59, nx_3, _r1)
+    _s2 = _multiply(_k60, nx_4, _r2)
+    _s3 = _multiply(_k63, nx_5, _r3)
     _s4 = _multiply(_multiply(bent_x, per_reach, _r4), vx_5, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_5, _r5), _multiply(_s0, vx_4, _r6), _r6), _multiply(_s1, vx_3, _r5), _r5), _multiply(_s2, vx_2, _r6), _r6), _multiply(_s3, vx_1, _r5), _r5), _multiply(vx_0, _s4, _r6), _r6)
-    _s6 = _multiply(_k9, ny_2, _r5)
-    _s7 = _multiply(_k25, ny_3, _r7)
-    _s8 = _multiply(_k26, ny_4, _r8)
-    _s9 = _multiply(_k28, ny_5, _r9)
+    _s6 = _multiply(_k23, ny_2, _r5)
+    _s7 = _multiply(_k59, ny_3, _r7)
+    _s8 = _multiply(_k60, ny_4, _r8)
+    _s9 = _multiply(_k63, ny_5, _r9)
     _s10 = _multiply(_multiply(bent_y, per_reach, _r10), vy_5, _r10)
     _s11 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_5, _r11), _multiply(_s6, vy_4, _r12), _r12), _multiply(_s7, vy_3, _r11), _r11), _multiply(_s8, vy_2, _r12), _r12), _multiply(_s9, vy_1, _r11), _r11), _multiply(vy_0, _s10, _r12), _r12)
-    _s12 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k9, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k25, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k26, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k28, nz_5, _r11), vz_1, _r11), _r11)
+    _s12 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k23, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k59, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k60, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k63, nz_5, _r11), vz_1, _r11), _r11)
     _s13 = _multiply(_multiply(bent_z, per_reach, _r13), vz_5, _r13)
     _s14 = _multiply(0.6 * p_gravity, nz_5, _r14) - _add(_add(_s5, _s11, _r12), _add(_s12, _multiply(vz_0, _s13, _r6), _r6), _r6)
     _s15 = _multiply(_s7, nz_3, _r7)
-    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r6), _multiply(_multiply(_k28, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k26, ny_2, _r6), nz_4, _r6), _r6), _s15, _r6), _multiply(_multiply(_k9, ny_4, _r14), nz_2, _r14), _r14)
+    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r6), _multiply(_multiply(_k63, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k60, ny_2, _r6), nz_4, _r6), _r6), _s15, _r6), _multiply(_multiply(_k23, ny_4, _r14), nz_2, _r14), _r14)
     _s17 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_5, _r6), _multiply(_s6, nz_4, _r5), _r5), _s15, _r5), _multiply(_s8, nz_2, _r8), _r8), _multiply(_s9, nz_1, _r9), _r9), _multiply(nz_0, _s10, _r8), _r8)
     _s18 = _add(_s16, _multiply(ny_5, nz_1, _r9), _r9) - _s17
     _s19 = _multiply(_s1, nz_3, _r8)
     _s20 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_5, _r9), _multiply(_s0, nz_4, _r14), _r14), _s19, _r14), _multiply(_s2, nz_2, _r9), _r9), _multiply(_s3, nz_1, _r14), _r14), _multiply(nz_0, _s4, _r9), _r9)
-    _s21 = _multiply(_k28, nx_1, _r14)
-    _s22 = _multiply(_k26, nx_2, _r5)
-    _s23 = _multiply(_k9, nx_4, _r7)
+    _s21 = _multiply(_k63, nx_1, _r14)
+    _s22 = _multiply(_k60, nx_2, _r5)
+    _s23 = _multiply(_k23, nx_4, _r7)
     _s24 = _add(_add(_add(_add(_add(_multiply(nx_0, _s13, _r6), _multiply(_s21, nz_5, _r12), _r12), _multiply(_s22, nz_4, _r6), _r6), _s19, _r6), _multiply(_s23, nz_2, _r8), _r8), _multiply(nx_5, nz_1, _r6), _r6)
     _s25 = _s20 - _s24
     _s26 = _multiply(_s1, ny_3, _r1)
@@ -2119,7 +2218,7 @@ def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s36 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_5, _r2), _multiply(tx_1, vx_4, _r6), _r6), _multiply(tx_2, vx_3, _r2), _r2), _multiply(tx_3, vx_2, _r6), _r6), _multiply(tx_4, vx_1, _r2), _r2), _multiply(vx_0, _s18, _r6), _r6)
     _s37 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_5, _r2), _multiply(ty_1, vy_4, _r9), _r9), _multiply(ty_2, vy_3, _r2), _r2), _multiply(ty_3, vy_2, _r9), _r9), _multiply(ty_4, vy_1, _r2), _r2), _multiply(vy_0, _s25, _r9), _r9)
     _s38 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_5, _r2), _multiply(tz_1, vz_4, _r8), _r8), _multiply(tz_2, vz_3, _r2), _r2), _multiply(tz_3, vz_2, _r8), _r8), _multiply(tz_4, vz_1, _r2), _r2), _multiply(vz_0, _s29, _r8), _r8)
-    return _s14, _s18, _s25, _s29, _k29 * _add(_s30, _multiply(_k23, _s31, _r3), _r3), _k29 * _add(_s32, _multiply(_k23, _s33, _r1), _r1), _k29 * _add(_s34, _multiply(_k23, _s35, _r14), _r14), _k29 * _s4, _k29 * _s10, _k29 * _s13, -_multiply(_k29, _add(_add(_s36, _s37, _r9), _s38, _r8), _r8)
+    return _s14, _s18, _s25, _s29, _k64 * _add(_s30, _multiply(_k56, _s31, _r3), _r3), _k64 * _add(_s32, _multiply(_k56, _s33, _r1), _r1), _k64 * _add(_s34, _multiply(_k56, _s35, _r14), _r14), _k64 * _s4, _k64 * _s10, _k64 * _s13, -_multiply(_k64, _add(_add(_s36, _s37, _r9), _s38, _r8), _r8)
 
 
 def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2129,32 +2228,32 @@ def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Returns lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7, turn_rate_7.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
-    _s0 = _multiply(_k9, nx_2, _r0)
-    _s1 = _multiply(_k25, nx_3, _r1)
-    _s2 = _multiply(_k26, nx_4, _r2)
-    _s3 = _multiply(_k28, nx_5, _r3)
-    _s4 = _multiply(_k1, nx_6, _r4)
+    _s0 = _multiply(_k23, nx_2, _r0)
+    _s1 = _multiply(_k59, nx_3, _r1)
+    _s2 = _multiply(_k60, nx_4, _r2)
+    _s3 = _multiply(_k63, nx_5, _r3)
+    _s4 = _multiply(_k7, nx_6, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_6, _r5), _multiply(_s0, vx_5, _r6), _r6), _multiply(_s1, vx_4, _r5), _r5), _multiply(_s2, vx_3, _r6), _r6), _multiply(_s3, vx_2, _r5), _r5), _multiply(_s4, vx_1, _r6), _r6)
     _s6 = _multiply(_multiply(bent_x, per_reach, _r5), vx_6, _r5)
-    _s7 = _multiply(_k9, ny_2, _r7)
-    _s8 = _multiply(_k25, ny_3, _r8)
-    _s9 = _multiply(_k26, ny_4, _r9)
-    _s10 = _multiply(_k28, ny_5, _r10)
-    _s11 = _multiply(_k1, ny_6, _r11)
+    _s7 = _multiply(_k23, ny_2, _r7)
+    _s8 = _multiply(_k59, ny_3, _r8)
+    _s9 = _multiply(_k60, ny_4, _r9)
+    _s10 = _multiply(_k63, ny_5, _r10)
+    _s11 = _multiply(_k7, ny_6, _r11)
     _s12 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_6, _r12), _multiply(_s7, vy_5, _r13), _r13), _multiply(_s8, vy_4, _r12), _r12), _multiply(_s9, vy_3, _r13), _r13), _multiply(_s10, vy_2, _r12), _r12), _multiply(_s11, vy_1, _r13), _r13)
     _s13 = _multiply(_multiply(bent_y, per_reach, _r12), vy_6, _r12)
-    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k9, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k25, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k26, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k28, nz_5, _r14), vz_2, _r14), _r14)
+    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k23, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k59, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k60, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k63, nz_5, _r14), vz_2, _r14), _r14)
     _s15 = _multiply(_multiply(bent_z, per_reach, _r15), vz_6, _r15)
-    _s16 = _multiply(0.6 * p_gravity, nz_6, _r16) - _add(_add(_add(_s5, _multiply(vx_0, _s6, _r17), _r17), _add(_s12, _multiply(vy_0, _s13, _r6), _r6), _r6), _add(_add(_s14, _multiply(_multiply(_k1, nz_6, _r17), vz_1, _r17), _r17), _multiply(vz_0, _s15, _r14), _r14), _r14)
-    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s15, _r14), _multiply(_multiply(_k1, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k28, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k26, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k25, ny_4, _r14), nz_3, _r14), _r14)
+    _s16 = _multiply(0.6 * p_gravity, nz_6, _r16) - _add(_add(_add(_s5, _multiply(vx_0, _s6, _r17), _r17), _add(_s12, _multiply(vy_0, _s13, _r6), _r6), _r6), _add(_add(_s14, _multiply(_multiply(_k7, nz_6, _r17), vz_1, _r17), _r17), _multiply(vz_0, _s15, _r14), _r14), _r14)
+    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s15, _r14), _multiply(_multiply(_k7, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k63, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k60, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k59, ny_4, _r14), nz_3, _r14), _r14)
     _s18 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_6, _r16), _multiply(_s7, nz_5, _r7), _r7), _multiply(_s8, nz_4, _r8), _r8), _multiply(_s9, nz_3, _r9), _r9), _multiply(_s10, nz_2, _r10), _r10), _multiply(_s11, nz_1, _r11), _r11)
-    _s19 = _add(_add(_s17, _multiply(_multiply(_k9, ny_5, _r10), nz_2, _r10), _r10), _multiply(ny_6, nz_1, _r14), _r14) - _add(_s18, _multiply(nz_0, _s13, _r10), _r10)
+    _s19 = _add(_add(_s17, _multiply(_multiply(_k23, ny_5, _r10), nz_2, _r10), _r10), _multiply(ny_6, nz_1, _r14), _r14) - _add(_s18, _multiply(nz_0, _s13, _r10), _r10)
     _s20 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_6, _r10), _multiply(_s0, nz_5, _r14), _r14), _multiply(_s1, nz_4, _r10), _r10), _multiply(_s2, nz_3, _r14), _r14), _multiply(_s3, nz_2, _r10), _r10), _multiply(_s4, nz_1, _r14), _r14)
-    _s21 = _multiply(_k1, nx_1, _r10)
-    _s22 = _multiply(_k28, nx_2, _r11)
-    _s23 = _multiply(_k26, nx_3, _r9)
-    _s24 = _multiply(_k25, nx_4, _r8)
-    _s25 = _multiply(_k9, nx_5, _r7)
+    _s21 = _multiply(_k7, nx_1, _r10)
+    _s22 = _multiply(_k63, nx_2, _r11)
+    _s23 = _multiply(_k60, nx_3, _r9)
+    _s24 = _multiply(_k59, nx_4, _r8)
+    _s25 = _multiply(_k23, nx_5, _r7)
     _s26 = _add(_add(_add(_add(_add(_multiply(nx_0, _s15, _r16), _multiply(_s21, nz_6, _r6), _r6), _multiply(_s22, nz_5, _r16), _r16), _multiply(_s23, nz_4, _r6), _r6), _multiply(_s24, nz_3, _r16), _r16), _multiply(_s25, nz_2, _r6), _r6)
     _s27 = _add(_s20, _multiply(nz_0, _s6, _r16), _r16) - _add(_s26, _multiply(nx_6, nz_1, _r14), _r14)
     _s28 = _add(_add(_add(_add(_add(_multiply(nx_0, _s13, _r14), _multiply(_s21, ny_6, _r10), _r10), _multiply(_s22, ny_5, _r11), _r11), _multiply(_s23, ny_4, _r9), _r9), _multiply(_s24, ny_3, _r8), _r8), _multiply(_s25, ny_2, _r7), _r7)
@@ -2169,8 +2268,8 @@ def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s37 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_6, _r7), _multiply(tx_1, vx_5, _r9), _r9), _multiply(tx_2, vx_4, _r7), _r7), _multiply(tx_3, vx_3, _r9), _r9), _multiply(tx_4, vx_2, _r7), _r7), _multiply(tx_5, vx_1, _r9), _r9)
     _s38 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_6, _r7), _multiply(ty_1, vy_5, _r11), _r11), _multiply(ty_2, vy_4, _r7), _r7), _multiply(ty_3, vy_3, _r11), _r11), _multiply(ty_4, vy_2, _r7), _r7), _multiply(ty_5, vy_1, _r11), _r11)
     _s39 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_6, _r7), _multiply(tz_1, vz_5, _r10), _r10), _multiply(tz_2, vz_4, _r7), _r7), _multiply(tz_3, vz_3, _r10), _r10), _multiply(tz_4, vz_2, _r7), _r7), _multiply(tz_5, vz_1, _r10), _r10)
-    _s40 = -_multiply(_k30, _add(_add(_add(_s37, _multiply(vx_0, _s19, _r7), _r7), _add(_s38, _multiply(vy_0, _s27, _r9), _r9), _r9), _add(_s39, _multiply(vz_0, _s30, _r7), _r7), _r7), _r7)
-    return _s16, _s19, _s27, _s30, _k30 * _add(_add(_s31, _multiply(nx_0, _s16, _r7), _r7), _multiply(_k23, _add(_s32, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), _k30 * _add(_add(_s33, _multiply(ny_0, _s16, _r3), _r3), _multiply(_k23, _add(_s34, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), _k30 * _add(_add(_s35, _multiply(nz_0, _s16, _r2), _r2), _multiply(_k23, _add(_s36, _multiply(turn_rate_6, tz_0, _r0), _r0), _r0), _r0), _k30 * _s6, _k30 * _s13, _k30 * _s15, _s40
+    _s40 = -_multiply(_k67, _add(_add(_add(_s37, _multiply(vx_0, _s19, _r7), _r7), _add(_s38, _multiply(vy_0, _s27, _r9), _r9), _r9), _add(_s39, _multiply(vz_0, _s30, _r7), _r7), _r7), _r7)
+    return _s16, _s19, _s27, _s30, _k67 * _add(_add(_s31, _multiply(nx_0, _s16, _r7), _r7), _multiply(_k56, _add(_s32, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), _k67 * _add(_add(_s33, _multiply(ny_0, _s16, _r3), _r3), _multiply(_k56, _add(_s34, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), _k67 * _add(_add(_s35, _multiply(nz_0, _s16, _r2), _r2), _multiply(_k56, _add(_s36, _multiply(turn_rate_6, tz_0, _r0), _r0), _r0), _r0), _k67 * _s6, _k67 * _s13, _k67 * _s15, _s40
 
 
 def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2180,38 +2279,38 @@ def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     Returns lift_7, tx_7, ty_7, tz_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
-    _s0 = _multiply(_k9, nx_2, _r0)
-    _s1 = _multiply(_k25, nx_3, _r1)
-    _s2 = _multiply(_k26, nx_4, _r2)
-    _s3 = _multiply(_k28, nx_5, _r3)
-    _s4 = _multiply(_k1, nx_6, _r4)
+    _s0 = _multiply(_k23, nx_2, _r0)
+    _s1 = _multiply(_k59, nx_3, _r1)
+    _s2 = _multiply(_k60, nx_4, _r2)
+    _s3 = _multiply(_k63, nx_5, _r3)
+    _s4 = _multiply(_k7, nx_6, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_7, _r5), _multiply(_s0, vx_6, _r6), _r6), _multiply(_s1, vx_5, _r5), _r5), _multiply(_s2, vx_4, _r6), _r6), _multiply(_s3, vx_3, _r5), _r5), _multiply(_s4, vx_2, _r6), _r6)
-    _s6 = _multiply(_k31, nx_7, _r5)
+    _s6 = _multiply(_k69, nx_7, _r5)
     _s7 = _multiply(_multiply(bent_x, per_reach, _r7), vx_7, _r7)
-    _s8 = _multiply(_k9, ny_2, _r8)
-    _s9 = _multiply(_k25, ny_3, _r9)
-    _s10 = _multiply(_k26, ny_4, _r10)
-    _s11 = _multiply(_k28, ny_5, _r11)
-    _s12 = _multiply(_k1, ny_6, _r12)
+    _s8 = _multiply(_k23, ny_2, _r8)
+    _s9 = _multiply(_k59, ny_3, _r9)
+    _s10 = _multiply(_k60, ny_4, _r10)
+    _s11 = _multiply(_k63, ny_5, _r11)
+    _s12 = _multiply(_k7, ny_6, _r12)
     _s13 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_7, _r13), _multiply(_s8, vy_6, _r14), _r14), _multiply(_s9, vy_5, _r13), _r13), _multiply(_s10, vy_4, _r14), _r14), _multiply(_s11, vy_3, _r13), _r13), _multiply(_s12, vy_2, _r14), _r14)
-    _s14 = _multiply(_k31, ny_7, _r13)
+    _s14 = _multiply(_k69, ny_7, _r13)
     _s15 = _multiply(_multiply(bent_y, per_reach, _r15), vy_7, _r15)
-    _s16 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k9, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k25, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k26, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k28, nz_5, _r16), vz_3, _r16), _r16)
+    _s16 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k23, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k59, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k60, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k63, nz_5, _r16), vz_3, _r16), _r16)
     _s17 = _multiply(_multiply(bent_z, per_reach, _r17), vz_7, _r17)
-    _s18 = _add(_add(_add(_add(_s5, _multiply(_s6, vx_1, _r18), _r18), _multiply(vx_0, _s7, _r6), _r6), _add(_add(_s13, _multiply(_s14, vy_1, _r18), _r18), _multiply(vy_0, _s15, _r14), _r14), _r14), _add(_add(_add(_s16, _multiply(_multiply(_k1, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k31, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s17, _r6), _r6), _r6)
+    _s18 = _add(_add(_add(_add(_s5, _multiply(_s6, vx_1, _r18), _r18), _multiply(vx_0, _s7, _r6), _r6), _add(_add(_s13, _multiply(_s14, vy_1, _r18), _r18), _multiply(vy_0, _s15, _r14), _r14), _r14), _add(_add(_add(_s16, _multiply(_multiply(_k7, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k69, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s17, _r6), _r6), _r6)
     _s19 = _multiply(0.6 * p_gravity, nz_7, _r14) - _s18
     _s20 = _multiply(_s10, nz_4, _r10)
-    _s21 = _add(_add(_add(_add(_multiply(ny_0, _s17, _r6), _multiply(_multiply(_k31, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k1, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k28, ny_3, _r14), nz_5, _r14), _r14), _s20, _r14)
+    _s21 = _add(_add(_add(_add(_multiply(ny_0, _s17, _r6), _multiply(_multiply(_k69, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k7, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k63, ny_3, _r14), nz_5, _r14), _r14), _s20, _r14)
     _s22 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_7, _r6), _multiply(_s8, nz_6, _r8), _r8), _multiply(_s9, nz_5, _r9), _r9), _s20, _r9), _multiply(_s11, nz_3, _r11), _r11), _multiply(_s12, nz_2, _r12), _r12)
-    _s23 = _add(_add(_add(_s21, _multiply(_multiply(_k25, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k9, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s22, _multiply(_s14, nz_1, _r13), _r13), _multiply(nz_0, _s15, _r12), _r12)
+    _s23 = _add(_add(_add(_s21, _multiply(_multiply(_k59, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k23, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s22, _multiply(_s14, nz_1, _r13), _r13), _multiply(nz_0, _s15, _r12), _r12)
     _s24 = _multiply(_s2, nz_4, _r12)
     _s25 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_7, _r11), _multiply(_s0, nz_6, _r13), _r13), _multiply(_s1, nz_5, _r11), _r11), _s24, _r11), _multiply(_s3, nz_3, _r13), _r13), _multiply(_s4, nz_2, _r11), _r11)
-    _s26 = _multiply(_k31, nx_1, _r13)
-    _s27 = _multiply(_k1, nx_2, _r14)
-    _s28 = _multiply(_k28, nx_3, _r9)
-    _s29 = _multiply(_k25, nx_5, _r10)
+    _s26 = _multiply(_k69, nx_1, _r13)
+    _s27 = _multiply(_k7, nx_2, _r14)
+    _s28 = _multiply(_k63, nx_3, _r9)
+    _s29 = _multiply(_k59, nx_5, _r10)
     _s30 = _add(_add(_add(_add(_add(_multiply(nx_0, _s17, _r8), _multiply(_s26, nz_7, _r6), _r6), _multiply(_s27, nz_6, _r8), _r8), _multiply(_s28, nz_5, _r6), _r6), _s24, _r6), _multiply(_s29, nz_3, _r12), _r12)
-    _s31 = _multiply(_k9, nx_6, _r6)
+    _s31 = _multiply(_k23, nx_6, _r6)
     _s32 = _add(_add(_s25, _multiply(_s6, nz_1, _r8), _r8), _multiply(nz_0, _s7, _r11), _r11) - _add(_add(_s30, _multiply(_s31, nz_2, _r8), _r8), _multiply(nx_7, nz_1, _r12), _r12)
     _s33 = _multiply(_s2, ny_4, _r2)
     _s34 = _add(_add(_add(_add(_add(_multiply(nx_0, _s15, _r12), _multiply(_s26, ny_7, _r13), _r13), _multiply(_s27, ny_6, _r14), _r14), _multiply(_s28, ny_5, _r9), _r9), _s33, _r9), _multiply(_s29, ny_3, _r10), _r10)
@@ -2219,18 +2318,18 @@ def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s36 = _add(_add(_s34, _multiply(_s31, ny_2, _r6), _r6), _multiply(nx_7, ny_1, _r10), _r10) - _add(_add(_s35, _multiply(_s6, ny_1, _r5), _r5), _multiply(ny_0, _s7, _r4), _r4)
     _s37 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_7, _r4), _multiply(lift_1, nx_6, _r10), _r10), _multiply(lift_2, nx_5, _r4), _r4), _multiply(lift_3, nx_4, _r10), _r10), _multiply(lift_4, nx_3, _r4), _r4), _multiply(lift_5, nx_2, _r10), _r10)
     _s38 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s23, _r4), _multiply(turn_rate_1, tx_6, _r5), _r5), _multiply(turn_rate_2, tx_5, _r4), _r4), _multiply(turn_rate_3, tx_4, _r5), _r5), _multiply(turn_rate_4, tx_3, _r4), _r4), _multiply(turn_rate_5, tx_2, _r5), _r5)
-    _s39 = _k32 * _add(_add(_add(_s37, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s19, _r10), _r10), _multiply(_k23, _add(_add(_s38, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
+    _s39 = _k70 * _add(_add(_add(_s37, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s19, _r10), _r10), _multiply(_k56, _add(_add(_s38, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
     _s40 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_7, _r5), _multiply(lift_1, ny_6, _r10), _r10), _multiply(lift_2, ny_5, _r5), _r5), _multiply(lift_3, ny_4, _r10), _r10), _multiply(lift_4, ny_3, _r5), _r5), _multiply(lift_5, ny_2, _r10), _r10)
     _s41 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s32, _r5), _multiply(turn_rate_1, ty_6, _r4), _r4), _multiply(turn_rate_2, ty_5, _r5), _r5), _multiply(turn_rate_3, ty_4, _r4), _r4), _multiply(turn_rate_4, ty_3, _r5), _r5), _multiply(turn_rate_5, ty_2, _r4), _r4)
-    _s42 = _k32 * _add(_add(_add(_s40, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s19, _r10), _r10), _multiply(_k23, _add(_add(_s41, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
+    _s42 = _k70 * _add(_add(_add(_s40, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s19, _r10), _r10), _multiply(_k56, _add(_add(_s41, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
     _s43 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_7, _r4), _multiply(lift_1, nz_6, _r10), _r10), _multiply(lift_2, nz_5, _r4), _r4), _multiply(lift_3, nz_4, _r10), _r10), _multiply(lift_4, nz_3, _r4), _r4), _multiply(lift_5, nz_2, _r10), _r10)
     _s44 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s36, _r4), _multiply(turn_rate_1, tz_6, _r5), _r5), _multiply(turn_rate_2, tz_5, _r4), _r4), _multiply(turn_rate_3, tz_4, _r5), _r5), _multiply(turn_rate_4, tz_3, _r4), _r4), _multiply(turn_rate_5, tz_2, _r5), _r5)
-    _s45 = _k32 * _add(_add(_add(_s43, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s19, _r10), _r10), _multiply(_k23, _add(_add(_s44, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
+    _s45 = _k70 * _add(_add(_add(_s43, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s19, _r10), _r10), _multiply(_k56, _add(_add(_s44, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
     _s46 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_7, _r5), _multiply(tx_1, vx_6, _r10), _r10), _multiply(tx_2, vx_5, _r5), _r5), _multiply(tx_3, vx_4, _r10), _r10), _multiply(tx_4, vx_3, _r5), _r5), _multiply(tx_5, vx_2, _r10), _r10)
     _s47 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_7, _r5), _multiply(ty_1, vy_6, _r4), _r4), _multiply(ty_2, vy_5, _r5), _r5), _multiply(ty_3, vy_4, _r4), _r4), _multiply(ty_4, vy_3, _r5), _r5), _multiply(ty_5, vy_2, _r4), _r4)
     _s48 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_7, _r5), _multiply(tz_1, vz_6, _r6), _r6), _multiply(tz_2, vz_5, _r5), _r5), _multiply(tz_3, vz_4, _r6), _r6), _multiply(tz_4, vz_3, _r5), _r5), _multiply(tz_5, vz_2, _r6), _r6)
-    _s49 = _multiply(_k32, _add(_add(_add(_add(_s46, _multiply(tx_6, vx_1, _r5), _r5), _multiply(vx_0, _s23, _r10), _r10), _add(_add(_s47, _multiply(ty_6, vy_1, _r5), _r5), _multiply(vy_0, _s32, _r4), _r4), _r4), _add(_add(_s48, _multiply(tz_6, vz_1, _r10), _r10), _multiply(vz_0, _s36, _r6), _r6), _r6), _r6)
-    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k32 * _s7, _k32 * _s15, _k32 * _s17, -_s49
+    _s49 = _multiply(_k70, _add(_add(_add(_add(_s46, _multiply(tx_6, vx_1, _r5), _r5), _multiply(vx_0, _s23, _r10), _r10), _add(_add(_s47, _multiply(ty_6, vy_1, _r5), _r5), _multiply(vy_0, _s32, _r4), _r4), _r4), _add(_add(_s48, _multiply(tz_6, vz_1, _r10), _r10), _multiply(vz_0, _s36, _r6), _r6), _r6), _r6)
+    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k70 * _s7, _k70 * _s15, _k70 * _s17, -_s49
 
 
 def anew() -> tuple[Any, ...]:
@@ -2267,20 +2366,20 @@ def roll_moved(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tur
     Returns x, vx, y, vy, z, vz, turn_rate.
     """
     _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
-    _s0 = _multiply(_k33, t, _r0)
-    _s1 = _add(_multiply(_k29, vx_5, _r1), _multiply(t, _add(_multiply(_k30, vx_6, _r2), _multiply(t, _add(_multiply(_k32, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s2 = _add(_multiply(_k24, vx_2, _r1), _multiply(t, _add(_multiply(_k12, vx_3, _r2), _multiply(t, _add(_multiply(_k27, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s3 = x + _multiply(t, _add(vx_0, _multiply(t, _add(_multiply(_k17, vx_1, _r1), _multiply(t, _s2, _r4), _r4), _r4), _r4), _r4)
+    _s0 = _multiply(_k73, t, _r0)
+    _s1 = _add(_multiply(_k64, vx_5, _r1), _multiply(t, _add(_multiply(_k67, vx_6, _r2), _multiply(t, _add(_multiply(_k70, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s2 = _add(_multiply(_k57, vx_2, _r1), _multiply(t, _add(_multiply(_k26, vx_3, _r2), _multiply(t, _add(_multiply(_k61, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s3 = x + _multiply(t, _add(vx_0, _multiply(t, _add(_multiply(_k40, vx_1, _r1), _multiply(t, _s2, _r4), _r4), _r4), _r4), _r4)
     _s4 = _add(vx_5, _multiply(t, _add(vx_6, _multiply(t, _add(vx_7, _multiply(t, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
     _s5 = _add(vx_2, _multiply(t, _add(vx_3, _multiply(t, _add(vx_4, _multiply(t, _s4, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s6 = _add(_multiply(_k29, vy_5, _r1), _multiply(t, _add(_multiply(_k30, vy_6, _r2), _multiply(t, _add(_multiply(_k32, vy_7, _r3), _multiply(_s0, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s7 = _add(_multiply(_k24, vy_2, _r1), _multiply(t, _add(_multiply(_k12, vy_3, _r2), _multiply(t, _add(_multiply(_k27, vy_4, _r3), _multiply(t, _s6, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s8 = y + _multiply(t, _add(vy_0, _multiply(t, _add(_multiply(_k17, vy_1, _r1), _multiply(t, _s7, _r5), _r5), _r5), _r5), _r5)
+    _s6 = _add(_multiply(_k64, vy_5, _r1), _multiply(t, _add(_multiply(_k67, vy_6, _r2), _multiply(t, _add(_multiply(_k70, vy_7, _r3), _multiply(_s0, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s7 = _add(_multiply(_k57, vy_2, _r1), _multiply(t, _add(_multiply(_k26, vy_3, _r2), _multiply(t, _add(_multiply(_k61, vy_4, _r3), _multiply(t, _s6, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s8 = y + _multiply(t, _add(vy_0, _multiply(t, _add(_multiply(_k40, vy_1, _r1), _multiply(t, _s7, _r5), _r5), _r5), _r5), _r5)
     _s9 = _add(vy_5, _multiply(t, _add(vy_6, _multiply(t, _add(vy_7, _multiply(t, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
     _s10 = _add(vy_2, _multiply(t, _add(vy_3, _multiply(t, _add(vy_4, _multiply(t, _s9, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s11 = _add(_multiply(_k29, vz_5, _r1), _multiply(t, _add(_multiply(_k30, vz_6, _r2), _multiply(t, _add(_multiply(_k32, vz_7, _r3), _multiply(_s0, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s12 = _add(_multiply(_k24, vz_2, _r1), _multiply(t, _add(_multiply(_k12, vz_3, _r2), _multiply(t, _add(_multiply(_k27, vz_4, _r3), _multiply(t, _s11, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s13 = z + _multiply(t, _add(vz_0, _multiply(t, _add(_multiply(_k17, vz_1, _r1), _multiply(t, _s12, _r0), _r0), _r0), _r0), _r0)
+    _s11 = _add(_multiply(_k64, vz_5, _r1), _multiply(t, _add(_multiply(_k67, vz_6, _r2), _multiply(t, _add(_multiply(_k70, vz_7, _r3), _multiply(_s0, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s12 = _add(_multiply(_k57, vz_2, _r1), _multiply(t, _add(_multiply(_k26, vz_3, _r2), _multiply(t, _add(_multiply(_k61, vz_4, _r3), _multiply(t, _s11, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s13 = z + _multiply(t, _add(vz_0, _multiply(t, _add(_multiply(_k40, vz_1, _r1), _multiply(t, _s12, _r0), _r0), _r0), _r0), _r0)
     _s14 = _add(vz_5, _multiply(t, _add(vz_6, _multiply(t, _add(vz_7, _multiply(t, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
     _s15 = _add(vz_2, _multiply(t, _add(vz_3, _multiply(t, _add(vz_4, _multiply(t, _s14, _r0), _r0), _r0), _r0), _r0), _r0)
     _s16 = _add(turn_rate_5, _multiply(t, _add(turn_rate_6, _multiply(t, _add(turn_rate_7, _multiply(t, turn_rate_8, _r1), _r1), _r1), _r1), _r1), _r1)
@@ -2317,25 +2416,25 @@ def roll_pace(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any
     _s4 = _add(_add(_add(_absolute(turn_rate_8, _r3), _absolute(vx_8, _r5), _r5), _absolute(vy_8, _r3), _r3), _absolute(vz_8, _r5), _r5)
     _s5 = _add(_multiply(_add(_multiply(_s2, _s0, _r3), _sqrt(_multiply(p_gravity, _s2, _r2), _r2), _r2), _s3, _r2), _s4, _r2)
     _s6 = _multiply(_s1, _add(_add(_absolute(nx_8, _r3), _absolute(ny_8, _r6), _r6), _absolute(nz_8, _r3), _r3), _r3)
-    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k10, _s1, _r0), _select(_s5 < _s6, _s6, _s5, _r6), _r0), _r0), _r0), _r0)
-    _s8 = _result(_s7 < _k8, _s7, _k8, _r0)
-    _s9 = _multiply(_multiply(_k9, _add(_add(_add(_absolute(turn_rate_2, _r6), _absolute(vx_2, _r3), _r3), _absolute(vy_2, _r6), _r6), _absolute(vz_2, _r3), _r3), _r3), _s8, _r3)
+    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k24, _s1, _r0), _select(_s5 < _s6, _s6, _s5, _r6), _r0), _r0), _r0), _r0)
+    _s8 = _result(_s7 < _k22, _s7, _k22, _r0)
+    _s9 = _multiply(_multiply(_k23, _add(_add(_add(_absolute(turn_rate_2, _r6), _absolute(vx_2, _r3), _r3), _absolute(vy_2, _r6), _r6), _absolute(vz_2, _r3), _r3), _r3), _s8, _r3)
     _s10 = _multiply(_s8, _s8, _r6)
-    _s11 = _multiply(_multiply(_k25, _add(_add(_add(_absolute(turn_rate_3, _r2), _absolute(vx_3, _r7), _r7), _absolute(vy_3, _r2), _r2), _absolute(vz_3, _r7), _r7), _r7), _s10, _r7)
+    _s11 = _multiply(_multiply(_k59, _add(_add(_add(_absolute(turn_rate_3, _r2), _absolute(vx_3, _r7), _r7), _absolute(vy_3, _r2), _r2), _absolute(vz_3, _r7), _r7), _r7), _s10, _r7)
     _s12 = _multiply(_s8, _s10, _r2)
-    _s13 = _multiply(_multiply(_k26, _add(_add(_add(_absolute(turn_rate_4, _r8), _absolute(vx_4, _r9), _r9), _absolute(vy_4, _r8), _r8), _absolute(vz_4, _r9), _r9), _r9), _s12, _r9)
+    _s13 = _multiply(_multiply(_k60, _add(_add(_add(_absolute(turn_rate_4, _r8), _absolute(vx_4, _r9), _r9), _absolute(vy_4, _r8), _r8), _absolute(vz_4, _r9), _r9), _r9), _s12, _r9)
     _s14 = _multiply(_s10, _s10, _r8)
-    _s15 = _multiply(_multiply(_k28, _add(_add(_add(_absolute(turn_rate_5, _r10), _absolute(vx_5, _r11), _r11), _absolute(vy_5, _r10), _r10), _absolute(vz_5, _r11), _r11), _r11), _s14, _r11)
+    _s15 = _multiply(_multiply(_k63, _add(_add(_add(_absolute(turn_rate_5, _r10), _absolute(vx_5, _r11), _r11), _absolute(vy_5, _r10), _r10), _absolute(vz_5, _r11), _r11), _r11), _s14, _r11)
     _s16 = _multiply(_s8, _s14, _r10)
-    _s17 = _multiply(_multiply(_k1, _add(_add(_add(_absolute(turn_rate_6, _r12), _absolute(vx_6, _r13), _r13), _absolute(vy_6, _r12), _r12), _absolute(vz_6, _r13), _r13), _r13), _s16, _r13)
-    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r7), _s13, _r9), _s15, _r11), _s17, _r13), _multiply(_multiply(_k31, _s3, _r4), _multiply(_s10, _s14, _r11), _r4), _r4), _multiply(_multiply(_k11, _s4, _r5), _multiply(_s12, _s14, _r13), _r5), _r5)
+    _s17 = _multiply(_multiply(_k7, _add(_add(_add(_absolute(turn_rate_6, _r12), _absolute(vx_6, _r13), _r13), _absolute(vy_6, _r12), _r12), _absolute(vz_6, _r13), _r13), _r13), _s16, _r13)
+    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r7), _s13, _r9), _s15, _r11), _s17, _r13), _multiply(_multiply(_k69, _s3, _r4), _multiply(_s10, _s14, _r11), _r4), _r4), _multiply(_multiply(_k25, _s4, _r5), _multiply(_s12, _s14, _r13), _r5), _r5)
     _s19 = _s18 + _add(_add(_add(_absolute(turn_rate_1, _r4), _absolute(vx_1, _r13), _r13), _absolute(vy_1, _r4), _r4), _absolute(vz_1, _r13), _r13)
     _s20 = 0.4 * p_gravity
-    _s21 = _add(_multiply(_multiply(_k1, _absolute(_add(lift_3, _multiply(_s20, nz_3, _r13), _r13), _r13), _r13), _s8, _r13), _multiply(_multiply(_k34, _absolute(_add(lift_4, _multiply(_s20, nz_4, _r5), _r5), _r5), _r5), _s10, _r5), _r5)
-    _s22 = _add(_s21, _multiply(_multiply(_k35, _absolute(_add(lift_5, _multiply(_s20, nz_5, _r13), _r13), _r13), _r13), _s12, _r13), _r13)
-    _s23 = _add(_s22, _multiply(_multiply(_k36, _absolute(_add(lift_6, _multiply(_s20, nz_6, _r5), _r5), _r5), _r5), _s14, _r5), _r5)
-    _s24 = _add(_s23, _multiply(_multiply(_k37, _absolute(_add(lift_7, _multiply(_s20, nz_7, _r13), _r13), _r13), _r13), _s16, _r13), _r13)
-    return _s8, _s19, _multiply(_s19, _s8, _r0) + _s0, lift_0 + _multiply(_s20, nz_0, _r0), lift_1 + _multiply(_s20, nz_1, _r0), _s24 + _multiply(_k9, _absolute(_add(lift_2, _multiply(_s20, nz_2, _r0), _r0), _r0), _r0), -_multiply(_k38, _negative(_multiply(p_gravity, nz_1, _r0), _r0), _r0)
+    _s21 = _add(_multiply(_multiply(_k7, _absolute(_add(lift_3, _multiply(_s20, nz_3, _r13), _r13), _r13), _r13), _s8, _r13), _multiply(_multiply(_k75, _absolute(_add(lift_4, _multiply(_s20, nz_4, _r5), _r5), _r5), _r5), _s10, _r5), _r5)
+    _s22 = _add(_s21, _multiply(_multiply(_k76, _absolute(_add(lift_5, _multiply(_s20, nz_5, _r13), _r13), _r13), _r13), _s12, _r13), _r13)
+    _s23 = _add(_s22, _multiply(_multiply(_k77, _absolute(_add(lift_6, _multiply(_s20, nz_6, _r5), _r5), _r5), _r5), _s14, _r5), _r5)
+    _s24 = _add(_s23, _multiply(_multiply(_k78, _absolute(_add(lift_7, _multiply(_s20, nz_7, _r13), _r13), _r13), _r13), _s16, _r13), _r13)
+    return _s8, _s19, _multiply(_s19, _s8, _r0) + _s0, lift_0 + _multiply(_s20, nz_0, _r0), lift_1 + _multiply(_s20, nz_1, _r0), _s24 + _multiply(_k23, _absolute(_add(lift_2, _multiply(_s20, nz_2, _r0), _r0), _r0), _r0), -_multiply(_k79, _negative(_multiply(p_gravity, nz_1, _r0), _r0), _r0)
 
 
 def roll_turn_rate(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -2358,9 +2457,9 @@ def pressed_on(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, ro
     _s1 = _negative(_s0, _r0) - _add(_add(_multiply(rolled_x, turning_x, _r1), _multiply(rolled_y, turning_y, _r2), _r2), _multiply(rolled_z, turning_z, _r1), _r1)
     _s2 = _add(_add(_multiply(nx, wx, _r1), _multiply(ny, wy, _r0), _r0), _multiply(nz, wz, _r1), _r1)
     _s3 = 0.4 * p_ball_radius
-    _s4 = _add(_multiply(_multiply(_k23, ny, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(nz, turning_x, _r2), _multiply(nx, turning_z, _r3), _r3), _r3), _s2, _r3), _r3)
-    _s5 = _add(_multiply(_multiply(_k23, nx, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(ny, turning_z, _r2), _multiply(nz, turning_y, _r4), _r4), _r4), _s2, _r4), _r4)
-    _s6 = _add(_add(0.4 * p_gravity, _multiply(_multiply(_k23, nz, _r0), _s0, _r0), _r0), _multiply(_multiply(_s3, _subtract(_multiply(nx, turning_y, _r2), _multiply(ny, turning_x, _r5), _r5), _r5), _s2, _r5), _r5)
+    _s4 = _add(_multiply(_multiply(_k56, ny, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(nz, turning_x, _r2), _multiply(nx, turning_z, _r3), _r3), _r3), _s2, _r3), _r3)
+    _s5 = _add(_multiply(_multiply(_k56, nx, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(ny, turning_z, _r2), _multiply(nz, turning_y, _r4), _r4), _r4), _s2, _r4), _r4)
+    _s6 = _add(_add(0.4 * p_gravity, _multiply(_multiply(_k56, nz, _r0), _s0, _r0), _r0), _multiply(_multiply(_s3, _subtract(_multiply(nx, turning_y, _r2), _multiply(ny, turning_x, _r5), _r5), _r5), _s2, _r5), _r5)
     return _s1, _s0, _sqrt(_add(_add(_multiply(_s4, _s4, _r0), _multiply(_s5, _s5, _r1), _r1), _multiply(_s6, _s6, _r0), _r0)), _multiply(nx, _s1, _r0) + _s5, _multiply(ny, _s1, _r0) + _s4, _add(_multiply(nz, _s1, _r0), _s6, _r0) - p_gravity
 
 
@@ -2374,7 +2473,7 @@ def slowed(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, positi
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s1 = _multiply(_s0, _s0, _r0)
     _s2 = _multiply(7.275957614183426e-12 * p_ball_radius, _add(p_gravity, _divide(_add(_add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2), _multiply(vz, vz, _r1), _r1), p_ball_radius, _r1), _r1), _r1)
-    return _logical_or((_s1 < _s2), _logical_and((_s1 < (1.1920928955078125e-07 * p_ball_radius)), (_k0 < position_error))), 0.0
+    return _logical_or((_s1 < _s2), _logical_and((_s1 < (1.1920928955078125e-07 * p_ball_radius)), (_k6 < position_error))), 0.0
 
 
 def unslowed() -> tuple[Any, ...]:
@@ -2412,7 +2511,7 @@ def gripped(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz:
     _s4 = _subtract(_s3, _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r5), _r5), _r5), _r5)
     _s5 = _subtract(vz, _multiply(nz, _s0, _r4), _r4)
     _s6 = _subtract(_s5, _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r7), _r7), _r7), _r7)
-    return _s1 - _multiply(_k23, _s2, _r6), _s3 - _multiply(_k23, _s4, _r6), _s5 - _multiply(_k23, _s6, _r6), _sqrt(_add(_add(_multiply(_s6, _s6, _r7), _multiply(_s4, _s4, _r5), _r5), _multiply(_s2, _s2, _r3), _r3)), _result(_k0 < _s0, _s0, _k0, _r0)
+    return _s1 - _multiply(_k56, _s2, _r6), _s3 - _multiply(_k56, _s4, _r6), _s5 - _multiply(_k56, _s6, _r6), _sqrt(_add(_add(_multiply(_s6, _s6, _r7), _multiply(_s4, _s4, _r5), _r5), _multiply(_s2, _s2, _r3), _r3)), _result(_k6 < _s0, _s0, _k6, _r0)
 
 
 def alone() -> tuple[Any, ...]:
@@ -2433,8 +2532,8 @@ def neared_body(facing: Any, gap: Any, nearest: Any, nearing: Any, press: Any, s
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _absolute(gap, _r0)
     _s1 = _absolute(swerve, _r1)
-    _s2 = _multiply(_k39, press, _r2)
-    _s3 = _select(_logical_and((swerve < _multiply(_k40, press, _r3)), (facing < _k41)), _add(_divide(_multiply(_k17, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k2, _r4)
+    _s2 = _multiply(_k88, press, _r2)
+    _s3 = _select(_logical_and((swerve < _multiply(_k89, press, _r3)), (facing < _k90)), _add(_divide(_multiply(_k40, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k8, _r4)
     return _result(_s0 < nearest, _s0, nearest, _r0), _result(_s3 < wedge, _s3, wedge, _r0)
 
 
@@ -2457,11 +2556,11 @@ def begun_errors(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = 3.637978807091713e-12 * p_ball_radius
     _s1 = -_s0
-    _s2 = _multiply(1.4551915228366852e-11 * p_ball_radius, _add(_k8, _divide(_add(_add(_absolute(vx, _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0), p_ball_radius, _r0), _r0), _r0)
+    _s2 = _multiply(1.4551915228366852e-11 * p_ball_radius, _add(_k22, _divide(_add(_add(_absolute(vx, _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0), p_ball_radius, _r0), _r0), _r0)
     _s3 = _negative(_s2, _r1)
     _s4 = _divide(_s2, p_ball_radius, _r2)
     _s5 = _negative(_s4, _r3)
-    return dx + _select(dx < _k0, _s1, _s0, _r4), dy + _select(dy < _k0, _s1, _s0, _r4), dz + _select(dz < _k0, _s1, _s0, _r4), dvx + _select(dvx < _k0, _s3, _s2, _r4), dvy + _select(dvy < _k0, _s3, _s2, _r4), dvz + _select(dvz < _k0, _s3, _s2, _r4), dwx + _select(dwx < _k0, _s5, _s4, _r4), dwy + _select(dwy < _k0, _s5, _s4, _r4), dwz + _select(dwz < _k0, _s5, _s4, _r4)
+    return dx + _select(dx < _k6, _s1, _s0, _r4), dy + _select(dy < _k6, _s1, _s0, _r4), dz + _select(dz < _k6, _s1, _s0, _r4), dvx + _select(dvx < _k6, _s3, _s2, _r4), dvy + _select(dvy < _k6, _s3, _s2, _r4), dvz + _select(dvz < _k6, _s3, _s2, _r4), dwx + _select(dwx < _k6, _s5, _s4, _r4), dwy + _select(dwy < _k6, _s5, _s4, _r4), dwz + _select(dwz < _k6, _s5, _s4, _r4)
 
 
 def leaving_force(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, force: Any, force_bend: Any, force_rate: Any, p_gravity: Any, per_reach: Any, position_error: Any, stride: Any, velocity_error: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2473,23 +2572,23 @@ def leaving_force(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, forc
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _absolute(per_reach, _r0)
     _s1 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), _s0, _r1), _r1)
-    _s2 = _multiply(_k42, _s1, _r2)
-    _s3 = force_rate < _k0
+    _s2 = _multiply(_k95, _s1, _r2)
+    _s3 = force_rate < _k6
     _s4 = _logical_or((force < _negative(_s2, _r3)), _logical_and((force <= _s2), _s3))
     _s5 = _negative(_add(brace, force_rate, _r3), _r3)
-    _s6 = _add(force, _select(_s5 < _k0, _divide(_multiply(_s5, _s5, _r3), _multiply(p_gravity, _multiply(_s0, _s1, _r4), _r4), _r3), _k0, _r4), _r4)
+    _s6 = _add(force, _select(_s5 < _k6, _divide(_multiply(_s5, _s5, _r3), _multiply(p_gravity, _multiply(_s0, _s1, _r4), _r4), _r3), _k6, _r4), _r4)
     _s7 = _logical_and(_s4, (_s2 < _s6))
     _s8 = _logical_and(_s4, _logical_not(_s7))
     _s9 = _logical_and((_add(_add(_absolute(vx, _r3), _absolute(vy, _r5), _r5), _absolute(vz, _r3), _r3) <= (5.684341886080802e-14 * _sqrt((p_ball_radius * p_gravity)))), (_add(_add(_absolute(vx_1, _r3), _absolute(vy_1, _r5), _r5), _absolute(vz_1, _r3), _r3) <= (5.684341886080802e-14 * p_gravity)))
     _s10 = _multiply(force_rate, force_rate, _r3)
-    _s11 = _add(force_bend, _multiply(_k40, _s1, _r5), _r5)
-    _s12 = _select(_s7, _s6, _select(force < _k0, _k0, force, _r6), _r7)
-    _s13 = _add(_s10, _multiply(_multiply(_k9, _s11, _r8), _s12, _r8), _r8)
+    _s11 = _add(force_bend, _multiply(_k89, _s1, _r5), _r5)
+    _s12 = _select(_s7, _s6, _select(force < _k6, _k6, force, _r6), _r7)
+    _s13 = _add(_s10, _multiply(_multiply(_k23, _s11, _r8), _s12, _r8), _r8)
     _s14 = _sqrt(_s13, _r9)
-    _s15 = _select(_k0 <= _s13, _divide(_select(_s3, _multiply(_k9, _s12, _r7), _add(force_rate, _s14, _r6), _r4), _select(_s3, _subtract(_s14, force_rate, _r9), _select(_k0 < _s11, _s11, _k0, _r8), _r10), _r4), _k2, _r6)
-    _s16 = _add(_multiply(_multiply(_k11, _s0, _r0), _add(_multiply(fastest, velocity_error, _r7), _multiply(position_error, _s1, _r1), _r1), _r0), _s2, _r0)
-    _s17 = _logical_or(_s7, _logical_and((_absolute(force, _r2) <= _s16), _logical_not((_multiply(_multiply(_k11, _s11, _r5), _s16, _r5) < _s10))))
-    return _result(_logical_or(_s8, _s9), _k0, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k20)), _k1, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k0, doubt, _r0)
+    _s15 = _select(_k6 <= _s13, _divide(_select(_s3, _multiply(_k23, _s12, _r7), _add(force_rate, _s14, _r6), _r4), _select(_s3, _subtract(_s14, force_rate, _r9), _select(_k6 < _s11, _s11, _k6, _r8), _r10), _r4), _k8, _r6)
+    _s16 = _add(_multiply(_multiply(_k25, _s0, _r0), _add(_multiply(fastest, velocity_error, _r7), _multiply(position_error, _s1, _r1), _r1), _r0), _s2, _r0)
+    _s17 = _logical_or(_s7, _logical_and((_absolute(force, _r2) <= _s16), _logical_not((_multiply(_multiply(_k25, _s11, _r5), _s16, _r5) < _s10))))
+    return _result(_logical_or(_s8, _s9), _k6, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k46)), _k7, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k6, doubt, _r0)
 
 
 def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2499,21 +2598,21 @@ def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     Returns stride, which, doubt, late.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k43, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k97, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = gap <= _s0
-    _s2 = nearing < _k0
+    _s2 = nearing < _k6
     _s3 = _logical_and(_s1, _s2)
     _s4 = _multiply(nearing, nearing, _r1)
     _s5 = _add(strongest, _multiply(dent, _multiply(fastest, fastest, _r2), _r2), _r2)
     _s6 = _select(_s1, 3.637978807091713e-12 * p_ball_radius, gap, _r3)
-    _s7 = _add(_s4, _multiply(_multiply(_k9, _s5, _r4), _s6, _r4), _r4)
+    _s7 = _add(_s4, _multiply(_multiply(_k23, _s5, _r4), _s6, _r4), _r4)
     _s8 = _sqrt(_s7, _r5)
-    _s9 = _select(_k0 <= _s7, _divide(_select(_s2, _multiply(_k9, _s6, _r3), _add(nearing, _s8, _r4), _r6), _select(_s2, _subtract(_s8, nearing, _r5), _select(_k0 < _s5, _s5, _k0, _r7), _r8), _r6), _k2, _r4)
-    _s10 = which == _k20
+    _s9 = _select(_k6 <= _s7, _divide(_select(_s2, _multiply(_k23, _s6, _r3), _add(nearing, _s8, _r4), _r6), _select(_s2, _subtract(_s8, nearing, _r5), _select(_k6 < _s5, _s5, _k6, _r7), _r8), _r6), _k8, _r4)
+    _s10 = which == _k46
     _s11 = _logical_and(_s3, _s10)
-    _s12 = _add(_multiply(_k9, position_error, _r3), _s0, _r3)
-    _s13 = _logical_or(_logical_and(_logical_and((gap <= _s12), (_negative(_s12, _r0) <= gap)), _logical_not((_multiply(_multiply(_k11, _s12, _r0), _s5, _r0) < _s4))), _logical_and(_s3, _logical_not(_s10)))
-    return _result(_s3, _k0, _select(_s9 < stride, _s9, stride, _r0), _r0), _result(_s11, index, which, _r0), _result(_s13, _k0, doubt, _r0), _result(_s11, _divide(_multiply(_k9, _s12, _r3), _absolute(nearing, _r0), _r3), late, _r0)
+    _s12 = _add(_multiply(_k23, position_error, _r3), _s0, _r3)
+    _s13 = _logical_or(_logical_and(_logical_and((gap <= _s12), (_negative(_s12, _r0) <= gap)), _logical_not((_multiply(_multiply(_k25, _s12, _r0), _s5, _r0) < _s4))), _logical_and(_s3, _logical_not(_s10)))
+    return _result(_s3, _k6, _select(_s9 < stride, _s9, stride, _r0), _r0), _result(_s11, index, which, _r0), _result(_s13, _k6, doubt, _r0), _result(_s11, _divide(_multiply(_k23, _s12, _r3), _absolute(nearing, _r0), _r3), late, _r0)
 
 
 def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2523,20 +2622,20 @@ def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     Returns stride, which, doubt, late.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k43, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
-    _s1 = nearing < _k0
+    _s0 = _multiply(_k97, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s1 = nearing < _k6
     _s2 = _logical_and(_logical_and((gap <= _s0), _s1), (_negative(_s0, _r1) <= gap))
     _s3 = _multiply(nearing, nearing, _r1)
     _s4 = _add(strongest, _multiply(dent, _multiply(fastest, fastest, _r2), _r2), _r2)
-    _s5 = _select(gap < _k0, _k0, gap, _r3)
-    _s6 = _add(_s3, _multiply(_multiply(_k9, _s4, _r4), _s5, _r4), _r4)
+    _s5 = _select(gap < _k6, _k6, gap, _r3)
+    _s6 = _add(_s3, _multiply(_multiply(_k23, _s4, _r4), _s5, _r4), _r4)
     _s7 = _sqrt(_s6, _r5)
-    _s8 = _select(_k0 < gap, _select(_k0 <= _s6, _divide(_select(_s1, _multiply(_k9, _s5, _r3), _add(nearing, _s7, _r4), _r6), _select(_s1, _subtract(_s7, nearing, _r5), _select(_k0 < _s4, _s4, _k0, _r7), _r8), _r6), _k2, _r4), _k2, _r3)
-    _s9 = which == _k20
+    _s8 = _select(_k6 < gap, _select(_k6 <= _s6, _divide(_select(_s1, _multiply(_k23, _s5, _r3), _add(nearing, _s7, _r4), _r6), _select(_s1, _subtract(_s7, nearing, _r5), _select(_k6 < _s4, _s4, _k6, _r7), _r8), _r6), _k8, _r4), _k8, _r3)
+    _s9 = which == _k46
     _s10 = _logical_and(_s2, _s9)
-    _s11 = _add(_multiply(_k9, position_error, _r8), _s0, _r8)
-    _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(_k11, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
-    return _result(_s2, _k0, _select(_s8 < stride, _s8, stride, _r0), _r0), _result(_s10, index, which, _r0), _result(_s12, _k0, doubt, _r0), _result(_s10, _divide(_multiply(_k9, _s11, _r8), _absolute(nearing, _r0), _r8), late, _r0)
+    _s11 = _add(_multiply(_k23, position_error, _r8), _s0, _r8)
+    _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(_k25, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
+    return _result(_s2, _k6, _select(_s8 < stride, _s8, stride, _r0), _r0), _result(_s10, index, which, _r0), _result(_s12, _k6, doubt, _r0), _result(_s10, _divide(_multiply(_k23, _s11, _r8), _absolute(nearing, _r0), _r8), late, _r0)
 
 
 def beside_seam(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2548,12 +2647,12 @@ def beside_seam(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, st
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _absolute(gap, _r0)
     _s1 = _s0 <= near
-    _s2 = _select(_s1, _k0, _s0, _r1)
-    _s3 = _select(_s1, _add(_multiply(_k39, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k0 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
-    _s4 = _add(_multiply(_multiply(_k9, strongest, _r6), _s2, _r6), _multiply(_s3, _s3, _r7), _r7)
+    _s2 = _select(_s1, _k6, _s0, _r1)
+    _s3 = _select(_s1, _add(_multiply(_k88, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k6 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
+    _s4 = _add(_multiply(_multiply(_k23, strongest, _r6), _s2, _r6), _multiply(_s3, _s3, _r7), _r7)
     _s5 = _sqrt(_s4, _r6)
-    _s6 = _s3 < _k0
-    _s7 = _select(_k0 <= _s4, _divide(_select(_s6, _multiply(_k9, _s2, _r1), _add(_s3, _s5, _r0), _r7), _select(_s6, _subtract(_s5, _s3, _r6), _select(_k0 < strongest, strongest, _k0, _r5), _r4), _r7), _k2, _r0)
+    _s6 = _s3 < _k6
+    _s7 = _select(_k6 <= _s4, _divide(_select(_s6, _multiply(_k23, _s2, _r1), _add(_s3, _s5, _r0), _r7), _select(_s6, _subtract(_s5, _s3, _r6), _select(_k6 < strongest, strongest, _k6, _r5), _r4), _r7), _k8, _r0)
     return _result(_s7 < stride, _s7, stride, _r0),
 
 
@@ -2595,11 +2694,11 @@ def spared(dent: Any, gap: Any, p_gravity: Any, nearing: Any, spare: Any, vx: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r0), _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0)
     _s1 = _add(p_gravity, _multiply(dent, _multiply(_s0, _s0, _r0), _r0), _r0)
-    _s2 = _select(gap < _k0, _k0, gap, _r1)
-    _s3 = _add(_multiply(nearing, nearing, _r2), _multiply(_multiply(_k9, _s1, _r3), _s2, _r3), _r3)
+    _s2 = _select(gap < _k6, _k6, gap, _r1)
+    _s3 = _add(_multiply(nearing, nearing, _r2), _multiply(_multiply(_k23, _s1, _r3), _s2, _r3), _r3)
     _s4 = _sqrt(_s3, _r2)
-    _s5 = nearing < _k0
-    _s6 = _select(_k0 <= _s3, _divide(_select(_s5, _multiply(_k9, _s2, _r1), _add(nearing, _s4, _r3), _r4), _select(_s5, _subtract(_s4, nearing, _r2), _select(_k0 < _s1, _s1, _k0, _r5), _r6), _r4), _k2, _r3)
+    _s5 = nearing < _k6
+    _s6 = _select(_k6 <= _s3, _divide(_select(_s5, _multiply(_k23, _s2, _r1), _add(nearing, _s4, _r3), _r4), _select(_s5, _subtract(_s4, nearing, _r2), _select(_k6 < _s1, _s1, _k6, _r5), _r6), _r4), _k8, _r3)
     return _result(_s6 < spare, _s6, spare, _r0),
 
 
@@ -2611,11 +2710,11 @@ def spared_seam(gap: Any, p_gravity: Any, near: Any, nearing: Any, spare: Any, _
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = _absolute(gap, _r0)
-    _s1 = _select(_k0 < gap, nearing, _negative(nearing, _r1), _r2)
+    _s1 = _select(_k6 < gap, nearing, _negative(nearing, _r1), _r2)
     _s2 = _add(_multiply(2.0 * p_gravity, _s0, _r3), _multiply(_s1, _s1, _r4), _r4)
     _s3 = _sqrt(_s2, _r3)
-    _s4 = _s1 < _k0
-    _s5 = _select(_k0 <= _s2, _divide(_select(_s4, _multiply(_k9, _s0, _r4), _add(_s1, _s3, _r5), _r6), _select(_s4, _subtract(_s3, _s1, _r3), _where(0.0 < p_gravity, p_gravity, 0.0), _r2), _r6), _k2, _r5)
+    _s4 = _s1 < _k6
+    _s5 = _select(_k6 <= _s2, _divide(_select(_s4, _multiply(_k23, _s0, _r4), _add(_s1, _s3, _r5), _r6), _select(_s4, _subtract(_s3, _s1, _r3), _where(0.0 < p_gravity, p_gravity, 0.0), _r2), _r6), _k8, _r5)
     return _result(_s0 <= near, spare, _select(_s5 < spare, _s5, spare, _r0), _r0),
 
 
@@ -2626,27 +2725,27 @@ def parted(doubt: Any, p_gravity: Any, lift: Any, per_reach: Any, position_error
     Returns when, doubt.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
-    _s0 = _multiply(_k12, spare, _r0)
+    _s0 = _multiply(_k26, spare, _r0)
     _s1 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r1), _r1), _absolute(vy, _r2), _r2), _absolute(vz, _r1), _r1)
     _s2 = _absolute(per_reach, _r2)
     _s3 = _add(p_gravity, _multiply(_multiply(_s1, _s1, _r3), _s2, _r3), _r3)
-    _s4 = _add(_add(_k8, _multiply(_s1, _s2, _r4), _r4), _sqrt(_multiply(p_gravity, _s2, _r5), _r5), _r5)
-    _s5 = _multiply(_multiply(_k16, _s3, _r4), _multiply(_s4, _multiply(_s4, _s4, _r6), _r6), _r4)
-    _s6 = _multiply(_k17, surge, _r6)
+    _s4 = _add(_add(_k22, _multiply(_s1, _s2, _r4), _r4), _sqrt(_multiply(p_gravity, _s2, _r5), _r5), _r5)
+    _s5 = _multiply(_multiply(_k37, _s3, _r4), _multiply(_s4, _multiply(_s4, _s4, _r6), _r6), _r4)
+    _s6 = _multiply(_k40, surge, _r6)
     _s7 = _sqrt(_divide(_s6, _s5, _r7), _r7)
-    _s8 = _multiply(_k21, _s5, _r8)
+    _s8 = _multiply(_k47, _s5, _r8)
     _s9 = _add(_absolute(snap, _r9), _s8, _r9)
     _s10 = _divide(_s6, _s9, _r6)
-    _s11 = _select(_k0 < lift, lift, _k0, _r10)
-    _s12 = _sqrt(_divide(_multiply(_k44, _s11, _r11), _s5, _r11), _r11)
-    _s13 = _sqrt(_divide(_multiply(_k17, _s11, _r4), _s9, _r4), _r4)
-    _s14 = _divide(_s11, _add(_multiply(_k26, _absolute(surge, _r9), _r9), _s8, _r9), _r9)
+    _s11 = _select(_k6 < lift, lift, _k6, _r10)
+    _s12 = _sqrt(_divide(_multiply(_k100, _s11, _r11), _s5, _r11), _r11)
+    _s13 = _sqrt(_divide(_multiply(_k40, _s11, _r4), _s9, _r4), _r4)
+    _s14 = _divide(_s11, _add(_multiply(_k60, _absolute(surge, _r9), _r9), _s8, _r9), _r9)
     _s15 = _select(_s13 < _s14, _s13, _s14, _r10)
-    _s16 = _select(_k0 < surge, _select(_s7 < _s10, _s7, _s10, _r8), _select(_s12 < _s15, _s12, _s15, _r12), _r13)
-    _s17 = _select(_s16 < _k45, _s16, _k45, _r14)
+    _s16 = _select(_k6 < surge, _select(_s7 < _s10, _s7, _s10, _r8), _select(_s12 < _s15, _s12, _s15, _r12), _r13)
+    _s17 = _select(_s16 < _k101, _s16, _k101, _r14)
     _s18 = _select(_s0 < _s17, _s0, _s17, _r15)
-    _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k15, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s1, _r1), _r1), _r1), _s2, _r1), _r1)
-    return _result(_k0 < _s18, _s18, _k0, _r0), _result(_logical_or((_multiply(_s19, _s4, _r5) < surge), (_s19 < lift)), doubt, _k0, _r0)
+    _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k35, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s1, _r1), _r1), _r1), _s2, _r1), _r1)
+    return _result(_k6 < _s18, _s18, _k6, _r0), _result(_logical_or((_multiply(_s19, _s4, _r5) < surge), (_s19 < lift)), doubt, _k6, _r0)
 
 
 def apart(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2668,7 +2767,7 @@ def apart(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, 
     _s9 = _absolute(dy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dz, _r11)
-    _s12 = _add(_add(1.1102230246251565e-16 * p_ball_radius, _multiply(_k32, _add(_multiply(p_ball_radius, _select(_s2 < _s3, _s3, _s2, _r12), _r12), _select(_s6 < _s7, _s7, _s6, _r3), _r3), _r3), _r3), _select(_s10 < _s11, _s11, _s10, _r7), _r7)
+    _s12 = _add(_add(1.1102230246251565e-16 * p_ball_radius, _multiply(_k70, _add(_multiply(p_ball_radius, _select(_s2 < _s3, _s3, _s2, _r12), _r12), _select(_s6 < _s7, _s7, _s6, _r3), _r3), _r3), _r3), _select(_s10 < _s11, _s11, _s10, _r7), _r7)
     return (2.384185791015625e-07 * p_ball_radius) / _s12,
 
 
@@ -2690,13 +2789,13 @@ def compared(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: A
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = _divide(_subtract(far_x, x, _r0), apart, _r0)
-    _s1 = _multiply(_k7, _add(_add(_add(p_ball_radius, _absolute(x, _r1), _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1)
+    _s1 = _multiply(_k17, _add(_add(_add(p_ball_radius, _absolute(x, _r1), _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1)
     _s2 = _negative(_s1, _r2)
     _s3 = _divide(_subtract(far_y, y, _r3), apart, _r3)
     _s4 = _divide(_subtract(far_z, z, _r4), apart, _r4)
     _s5 = _divide(_subtract(far_vx, vx, _r5), apart, _r5)
     _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r6), _absolute(wy, _r7), _r7), _absolute(wz, _r6), _r6), _r6), _absolute(vx, _r7), _r7), _absolute(vy, _r6), _r6)
-    _s7 = _multiply(_k7, _add(_s6, _absolute(vz, _r7), _r7), _r7)
+    _s7 = _multiply(_k17, _add(_s6, _absolute(vz, _r7), _r7), _r7)
     _s8 = _negative(_s7, _r6)
     _s9 = _divide(_subtract(far_vy, vy, _r8), apart, _r8)
     _s10 = _divide(_subtract(far_vz, vz, _r9), apart, _r9)
@@ -2705,7 +2804,7 @@ def compared(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: A
     _s13 = _negative(_s12, _r12)
     _s14 = _divide(_subtract(far_wy, wy, _r13), apart, _r13)
     _s15 = _divide(_subtract(far_wz, wz, _r14), apart, _r14)
-    return _s0 + _select(_s0 < _k0, _s2, _s1, _r15), _s3 + _select(_s3 < _k0, _s2, _s1, _r15), _s4 + _select(_s4 < _k0, _s2, _s1, _r15), _s5 + _select(_s5 < _k0, _s8, _s7, _r15), _s9 + _select(_s9 < _k0, _s8, _s7, _r15), _s10 + _select(_s10 < _k0, _s8, _s7, _r15), _s11 + _select(_s11 < _k0, _s13, _s12, _r15), _s14 + _select(_s14 < _k0, _s13, _s12, _r15), _s15 + _select(_s15 < _k0, _s13, _s12, _r15)
+    return _s0 + _select(_s0 < _k6, _s2, _s1, _r15), _s3 + _select(_s3 < _k6, _s2, _s1, _r15), _s4 + _select(_s4 < _k6, _s2, _s1, _r15), _s5 + _select(_s5 < _k6, _s8, _s7, _r15), _s9 + _select(_s9 < _k6, _s8, _s7, _r15), _s10 + _select(_s10 < _k6, _s8, _s7, _r15), _s11 + _select(_s11 < _k6, _s13, _s12, _r15), _s14 + _select(_s14 < _k6, _s13, _s12, _r15), _s15 + _select(_s15 < _k6, _s13, _s12, _r15)
 
 
 def carry_hop(dvx: Any, dvy: Any, dvz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any, when: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2716,13 +2815,13 @@ def carry_hop(dvx: Any, dvy: Any, dvz: Any, dx: Any, dy: Any, dz: Any, vx: Any, 
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(dx, _multiply(dvx, when, _r0), _r0)
-    _s1 = _multiply(_k9, when, _r1)
-    _s2 = _multiply(_k10, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
+    _s1 = _multiply(_k23, when, _r1)
+    _s2 = _multiply(_k24, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
     _s3 = _add(dy, _multiply(dvy, when, _r2), _r2)
-    _s4 = _multiply(_k10, _add(_multiply(_s1, _absolute(vy, _r4), _r4), _absolute(y, _r5), _r5), _r5)
+    _s4 = _multiply(_k24, _add(_multiply(_s1, _absolute(vy, _r4), _r4), _absolute(y, _r5), _r5), _r5)
     _s5 = _add(dz, _multiply(dvz, when, _r4), _r4)
-    _s6 = _multiply(_k10, _add(_multiply(_s1, _absolute(vz, _r6), _r6), _absolute(z, _r1), _r1), _r1)
-    return _s0 + _select(_s0 < _k0, _negative(_s2, _r6), _s2, _r7), _s3 + _select(_s3 < _k0, _negative(_s4, _r7), _s4, _r6), _s5 + _select(_s5 < _k0, _negative(_s6, _r6), _s6, _r7)
+    _s6 = _multiply(_k24, _add(_multiply(_s1, _absolute(vz, _r6), _r6), _absolute(z, _r1), _r1), _r1)
+    return _s0 + _select(_s0 < _k6, _negative(_s2, _r6), _s2, _r7), _s3 + _select(_s3 < _k6, _negative(_s4, _r7), _s4, _r6), _s5 + _select(_s5 < _k6, _negative(_s6, _r6), _s6, _r7)
 
 
 def kept(mode: Any, when: Any) -> tuple[Any, ...]:
@@ -2824,14 +2923,14 @@ def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any,
     Returns body, reached, doubt, ends, hopped, last, mode, held, rolls.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = which == _k28
-    _s1 = _multiply(_k9, _select(held == _k9, _k9, _select(held == _k8, _k8, _select(held == _k0, _k0, _k20, _r0), _r1), _r2), _r2)
-    _s2 = which == _k1
-    _s3 = which == _k31
-    _s4 = which == _k11
-    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k46))
-    _s6 = _k26 < which
-    return _result(_s0, _add(_k26, _s1, _r1), _select(_s2, _add(_k28, _s1, _r2), _select(_s3, _k20, _select(_s4, _k25, body, _r0), _r3), _r4), _r0), _result(_s5, _k9, _select(_s4, _k1, _select(rests, _k28, _select(_logical_or(_s6, rolling), _k20, reached, _r4), _r3), _r0), _r0), _result(_s5, _k0, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k20, last, _r0), _result(_logical_or(_s0, rolling), _k9, _select(_s2, _k25, _k0, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k20, _r0), _result(_s0, _add(_k8, rolls, _r0), rolls, _r0)
+    _s0 = which == _k63
+    _s1 = _multiply(_k23, _select(held == _k23, _k23, _select(held == _k22, _k22, _select(held == _k6, _k6, _k46, _r0), _r1), _r2), _r2)
+    _s2 = which == _k7
+    _s3 = which == _k69
+    _s4 = which == _k25
+    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k104))
+    _s6 = _k60 < which
+    return _result(_s0, _add(_k60, _s1, _r1), _select(_s2, _add(_k63, _s1, _r2), _select(_s3, _k46, _select(_s4, _k59, body, _r0), _r3), _r4), _r0), _result(_s5, _k23, _select(_s4, _k7, _select(rests, _k63, _select(_logical_or(_s6, rolling), _k46, reached, _r4), _r3), _r0), _r0), _result(_s5, _k6, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k46, last, _r0), _result(_logical_or(_s0, rolling), _k23, _select(_s2, _k59, _k6, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k46, _r0), _result(_s0, _add(_k22, rolls, _r0), rolls, _r0)
 
 
 def settled(index: Any, lodges: Any, nearly: Any, outcome: Any, parts: Any, settles: Any, slides: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
@@ -2851,18 +2950,18 @@ def pulled(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _negative(_multiply(p_gravity, nz_0, _r0), _r0)
-    _s1 = _multiply(_k23, nx_0, _r1)
-    _s2 = _multiply(_k23, turn_rate_0, _r2)
+    _s1 = _multiply(_k56, nx_0, _r1)
+    _s2 = _multiply(_k56, turn_rate_0, _r2)
     _s3 = _add(_multiply(_s1, _s0, _r3), _multiply(_s2, tx_0, _r4), _r4)
-    _s4 = _multiply(_k23, ny_0, _r3)
+    _s4 = _multiply(_k56, ny_0, _r3)
     _s5 = _add(_multiply(_s4, _s0, _r5), _multiply(_s2, ty_0, _r6), _r6)
-    _s6 = _multiply(_k23, nz_0, _r5)
+    _s6 = _multiply(_k56, nz_0, _r5)
     _s7 = _add(_add(0.4 * p_gravity, _multiply(_s6, _s0, _r7), _r7), _multiply(_s2, tz_0, _r8), _r8)
     _s8 = _negative(_multiply(p_gravity, nz_1, _r7), _r7)
-    _s9 = _multiply(_k23, turn_rate_1, _r9)
-    _s10 = _multiply(_multiply(_k9, _s3, _r10), _add(_add(_add(_multiply(_s1, _s8, _r1), _multiply(_multiply(_k23, nx_1, _r11), _s0, _r11), _r11), _multiply(_s2, tx_1, _r1), _r1), _multiply(_s9, tx_0, _r11), _r11), _r10)
-    _s11 = _multiply(_multiply(_k9, _s5, _r11), _add(_add(_add(_multiply(_s4, _s8, _r3), _multiply(_multiply(_k23, ny_1, _r1), _s0, _r1), _r1), _multiply(_s2, ty_1, _r3), _r3), _multiply(_s9, ty_0, _r1), _r1), _r11)
-    _s12 = _multiply(_multiply(_k9, _s7, _r1), _add(_add(_add(_multiply(_s6, _s8, _r7), _multiply(_multiply(_k23, nz_1, _r5), _s0, _r5), _r5), _multiply(_s2, tz_1, _r2), _r2), _multiply(_s9, tz_0, _r9), _r9), _r1)
+    _s9 = _multiply(_k56, turn_rate_1, _r9)
+    _s10 = _multiply(_multiply(_k23, _s3, _r10), _add(_add(_add(_multiply(_s1, _s8, _r1), _multiply(_multiply(_k56, nx_1, _r11), _s0, _r11), _r11), _multiply(_s2, tx_1, _r1), _r1), _multiply(_s9, tx_0, _r11), _r11), _r10)
+    _s11 = _multiply(_multiply(_k23, _s5, _r11), _add(_add(_add(_multiply(_s4, _s8, _r3), _multiply(_multiply(_k56, ny_1, _r1), _s0, _r1), _r1), _multiply(_s2, ty_1, _r3), _r3), _multiply(_s9, ty_0, _r1), _r1), _r11)
+    _s12 = _multiply(_multiply(_k23, _s7, _r1), _add(_add(_add(_multiply(_s6, _s8, _r7), _multiply(_multiply(_k56, nz_1, _r5), _s0, _r5), _r5), _multiply(_s2, tz_1, _r2), _r2), _multiply(_s9, tz_0, _r9), _r9), _r1)
     return _add(_multiply(_s3, _s3, _r4), _multiply(_s5, _s5, _r6), _r6) + _multiply(_s7, _s7, _r8), _add(_s10, _s11, _r11) + _s12, -_inf, 0.0
 
 
@@ -2894,34 +2993,34 @@ def lost_grip(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_clock: 
     _s0 = _subtract(clock, taut_clock, _r0)
     _s1 = _subtract(strain, taut, _r1)
     _s2 = _negative(_divide(taut, _s1, _r2), _r2)
-    _s3 = _select(_s2 < _k8, _s2, _k8, _r3)
-    _s4 = _select(_k0 < _s3, _s3, _k0, _r4)
+    _s3 = _select(_s2 < _k22, _s2, _k22, _r3)
+    _s4 = _select(_k6 < _s3, _s3, _k6, _r4)
     _s5 = _multiply(strain_rate, _s0, _r5)
     _s6 = _multiply(taut_rate, _s0, _r6)
-    _s7 = _subtract(_add(_s5, _s6, _r7), _multiply(_k9, _s1, _r8), _r8)
-    _s8 = _multiply(_k25, _s7, _r7)
-    _s9 = _subtract(_subtract(_multiply(_k25, _s1, _r9), _s5, _r9), _multiply(_k9, _s6, _r5), _r5)
-    _s10 = _multiply(_k9, _s9, _r9)
+    _s7 = _subtract(_add(_s5, _s6, _r7), _multiply(_k23, _s1, _r8), _r8)
+    _s8 = _multiply(_k59, _s7, _r7)
+    _s9 = _subtract(_subtract(_multiply(_k59, _s1, _r9), _s5, _r9), _multiply(_k23, _s6, _r5), _r5)
+    _s10 = _multiply(_k23, _s9, _r9)
     _s11 = _add(_multiply(_add(_multiply(_s8, _s4, _r10), _s10, _r10), _s4, _r10), _s6, _r10)
     _s12 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s4, _r11), _s9, _r11), _s4, _r11), _s6, _r11), _s4, _r11), _r11)
-    _s13 = _subtract(_s4, _divide(_s12, _select(_k0 < _s11, _s11, _s1, _r12), _r11), _r11)
-    _s14 = _select(_s13 < _k8, _s13, _k8, _r4)
-    _s15 = _select(_k0 < _s14, _s14, _k0, _r3)
+    _s13 = _subtract(_s4, _divide(_s12, _select(_k6 < _s11, _s11, _s1, _r12), _r11), _r11)
+    _s14 = _select(_s13 < _k22, _s13, _k22, _r4)
+    _s15 = _select(_k6 < _s14, _s14, _k6, _r3)
     _s16 = _add(_multiply(_add(_multiply(_s8, _s15, _r2), _s10, _r2), _s15, _r2), _s6, _r2)
     _s17 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s15, _r12), _s9, _r12), _s15, _r12), _s6, _r12), _s15, _r12), _r12)
-    _s18 = _subtract(_s15, _divide(_s17, _select(_k0 < _s16, _s16, _s1, _r10), _r12), _r12)
-    _s19 = _select(_s18 < _k8, _s18, _k8, _r3)
-    _s20 = _select(_k0 < _s19, _s19, _k0, _r4)
+    _s18 = _subtract(_s15, _divide(_s17, _select(_k6 < _s16, _s16, _s1, _r10), _r12), _r12)
+    _s19 = _select(_s18 < _k22, _s18, _k22, _r3)
+    _s20 = _select(_k6 < _s19, _s19, _k6, _r4)
     _s21 = _add(_multiply(_add(_multiply(_s8, _s20, _r11), _s10, _r11), _s20, _r11), _s6, _r11)
     _s22 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s20, _r10), _s9, _r10), _s20, _r10), _s6, _r10), _s20, _r10), _r10)
-    _s23 = _subtract(_s20, _divide(_s22, _select(_k0 < _s21, _s21, _s1, _r2), _r10), _r10)
-    _s24 = _select(_s23 < _k8, _s23, _k8, _r4)
-    _s25 = _select(_k0 < _s24, _s24, _k0, _r3)
+    _s23 = _subtract(_s20, _divide(_s22, _select(_k6 < _s21, _s21, _s1, _r2), _r10), _r10)
+    _s24 = _select(_s23 < _k22, _s23, _k22, _r4)
+    _s25 = _select(_k6 < _s24, _s24, _k6, _r3)
     _s26 = _add(_multiply(_add(_multiply(_s8, _s25, _r7), _s10, _r7), _s25, _r7), _s6, _r7)
     _s27 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s25, _r8), _s9, _r8), _s25, _r8), _s6, _r8), _s25, _r8), _r8)
-    _s28 = _subtract(_s25, _divide(_s27, _select(_k0 < _s26, _s26, _s1, _r6), _r8), _r8)
-    _s29 = _select(_s28 < _k8, _s28, _k8, _r3)
-    return _result(_logical_and((taut < _k2), (taut < strain)), _add(taut_clock, _multiply(_s0, _select(_k0 < _s29, _s29, _k0, _r4), _r4), _r4), clock, _r0),
+    _s28 = _subtract(_s25, _divide(_s27, _select(_k6 < _s26, _s26, _s1, _r6), _r8), _r8)
+    _s29 = _select(_s28 < _k22, _s28, _k22, _r3)
+    return _result(_logical_and((taut < _k8), (taut < strain)), _add(taut_clock, _multiply(_s0, _select(_k6 < _s29, _s29, _k6, _r4), _r4), _r4), clock, _r0),
 
 
 def tightened(clock: Any, strain: Any, strain_rate: Any) -> tuple[Any, ...]:
@@ -2960,12 +3059,12 @@ def ring_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s8 = _absolute(dvy, _r6)
     _s9 = _select(_s7 < _s8, _s8, _s7, _r7)
     _s10 = _absolute(dvz, _r8)
-    _s11 = _multiply(_k16, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(_k7, _s6, _r5), _r5), _r5)
+    _s11 = _multiply(_k37, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(_k17, _s6, _r5), _r5), _r5)
     _s12 = _add(_add(_multiply(nx, vx, _r9), _multiply(ny, vy, _r8), _r8), _multiply(nz, vz, _r9), _r9)
     _s13 = _subtract(_subtract(vz, _multiply(nz, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r6), _r6), _r6), _r6)
     _s14 = _subtract(_subtract(vy, _multiply(ny, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r7), _multiply(nz, wx, _r4), _r4), _r4), _r4)
     _s15 = _subtract(_subtract(vx, _multiply(nx, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r7), _multiply(ny, wz, _r3), _r3), _r3), _r3)
-    _s16 = _multiply(p_ring_friction, _multiply(_add(_k8, _divide(p_ring_restitution, _subtract(_k8, _divide(_s12, p_restitution_speed, _r8), _r8), _r8), _r8), _s12, _r8), _r8)
+    _s16 = _multiply(p_ring_friction, _multiply(_add(_k22, _divide(p_ring_restitution, _subtract(_k22, _divide(_s12, p_restitution_speed, _r8), _r8), _r8), _r8), _s12, _r8), _r8)
     _s17 = _subtract(_multiply(_s0, _sqrt(_add(_add(_multiply(_s13, _s13, _r6), _multiply(_s14, _s14, _r4), _r4), _multiply(_s15, _s15, _r3), _r3), _r3), _r3), _negative(_s16, _r8), _r8)
     _s18 = _logical_and(_logical_and((0.0 < p_ring_friction), (p_ring_friction < _inf)), _logical_not((_multiply((2.0 * p_ring_friction) + _s0, _s11, _r5) < _absolute(_s17, _r8))))
     return _s18,
@@ -2981,41 +3080,41 @@ def ring_impact_settling(p_ball_radius: Any, bounce: Any, drag: Any, lift: Any, 
     _s0 = 1.0 - p_ring_restitution
     _s1 = 0.0 < _s0
     _s2 = _divide(bounce, press, _r0)
-    _s3 = _add(_k7, _add(_add(_absolute(turning_x, _r1), _absolute(turning_y, _r2), _r2), _absolute(turning_z, _r1), _r1), _r1)
+    _s3 = _add(_k17, _add(_add(_absolute(turning_x, _r1), _absolute(turning_y, _r2), _r2), _absolute(turning_z, _r1), _r1), _r1)
     _s4 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r2), _absolute(wy, _r3), _r3), _absolute(wz, _r2), _r2), _r2), _absolute(rolled_x, _r3), _r3), _absolute(rolled_y, _r2), _r2)
     _s5 = _add(_s4, _absolute(rolled_z, _r3), _r3)
     _s6 = _absolute(weight, _r2)
-    _s7 = _multiply(_multiply(_k11, _add(_multiply(_s3, _s5, _r4), _s6, _r4), _r4), _s3, _r4)
+    _s7 = _multiply(_multiply(_k25, _add(_multiply(_s3, _s5, _r4), _s6, _r4), _r4), _s3, _r4)
     _s8 = _s0 * _s0
     _s9 = _add(_sqrt(_multiply(p_ball_radius, _s6, _r2), _r2), _s5, _r2)
-    _s10 = _multiply(_k47, _s9, _r5)
-    _s11 = _multiply(_k9, drag, _r6)
+    _s10 = _multiply(_k106, _s9, _r5)
+    _s11 = _multiply(_k23, drag, _r6)
     _s12 = 1.0 + p_ring_restitution
     _s13 = p_ring_friction * _s12
     _s14 = _multiply(press, _s13, _r7)
-    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k0 < press), _s1), (_multiply(_multiply(_k25, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k11, drag, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
-    _s16 = _multiply(_k17, bounce, _r9)
+    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k6 < press), _s1), (_multiply(_multiply(_k59, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k25, drag, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
+    _s16 = _multiply(_k40, bounce, _r9)
     _s17 = _s12 * _s0
-    _s18 = _multiply(_k26, drag, _r8)
-    _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_k48, slip, _r10), _s2, _r10), _s0, _r10), _r10)
+    _s18 = _multiply(_k60, drag, _r8)
+    _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_k107, slip, _r10), _s2, _r10), _s0, _r10), _r10)
     _s20 = 3.637978807091713e-12 * p_ball_radius
     _s21 = _logical_and(_s15, (_s19 <= _s20))
     _s22 = 3.725290298461914e-09 * p_ball_radius
     _s23 = wedge <= _s22
-    _s24 = _divide(_multiply(_multiply(_k15, _s2, _r0), _s5, _r0), _s0, _r0)
+    _s24 = _divide(_multiply(_multiply(_k35, _s2, _r0), _s5, _r0), _s0, _r0)
     _s25 = _add(_s22, _s24, _r11) < nearest
     _s26 = _s24 <= _s22
     _s27 = _negative(lift, _r0)
     _s28 = _select(_s27 < press, _s27, press, _r11)
     _s29 = _divide(bounce, _s28, _r12)
-    _s30 = _logical_and(_logical_and(_logical_and((_k0 < _s28), _s1), (_multiply(_multiply(_k25, _s29, _r13), _s7, _r13) < _multiply(_s8, _s28, _r11))), (_add(_s22, _divide(_multiply(_multiply(_k15, _s29, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
+    _s30 = _logical_and(_logical_and(_logical_and((_k6 < _s28), _s1), (_multiply(_multiply(_k59, _s29, _r13), _s7, _r13) < _multiply(_s8, _s28, _r11))), (_add(_s22, _divide(_multiply(_multiply(_k35, _s29, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
     _s31 = _logical_and(_s30, (_add(_multiply(_s16, _s29, _r9), _divide(_multiply(_s18, _multiply(_s29, _s29, _r11), _r11), _s17, _r11), _r11) <= _s20))
-    _s32 = _k0 < bounce
-    _s33 = _add(_divide(_multiply(_k28, _add(_multiply(_s11, _s29, _r12), _select(_s32, _multiply(bounce, _s13, _r11), _k0, _r9), _r9), _r9), _s0, _r9), _multiply(_k49, _s9, _r2), _r2)
-    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k26, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s19, _s20, _r10), _r10), _r10) <= _multiply(_multiply(_k9, velocity_error, _r11), _s20, _r11)), _s32))
-    _s35 = _multiply(_k15, velocity_error, _r11)
+    _s32 = _k6 < bounce
+    _s33 = _add(_divide(_multiply(_k63, _add(_multiply(_s11, _s29, _r12), _select(_s32, _multiply(bounce, _s13, _r11), _k6, _r9), _r9), _r9), _s0, _r9), _multiply(_k108, _s9, _r2), _r2)
+    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k60, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s19, _s20, _r10), _r10), _r10) <= _multiply(_multiply(_k23, velocity_error, _r11), _s20, _r11)), _s32))
+    _s35 = _multiply(_k35, velocity_error, _r11)
     _s36 = _logical_and(_s31, _logical_or((_absolute(_subtract(slip, _s33, _r10), _r10) < _s35), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s35, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
-    return _logical_and(_logical_and(_s21, _logical_not(_s23)), _logical_or(_s25, _s26)), _logical_and(_s21, _s23), _logical_and(_s31, _logical_or((_s33 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k0 <= lift)), _result(_logical_or(_logical_and(_s15, _s25), _s30), _k8, _k0, _r0), _logical_or(_logical_or(_s34, _s36), _logical_and(_logical_and(_s21, _s26), _logical_not(_s25)))
+    return _logical_and(_logical_and(_s21, _logical_not(_s23)), _logical_or(_s25, _s26)), _logical_and(_s21, _s23), _logical_and(_s31, _logical_or((_s33 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k6 <= lift)), _result(_logical_or(_logical_and(_s15, _s25), _s30), _k22, _k6, _r0), _logical_or(_logical_or(_s34, _s36), _logical_and(_logical_and(_s21, _s26), _logical_not(_s25)))
 
 
 def ring_impact_strained(drag: Any, drag_rate: Any, force: Any, force_rate: Any, p_ring_friction: Any) -> tuple[Any, ...]:
@@ -3044,10 +3143,10 @@ def ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, n
     _s6 = _subtract(_s5, _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r6), _multiply(nz, wx, _r7), _r7), _r7), _r7)
     _s7 = _add(_add(_multiply(_s4, _s4, _r6), _multiply(_s6, _s6, _r8), _r8), _multiply(_s2, _s2, _r6), _r6)
     _s8 = 0.4 + (0.4 * p_tangential_restitution)
-    _s9 = _divide(p_ring_restitution, _subtract(_k8, _divide(_s0, p_restitution_speed, _r8), _r8), _r8)
-    _s10 = _negative(_multiply(p_ring_friction, _multiply(_add(_k8, _s9, _r9), _s0, _r9), _r9), _r9)
-    _s11 = _select(0.0 < p_ring_friction, _select(p_ring_friction < _inf, _select(_multiply(_s7, _s8 * _s8, _r10) <= _multiply(_s10, _s10, _r11), _s8, _divide(_s10, _sqrt(_s7, _r6), _r6), _r9), _s8, _r11), _k0, _r10)
-    _s12 = _divide(_multiply(_k50, _s11, _r12), p_ball_radius, _r12)
+    _s9 = _divide(p_ring_restitution, _subtract(_k22, _divide(_s0, p_restitution_speed, _r8), _r8), _r8)
+    _s10 = _negative(_multiply(p_ring_friction, _multiply(_add(_k22, _s9, _r9), _s0, _r9), _r9), _r9)
+    _s11 = _select(0.0 < p_ring_friction, _select(p_ring_friction < _inf, _select(_multiply(_s7, _s8 * _s8, _r10) <= _multiply(_s10, _s10, _r11), _s8, _divide(_s10, _sqrt(_s7, _r6), _r6), _r9), _s8, _r11), _k6, _r10)
+    _s12 = _divide(_multiply(_k112, _s11, _r12), p_ball_radius, _r12)
     return _subtract(_s1, _multiply(_s2, _s11, _r13), _r13) - _multiply(_multiply(nx, _s9, _r1), _s0, _r1), _subtract(_s5, _multiply(_s6, _s11, _r1), _r1) - _multiply(_multiply(ny, _s9, _r4), _s0, _r4), _subtract(_s3, _multiply(_s4, _s11, _r10), _r10) - _multiply(_multiply(nz, _s9, _r8), _s0, _r8), wx + _multiply(_s12, _subtract(_multiply(ny, _s4, _r8), _multiply(nz, _s6, _r10), _r10), _r10), wy + _multiply(_s12, _subtract(_multiply(nz, _s2, _r10), _multiply(nx, _s4, _r5), _r5), _r5), wz + _multiply(_s12, _subtract(_multiply(nx, _s6, _r7), _multiply(ny, _s2, _r3), _r3), _r3)
 
 
@@ -3066,9 +3165,9 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s5 = _subtract(_subtract(vy, _multiply(ny, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r7), _r7), _r7), _r7)
     _s6 = _add(_add(_multiply(_s4, _s4, _r1), _multiply(_s5, _s5, _r4), _r4), _multiply(_s3, _s3, _r1), _r1)
     _s7 = 0.4 + (0.4 * p_tangential_restitution)
-    _s8 = _subtract(_k8, _divide(_s0, p_restitution_speed, _r4), _r4)
+    _s8 = _subtract(_k22, _divide(_s0, p_restitution_speed, _r4), _r4)
     _s9 = _divide(p_ring_restitution, _s8, _r8)
-    _s10 = _add(_k8, _s9, _r9)
+    _s10 = _add(_k22, _s9, _r9)
     _s11 = _negative(_multiply(p_ring_friction, _multiply(_s10, _s0, _r10), _r10), _r10)
     _s12 = _negative(_divide(_multiply(p_ring_restitution, _negative(_divide(_s1, p_restitution_speed, _r11), _r11), _r11), _multiply(_s8, _s8, _r4), _r11), _r11)
     _s13 = _sqrt(_s6, _r4)
@@ -3077,19 +3176,19 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s16 = _subtract(_subtract(dvy, _multiply(dny, _s0, _r12), _r12), _multiply(ny, _s1, _r15), _r15)
     _s17 = _subtract(_s16, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnx, wz, _r12), _multiply(dwz, nx, _r16), _r16), _multiply(dnz, wx, _r12), _r12), _multiply(dwx, nz, _r16), _r16), _r16), _r16)
     _s18 = _subtract(_s2, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnz, wy, _r12), _multiply(dwy, nz, _r17), _r17), _multiply(dny, wz, _r12), _r12), _multiply(dwz, ny, _r17), _r17), _r17), _r17)
-    _s19 = _divide(_multiply(_multiply(_k17, _s11, _r12), _add(_add(_multiply(_multiply(_k9, _s4, _r18), _s15, _r18), _multiply(_multiply(_k9, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(_k9, _s3, _r18), _s18, _r18), _r18), _r12), _multiply(_s13, _s6, _r18), _r12)
+    _s19 = _divide(_multiply(_multiply(_k40, _s11, _r12), _add(_add(_multiply(_multiply(_k23, _s4, _r18), _s15, _r18), _multiply(_multiply(_k23, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(_k23, _s3, _r18), _s18, _r18), _r18), _r12), _multiply(_s13, _s6, _r18), _r12)
     _s20 = _subtract(_divide(_negative(_multiply(p_ring_friction, _add(_multiply(_s10, _s1, _r9), _multiply(_s12, _s0, _r18), _r18), _r18), _r18), _s13, _r18), _s19, _r12)
     _s21 = _multiply(_s6, _s7 * _s7, _r1) <= _multiply(_s11, _s11, _r18)
     _s22 = p_ring_friction < _inf
     _s23 = 0.0 < p_ring_friction
-    _s24 = _select(_s23, _select(_s22, _select(_s21, _k0, _s20, _r18), _k0, _r1), _k0, _r9)
-    _s25 = _select(_s23, _select(_s22, _select(_s21, _s7, _divide(_s11, _s13, _r4), _r10), _s7, _r19), _k0, _r20)
+    _s24 = _select(_s23, _select(_s22, _select(_s21, _k6, _s20, _r18), _k6, _r1), _k6, _r9)
+    _s25 = _select(_s23, _select(_s22, _select(_s21, _s7, _divide(_s11, _s13, _r4), _r10), _s7, _r19), _k6, _r20)
     _s26 = _subtract(_subtract(_subtract(_subtract(_subtract(_s2, _multiply(_s3, _s24, _r21), _r21), _multiply(_s18, _s25, _r3), _r3), _multiply(_multiply(dnx, _s9, _r21), _s0, _r21), _r21), _multiply(_multiply(nx, _s9, _r3), _s1, _r3), _r3), _multiply(_multiply(nx, _s12, _r21), _s0, _r21), _r21)
     _s27 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r3), _absolute(wy, _r22), _r22), _absolute(wz, _r3), _r3), _r3), _absolute(vx, _r22), _r22), _absolute(vy, _r3), _r3)
     _s28 = _add(_s27, _absolute(vz, _r22), _r22)
-    _s29 = _multiply(_k14, _s28, _r3)
+    _s29 = _multiply(_k33, _s28, _r3)
     _s30 = _negative(_s29, _r23)
-    _s31 = _add(_s26, _select(_s26 < _k0, _s30, _s29, _r24), _r24)
+    _s31 = _add(_s26, _select(_s26 < _k6, _s30, _s29, _r24), _r24)
     _s32 = _absolute(dwx, _r21)
     _s33 = _absolute(dwy, _r25)
     _s34 = _select(_s32 < _s33, _s33, _s32, _r26)
@@ -3101,27 +3200,27 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s40 = _add(_add(_multiply(p_ball_radius, _select(_s34 < _s35, _s35, _s34, _r32), _r32), _multiply(turn, _s28, _r22), _r22), _select(_s38 < _s39, _s39, _s38, _r32), _r32)
     _s41 = _divide(_s40, lifting, _r31)
     _s42 = _negative(_s41, _r30)
-    _s43 = _select(_absolute(_s31, _r29) < _s41, _select(_s31 < _k0, _s42, _s41, _r29), _s31, _r28)
+    _s43 = _select(_absolute(_s31, _r29) < _s41, _select(_s31 < _k6, _s42, _s41, _r29), _s31, _r28)
     _s44 = _subtract(_subtract(_subtract(_subtract(_subtract(_s16, _multiply(_s5, _s24, _r22), _r22), _multiply(_s17, _s25, _r15), _r15), _multiply(_multiply(dny, _s9, _r22), _s0, _r22), _r22), _multiply(_multiply(ny, _s9, _r15), _s1, _r15), _r15), _multiply(_multiply(ny, _s12, _r22), _s0, _r22), _r22)
-    _s45 = _add(_s44, _select(_s44 < _k0, _s30, _s29, _r15), _r15)
-    _s46 = _select(_absolute(_s45, _r22) < _s41, _select(_s45 < _k0, _s42, _s41, _r22), _s45, _r27)
+    _s45 = _add(_s44, _select(_s44 < _k6, _s30, _s29, _r15), _r15)
+    _s46 = _select(_absolute(_s45, _r22) < _s41, _select(_s45 < _k6, _s42, _s41, _r22), _s45, _r27)
     _s47 = _subtract(_subtract(_subtract(_subtract(_subtract(_s14, _multiply(_s4, _s24, _r26), _r26), _multiply(_s15, _s25, _r13), _r13), _multiply(_multiply(dnz, _s9, _r26), _s0, _r26), _r26), _multiply(_multiply(nz, _s9, _r8), _s1, _r8), _r8), _multiply(_multiply(nz, _s12, _r11), _s0, _r11), _r11)
-    _s48 = _add(_s47, _select(_s47 < _k0, _s30, _s29, _r8), _r8)
-    _s49 = _select(_absolute(_s48, _r11) < _s41, _select(_s48 < _k0, _s42, _s41, _r11), _s48, _r23)
+    _s48 = _add(_s47, _select(_s47 < _k6, _s30, _s29, _r8), _r8)
+    _s49 = _select(_absolute(_s48, _r11) < _s41, _select(_s48 < _k6, _s42, _s41, _r11), _s48, _r23)
     _s50 = _add(_add(_multiply(nx, _subtract(_s43, _s31, _r0), _r0), _multiply(ny, _subtract(_s46, _s45, _r26), _r26), _r26), _multiply(nz, _subtract(_s49, _s48, _r0), _r0), _r0)
-    _s51 = _divide(_multiply(_k50, _s24, _r9), p_ball_radius, _r9)
-    _s52 = _divide(_multiply(_k50, _s25, _r20), p_ball_radius, _r20)
+    _s51 = _divide(_multiply(_k112, _s24, _r9), p_ball_radius, _r9)
+    _s52 = _divide(_multiply(_k112, _s25, _r20), p_ball_radius, _r20)
     _s53 = _add(_add(dwx, _multiply(_s51, _subtract(_multiply(ny, _s4, _r19), _multiply(nz, _s5, _r10), _r10), _r10), _r10), _multiply(_s52, _subtract(_subtract(_add(_multiply(dny, _s4, _r19), _multiply(ny, _s15, _r4), _r4), _multiply(dnz, _s5, _r19), _r19), _multiply(nz, _s17, _r4), _r4), _r4), _r4)
     _s54 = _divide(_s29, p_ball_radius, _r3)
     _s55 = _negative(_s54, _r10)
-    _s56 = _add(_s53, _select(_s53 < _k0, _s55, _s54, _r19), _r19)
+    _s56 = _add(_s53, _select(_s53 < _k6, _s55, _s54, _r19), _r19)
     _s57 = _divide(_s40, _multiply(p_ball_radius, lifting, _r4), _r4)
     _s58 = _negative(_s57, _r32)
     _s59 = _add(_add(dwy, _multiply(_s51, _subtract(_multiply(nz, _s3, _r1), _multiply(nx, _s4, _r18), _r18), _r18), _r18), _multiply(_s52, _subtract(_subtract(_add(_multiply(dnz, _s3, _r1), _multiply(nz, _s18, _r12), _r12), _multiply(dnx, _s4, _r6), _r6), _multiply(nx, _s15, _r14), _r14), _r14), _r14)
-    _s60 = _add(_s59, _select(_s59 < _k0, _s55, _s54, _r18), _r18)
+    _s60 = _add(_s59, _select(_s59 < _k6, _s55, _s54, _r18), _r18)
     _s61 = _add(_add(dwz, _multiply(_s51, _subtract(_multiply(nx, _s5, _r14), _multiply(ny, _s3, _r6), _r6), _r6), _r6), _multiply(_s52, _subtract(_subtract(_add(_multiply(dnx, _s5, _r7), _multiply(nx, _s17, _r16), _r16), _multiply(dny, _s3, _r5), _r5), _multiply(ny, _s18, _r17), _r17), _r17), _r17)
-    _s62 = _add(_s61, _select(_s61 < _k0, _s55, _s54, _r6), _r6)
-    return _s43 - _multiply(nx, _s50, _r17), _s46 - _multiply(ny, _s50, _r17), _s49 - _multiply(nz, _s50, _r0), _result(_absolute(_s56, _r0) < _s57, _select(_s56 < _k0, _s58, _s57, _r0), _s56, _r0), _result(_absolute(_s60, _r0) < _s57, _select(_s60 < _k0, _s58, _s57, _r0), _s60, _r0), _result(_absolute(_s62, _r0) < _s57, _select(_s62 < _k0, _s58, _s57, _r0), _s62, _r0)
+    _s62 = _add(_s61, _select(_s61 < _k6, _s55, _s54, _r6), _r6)
+    return _s43 - _multiply(nx, _s50, _r17), _s46 - _multiply(ny, _s50, _r17), _s49 - _multiply(nz, _s50, _r0), _result(_absolute(_s56, _r0) < _s57, _select(_s56 < _k6, _s58, _s57, _r0), _s56, _r0), _result(_absolute(_s60, _r0) < _s57, _select(_s60 < _k6, _s58, _s57, _r0), _s60, _r0), _result(_absolute(_s62, _r0) < _s57, _select(_s62 < _k6, _s58, _s57, _r0), _s62, _r0)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3179,7 +3278,7 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     _r0, _r1 = _room[:2]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k8, _s1, _r1), _r0)
+    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k22, _s1, _r1), _r0)
     return x * _s2, y * _s2, z * _s0
 
 
@@ -3205,9 +3304,9 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
     _s1 = 1.0 / _s0
     _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s3 = _subtract(_s2, p_ring_radius, _r0)
-    _s4 = _divide(_k8, _s2, _r2)
+    _s4 = _divide(_k22, _s2, _r2)
     _s5 = _multiply(_multiply(_s1, _s3, _r3), _s4, _r3)
-    _s6 = _divide(_multiply(_k17, _add(_multiply(_multiply(_k9, dx, _r4), x, _r4), _multiply(_multiply(_k9, dy, _r5), y, _r5), _r5), _r5), _s2, _r5)
+    _s6 = _divide(_multiply(_k40, _add(_multiply(_multiply(_k23, dx, _r4), x, _r4), _multiply(_multiply(_k23, dy, _r5), y, _r5), _r5), _r5), _s2, _r5)
     _s7 = _add(_multiply(_multiply(_s6, _s1, _r1), _s4, _r1), _multiply(_multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r2), _r2), _r2), _s1, _r2), _s3, _r2), _r2)
     _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
     return _multiply(dx, _s5, _r1) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r3) + _multiply(y, _s7, _r2), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
@@ -3224,7 +3323,7 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)
     _s2 = 1.0 / p_gravity
     _s3 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s2, _add(_add(2.0 * p_ball_radius, extent, _r0), 2.0 * p_wire_radius, _r0), _r0), _r0), _r0)
-    _s4 = _add(_s3, _multiply(_multiply(_k9, speed, _r1), _s2, _r1), _r1)
+    _s4 = _add(_s3, _multiply(_multiply(_k23, speed, _r1), _s2, _r1), _r1)
     _s5 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s4 < horizon, _s4, horizon, _r0), _r0), _r0), 1.52587890625e-05 * p_ball_radius, _r0), 1.52587890625e-05 * p_wire_radius, _r0)
     _s6 = 1.00006103515625 * _s0
     _s7 = p_ring_radius + _s6
@@ -3248,21 +3347,21 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s25 = _where(_s23 < _s24, _s24, _s23)
     _s26 = _s25 * _s25
     _s27 = _s25 * _s26
-    _s28 = _multiply(_subtract(_add(_add(_multiply(_k9, _s8, _r1), _multiply(4.0 * p_gravity, z, _r11), _r11), _multiply(_k9, _s22, _r1), _r1), (6.0003662109375 * p_gravity) * _s0, _r1), _s27, _r1)
+    _s28 = _multiply(_subtract(_add(_add(_multiply(_k23, _s8, _r1), _multiply(4.0 * p_gravity, z, _r11), _r11), _multiply(_k23, _s22, _r1), _r1), (6.0003662109375 * p_gravity) * _s0, _r1), _s27, _r1)
     _s29 = _subtract(_multiply(vy, x, _r11), _multiply(vx, y, _r14), _r14)
     _s30 = _multiply(_s29, _s29, _r14)
     _s31 = _subtract(_s28, _multiply(2.0 * p_ring_radius, _s30, _r11), _r11)
     _s32 = _add(_multiply(_s17, _add(_multiply(vx, _s13, _r5), _multiply(vy, _s14, _r6), _r6), _r6), _multiply(_multiply(_s18, _subtract(vz, _multiply(p_gravity, _s12, _r9), _r9), _r9), _s16, _r9), _r9)
     _s33 = _add(x, _multiply(horizon, vx, _r6), _r6)
     _s34 = _add(y, _multiply(horizon, vy, _r7), _r7)
-    _s35 = _select(_subtract(_add(_add(_s20, _multiply(_s33, _s33, _r6), _r6), _multiply(_s34, _s34, _r7), _r7), _s26, _r7) < _k0, _k8, _select(_subtract(_multiply(_s22, _s20 + _s26, _r7), _s30, _r7) < _k0, _k8, _k0, _r7), _r14)
-    _s36 = _select(_subtract(_multiply(_multiply(_k26, _multiply(_s32, _s32, _r9), _r9), _s27, _r9), _multiply(_multiply(_multiply(_k9, _s31, _r6), _s15, _r6), _s21, _r6), _r6) < _k0, _s35, _k0, _r6)
-    _s37 = _select(horizon < _subtract(_s12, _multiply(_k21, horizon, _r9), _r9), _k8, _select(_k0 < _s21, _select(_k0 < _s31, _s36, _k0, _r11), _k0, _r12), _r9)
+    _s35 = _select(_subtract(_add(_add(_s20, _multiply(_s33, _s33, _r6), _r6), _multiply(_s34, _s34, _r7), _r7), _s26, _r7) < _k6, _k22, _select(_subtract(_multiply(_s22, _s20 + _s26, _r7), _s30, _r7) < _k6, _k22, _k6, _r7), _r14)
+    _s36 = _select(_subtract(_multiply(_multiply(_k60, _multiply(_s32, _s32, _r9), _r9), _s27, _r9), _multiply(_multiply(_multiply(_k23, _s31, _r6), _s15, _r6), _s21, _r6), _r6) < _k6, _s35, _k6, _r6)
+    _s37 = _select(horizon < _subtract(_s12, _multiply(_k47, horizon, _r9), _r9), _k22, _select(_k6 < _s21, _select(_k6 < _s31, _s36, _k6, _r11), _k6, _r12), _r9)
     _s38 = _add(_multiply(vx, x, _r3), _multiply(vy, y, _r8), _r8)
     _s39 = _add(_multiply(_s11, _s22, _r13), _s38, _r13)
-    _s40 = _select(_s39 < _k0, _select(_s19 < _add(_multiply(_s11, _add(_s38, _s39, _r13), _r13), _add(_multiply(x, x, _r8), _multiply(y, y, _r3), _r3), _r3), _s37, _k0, _r3), _k0, _r13)
-    _s41 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r8), _r8), _r8), _r8) < (65536.0 * _s7), _select(_k0 < _s9, _select(_s11 < _k0, _s37, _s40, _r4), _k0, _r2), _k0, _r8)
-    return _result(_k0 < _select(_s1 < _s5, _s5, _s1, _r10), _k0, _select(_add(position_error, _multiply(horizon, velocity_error, _r10), _r10) < (5.820766091346741e-11 * _s7), _s41, _k0, _r10), _r0),
+    _s40 = _select(_s39 < _k6, _select(_s19 < _add(_multiply(_s11, _add(_s38, _s39, _r13), _r13), _add(_multiply(x, x, _r8), _multiply(y, y, _r3), _r3), _r3), _s37, _k6, _r3), _k6, _r13)
+    _s41 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r8), _r8), _r8), _r8) < (65536.0 * _s7), _select(_k6 < _s9, _select(_s11 < _k6, _s37, _s40, _r4), _k6, _r2), _k6, _r8)
+    return _result(_k6 < _select(_s1 < _s5, _s5, _s1, _r10), _k6, _select(_add(position_error, _multiply(horizon, velocity_error, _r10), _r10) < (5.820766091346741e-11 * _s7), _s41, _k6, _r10), _r0),
 
 
 def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3274,7 +3373,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35 = _room[:36]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
-    _s2 = _add(_multiply(_k9, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k9, _s1, _r1)
+    _s2 = _add(_multiply(_k23, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k23, _s1, _r1)
     _s3 = _subtract(_multiply(vy, x, _r1), _multiply(vx, y, _r3), _r3)
     _s4 = _multiply(_s3, _s3, _r1)
     _s5 = (2.0 * p_ring_radius) * _s4
@@ -3282,44 +3381,44 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k19, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k44, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
-    _s14 = _multiply(_k18, _add(_absolute(vz, _r8), _s13, _r8), _r8)
-    _s15 = _k0 <= _s11
-    _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k2, _r9)
+    _s14 = _multiply(_k41, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s15 = _k6 <= _s11
+    _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k8, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(_k18, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s19 = _multiply(_multiply(_k41, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
     _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
-    _s23 = _multiply(_k18, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
-    _s24 = _divide(_k8, _s1, _r14)
-    _s25 = _k0 <= _s20
-    _s26 = _k51 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k2, _r15), _k52, _r16)
+    _s23 = _multiply(_k41, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s24 = _divide(_k22, _s1, _r14)
+    _s25 = _k6 <= _s20
+    _s26 = _k121 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k122, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
-    _s33 = _sqrt(_select(_s32 < _k0, _k0, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k52, _r10), _k2, _r18)
-    _s35 = _k0 < _select(_s26, _s32, _k0, _r19)
+    _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r1), _r1)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k122, _r10), _k8, _r18)
+    _s35 = _k6 < _select(_s26, _s32, _k6, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
-    _s38 = _sqrt(_select(_s37 < _k0, _k0, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k52, _r0)
-    _s40 = _k0 < _s37
+    _s38 = _sqrt(_select(_s37 < _k6, _k6, _s37, _r4), _r4)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k122, _r0)
+    _s40 = _k6 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
-    _s43 = _select(_s35, _multiply(_subtract(_subtract(_s33, _s21, _r1), _s23, _r1), _s24, _r1), _k2, _r14)
+    _s43 = _select(_s35, _multiply(_subtract(_subtract(_s33, _s21, _r1), _s23, _r1), _s24, _r1), _k8, _r14)
     _s44 = _select(_s43 < _s36, _s36, _s43, _r3)
     _s45 = _select(_s16 < _s44, _s44, _s16, _r13)
     _s46 = _select(_s34 < _s41, _s34, _s41, _r23)
-    _s47 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s38, _r4), _s14, _r4), _r4), _k2, _r8)
+    _s47 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s38, _r4), _s14, _r4), _r4), _k8, _r8)
     _s48 = _select(_s47 < _s41, _s41, _s47, _r24)
     _s49 = _s45 <= _s46
     _s50 = _select(_s49, _s45, _select(_s48 < _s27, _s27, _s48, _r25), _r26)
@@ -3327,14 +3426,14 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s52 = _select(_s48 < _s44, _s44, _s48, _r29)
     _s53 = _select(_s34 < _s39, _s34, _s39, _r30)
     _s54 = 1.0 / _s31
-    _s55 = _select(_k0 < _s42, _s42, _k0, _r31)
+    _s55 = _select(_k6 < _s42, _s42, _k6, _r31)
     _s56 = _select(_s55 < _s51, _s51, _s55, _r32)
     _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s12, _add(_add(2.0 * p_ball_radius, extent, _r34), 2.0 * p_wire_radius, _r34), _r34), _r34), _r34)
-    _s60 = _add(_s59, _multiply(_multiply(_k9, speed, _r35), _s12, _r35), _r35)
+    _s60 = _add(_s59, _multiply(_multiply(_k23, speed, _r35), _s12, _r35), _r35)
     _s61 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s60 < horizon, _s60, horizon, _r34), _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
-    return _s2, _s5, _sqrt(_s6), _result(_k0 < _s28, _s28, _k0, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k0 < _s50, _s50, _k0, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k0 < _s52, _s52, _k0, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s61, _s61, _s58, _r0)
+    return _s2, _s5, _sqrt(_s6), _result(_k6 < _s28, _s28, _k6, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k6 < _s50, _s50, _k6, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k6 < _s52, _s52, _k6, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s61, _s61, _s58, _r0)
 
 
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3350,14 +3449,14 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s3 = _multiply(_s2, _s1, _r1)
     _s4 = p_ring_radius + _s2
     _s5 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s6 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k7, _s5, _r4), _r4)
+    _s6 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k17, _s5, _r4), _r4)
     _s7 = p_ring_radius - _s2
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k28, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k14, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k5 * _add(_add(_multiply(_multiply(_k53, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k7, _s3, _r2), _r2), _s11, _r2)
-    return _k5 * _add(_add(_multiply(_multiply(_k7, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k5 * _add(_multiply(_k53, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k63, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k33, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k15 * _add(_add(_multiply(_multiply(_k124, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k15 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k15 * _add(_multiply(_k124, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3371,14 +3470,14 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _add(rho_start, _s2, _r2)
-    _s4 = _divide(_k8, _multiply(_s3, _s2, _r4), _r4)
+    _s4 = _divide(_k22, _multiply(_s3, _s2, _r4), _r4)
     _s5 = _subtract(_s2, p_ring_radius, _r5)
     _s6 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
     _s7 = _add(z, _multiply(t, _s6, _r7), _r7)
-    _s8 = _k9 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
-    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k9, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
+    _s8 = _k23 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
+    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k23, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
-    _s11 = _result(_k0 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
+    _s11 = _result(_k6 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
     return t - _divide(_s11, _s8, _r7), _s11, _s8
 
 
@@ -3394,16 +3493,16 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _subtract(_s2, p_ring_radius, _r2)
     _s4 = _add(rho_start, _s2, _r4)
-    _s5 = _divide(_k8, _multiply(_s4, _s2, _r5), _r5)
-    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k9, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
+    _s5 = _divide(_k22, _multiply(_s4, _s2, _r5), _r5)
+    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k23, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
     _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
     _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
     _s9 = p_ball_radius + p_wire_radius
-    _s10 = _result(_k0 < leaving, _multiply(t, _add(_s6, _multiply(_add(z, _s8, _r9), _s7, _r9), _r9), _r9), _subtract(_add(_multiply(_s3, _s3, _r8), _multiply(_s8, _s8, _r7), _r7), _s9 * _s9, _r7), _r0)
+    _s10 = _result(_k6 < leaving, _multiply(t, _add(_s6, _multiply(_add(z, _s8, _r9), _s7, _r9), _r9), _r9), _subtract(_add(_multiply(_s3, _s3, _r8), _multiply(_s8, _s8, _r7), _r7), _s9 * _s9, _r7), _r0)
     _s11 = _multiply(_s4, _s5, _r5)
     _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
     _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
-    _s14 = _k9 * _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
+    _s14 = _k23 * _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
     _s15 = 6.0 * p_gravity
     _s16 = _multiply(_s15, _s8, _r4)
     _s17 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r2), _r2), _r2)
@@ -3411,28 +3510,28 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s19 = 9.094947017729282e-13 * (p_ring_radius + _s18)
     _s20 = _subtract(_s14, rate_margin, _r5)
     _s21 = _subtract(_s10, margin, _r7)
-    _s22 = _select(_s21 < _k0, _k0, _s21, _r9)
+    _s22 = _select(_s21 < _k6, _k6, _s21, _r9)
     _s23 = _subtract(_add(_s16, _s17, _r8), steady, _r8)
-    _s24 = _s20 < _k0
-    _s25 = _multiply(_k9, _s22, _r10)
-    _s26 = _select(_k0 < _select(_k0 <= _s20, _s22, _k0, _r11), _k2, _divide(_select(_s24, _s25, _multiply(_k26, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k0 < _s23, _s23, _k0, _r14), _r15), _r12), _r11)
+    _s24 = _s20 < _k6
+    _s25 = _multiply(_k23, _s22, _r10)
+    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k60, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
-    _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k0, _k0, _s13, _r8), _r8), _s8, _r8), _r8)
+    _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k6, _k6, _s13, _r8), _r8), _s8, _r8), _r8)
     _s30 = _multiply(_s15, _select(_s18 < _s29, _s18, _s29, _r6), _r6)
-    _s31 = _subtract(_add(_multiply(_s28, _select(_k0 < _s12, _k0, _s12, _r8), _r8), _s2, _r8), _s19, _r8)
+    _s31 = _subtract(_add(_multiply(_s28, _select(_k6 < _s12, _k6, _s12, _r8), _r8), _s2, _r8), _s19, _r8)
     _s32 = p_ring_radius - _s18
     _s33 = 0.0001220703125 * p_ring_radius
     _s34 = _where(_s32 < _s33, _s33, _s32)
-    _s35 = _divide(_k8, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
+    _s35 = _divide(_k22, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k40, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
-    _s38 = _add(_multiply(_multiply(_k9, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k89, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s38 = _add(_multiply(_multiply(_k23, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
-    _s40 = _select(_k0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k0 < _s37, _s37, _k0, _r5), _r1), _r7), _k2, _r9)
+    _s40 = _select(_k6 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k6 < _s37, _s37, _k6, _r5), _r1), _r7), _k8, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
     _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
-    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k0 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k11, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
+    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k6 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k25, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3456,73 +3555,73 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k54 * (p_ball_radius + p_wire_radius)
-    _s2 = _k55 * p_gravity
-    _s3 = _multiply(_k56, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s1 = _k128 * (p_ball_radius + p_wire_radius)
+    _s2 = _k129 * p_gravity
+    _s3 = _multiply(_k130, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k57 / p_gravity
+    _s5 = _k131 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k58, _add(_absolute(vz, _r4), _s6, _r4), _r4)
-    _s8 = _k59 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k60, _r5)
+    _s7 = _multiply(_k132, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = _k133 <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k134, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k58, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k132, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k58, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k61, _s10, _r13)
-    _s21 = _k59 <= _s16
-    _s22 = _k62 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k60, _r14), _k63, _r15)
+    _s19 = _multiply(_k132, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k135, _s10, _r13)
+    _s21 = _k133 <= _s16
+    _s22 = _k136 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k134, _r14), _k137, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
-    _s25 = _select(_k59 < _s24, _s24, _k59, _r17)
-    _s26 = _select(_k59 < _s25, _s25, _k59, _r18)
+    _s25 = _select(_k133 < _s24, _s24, _k133, _r17)
+    _s26 = _select(_k133 < _s25, _s25, _k133, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k64 * p_ring_radius
+    _s28 = _k138 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
-    _s31 = _sqrt(_select(_s30 < _k59, _k59, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k63, _r6), _k60, _r19)
-    _s33 = _k59 < _select(_s22, _s30, _k59, _r20)
+    _s31 = _sqrt(_select(_s30 < _k133, _k133, _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k137, _r6), _k134, _r19)
+    _s33 = _k133 < _select(_s22, _s30, _k133, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
-    _s36 = _sqrt(_select(_s35 < _k59, _k59, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k63, _r0)
-    _s38 = _k59 < _s35
+    _s36 = _sqrt(_select(_s35 < _k133, _k133, _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k137, _r0)
+    _s38 = _k133 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k65, horizon, _r24)
+    _s41 = _multiply(_k139, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k60, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k134, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k60, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k134, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
-    _s52 = _result(_k59 < _s51, _s51, _k59, _r0)
-    _s53 = _select(_k59 < _s52, _s52, _k59, _r30)
+    _s52 = _result(_k133 < _s51, _s51, _k133, _r0)
+    _s53 = _select(_k133 < _s52, _s52, _k133, _r30)
     _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
     _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
     _s56 = _s53 < _s55
     _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
-    _s58 = _result(_k59 < _s57, _s57, _k59, _r0)
-    _s59 = _select(_k59 < _s58, _s58, _k59, _r34)
+    _s58 = _result(_k133 < _s57, _s57, _k133, _r0)
+    _s59 = _select(_k133 < _s58, _s58, _k133, _r34)
     _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
     _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
     _s62 = _s59 < _s61
-    _s63 = _select(_k59 < _s40, _s40, _k59, _r36)
+    _s63 = _select(_k133 < _s40, _s40, _k133, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k66 * _s29)), (_s11 <= ((_k66 * p_ball_radius) + (_k66 * p_wire_radius)))), (_s11 <= _k67)), (_k68 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k59, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k59, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k67)), (_k68 <= p_gravity)), (extent <= _k69)), (speed <= _k69))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k140 * _s29)), (_s11 <= ((_k140 * p_ball_radius) + (_k140 * p_wire_radius)))), (_s11 <= _k141)), (_k142 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k133, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k133, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k141)), (_k142 <= p_gravity)), (extent <= _k143)), (speed <= _k143))
 
 
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3554,33 +3653,33 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _k59 < leaving
+    _s0 = _k133 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k54 * _s2
+    _s3 = _k128 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k64 * p_ring_radius
+    _s5 = _k138 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k57 < _s7, _s7, _k57)
+    _s8 = _where(_k131 < _s7, _s7, _k131)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k77, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k78, parting, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k79, _s12, _k79, _r5)
-    _s14 = _result(_s0, _select(_k80 < _s13, _s13, _k80, _r6), _k79, _r0)
-    _s15 = _add(_multiply(_k81, _multiply(vz, vz, _r7), _r7), _multiply(_k82 * p_gravity, z, _r8), _r8) + _multiply(_k81, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k151, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k152, parting, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k153, _s12, _k153, _r5)
+    _s14 = _result(_s0, _select(_k154 < _s13, _s13, _k154, _r6), _k153, _r0)
+    _s15 = _add(_multiply(_k155, _multiply(vz, vz, _r7), _r7), _multiply(_k156 * p_gravity, z, _r8), _r8) + _multiply(_k155, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
-    _s17 = (_k55 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k57 / _s6
+    _s17 = (_k129 * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = _k131 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k83 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k157 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k58, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k84, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k70, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k85 * _s20, (_k86 * _s2) * _s24, _result(_s0, _multiply(_k85, _add(_multiply(_k56, _absolute(parting, _r12), _r12), _multiply(_add(_k87, _s14, _r2), _s11, _r2), _r2), _r2), _k60, _r0), _k85 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k88 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k77 * _add(_multiply(_multiply(_k85, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k89, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k90 * p_ball_radius) + (_k90 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k59))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k132, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k158, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k144, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k159 * _s20, (_k160 * _s2) * _s24, _result(_s0, _multiply(_k159, _add(_multiply(_k130, _absolute(parting, _r12), _r12), _multiply(_add(_k161, _s14, _r2), _s11, _r2), _r2), _r2), _k134, _r0), _k159 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k162 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k151 * _add(_multiply(_multiply(_k159, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k163, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k164 * p_ball_radius) + (_k164 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k133))
 
 
 def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3627,66 +3726,66 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s7 = _add(y, _multiply(t, vy, _r5), _r5)
     _s8 = _sqrt(_add(_multiply(_s6, _s6, _r6), _multiply(_s7, _s7, _r7), _r7), _r7)
     _s9 = _add(rho_start, _s8, _r6)
-    _s10 = _divide(_k61, _multiply(_s9, _s8, _r8), _r8)
+    _s10 = _divide(_k135, _multiply(_s9, _s8, _r8), _r8)
     _s11 = _multiply(_s8, _s10, _r9)
-    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k81, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
-    _s13 = _subtract(vz, _multiply(_k97 * p_gravity, t, _r10), _r10)
-    _s14 = _add(_add(_multiply(_multiply(_multiply(_k81, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
+    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k155, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
+    _s13 = _subtract(vz, _multiply(_k171 * p_gravity, t, _r10), _r10)
+    _s14 = _add(_add(_multiply(_multiply(_multiply(_k155, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
     _s15 = _add(parting, _multiply(t, _subtract(_s14, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s16 = _multiply(_s9, _s10, _r8)
     _s17 = _multiply(_s16, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r5), _r5), _r5)
     _s18 = _subtract(_s8, p_ring_radius, _r3)
     _s19 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
     _s20 = _add(z, _multiply(t, _s13, _r10), _r10)
-    _s21 = _select(_s4, _subtract(_multiply(_k81, _s15, _r11), parting, _r11), _multiply(_k81, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
-    _s22 = _select(_s4, _add(_s3, _multiply(_k81, _s0, _r0), _r0), rate_margin, _r2)
+    _s21 = _select(_s4, _subtract(_multiply(_k155, _s15, _r11), parting, _r11), _multiply(_k155, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
+    _s22 = _select(_s4, _add(_s3, _multiply(_k155, _s0, _r0), _r0), rate_margin, _r2)
     _s23 = _negative(_add(_s21, _s22, _r4), _r4)
     _s24 = _select(_s2, _s1, flat, _r14)
     _s25 = p_ball_radius + p_wire_radius
     _s26 = _subtract(_select(_s2, _multiply(t, _s15, _r12), _subtract(_add(_multiply(_s18, _s18, _r3), _multiply(_s20, _s20, _r15), _r15), _s25 * _s25, _r15), _r3), _s24, _r3)
-    _s27 = _select(_s26 < _k59, _k59, _s26, _r15)
-    _s28 = _multiply(_k81, _add(_multiply(_k81, _s24, _r12), _s27, _r12), _r12)
+    _s27 = _select(_s26 < _k133, _k133, _s26, _r15)
+    _s28 = _multiply(_k155, _add(_multiply(_k155, _s24, _r12), _s27, _r12), _r12)
     _s29 = _subtract(_s21, _s22, _r2)
-    _s30 = _k99 * p_gravity
+    _s30 = _k173 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(swing, _multiply(_s16, _multiply(_s16, _s16, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), steady, _r17)
-    _s34 = _s29 < _k59
-    _s35 = _multiply(_k81, _s27, _r18)
-    _s36 = _select(_k59 < _select(_k59 <= _s29, _s27, _k59, _r19), _k60, _divide(_select(_s34, _add(_multiply(_k100, _s24, _r19), _s35, _r19), _multiply(_k101, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k59 < _s33, _s33, _k59, _r23), _r24), _r21), _r20)
+    _s34 = _s29 < _k133
+    _s35 = _multiply(_k155, _s27, _r18)
+    _s36 = _select(_k133 < _select(_k133 <= _s29, _s27, _k133, _r19), _k134, _divide(_select(_s34, _add(_multiply(_k174, _s24, _r19), _s35, _r19), _multiply(_k175, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k133 < _s33, _s33, _k133, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k54 * _s25
-    _s40 = _add((_k64 * p_ball_radius) + (_k64 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k59, _k59, _s19, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k128 * _s25
+    _s40 = _add((_k138 * p_ball_radius) + (_k138 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k133, _k133, _s19, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k59 < _s17, _k59, _s17, _r23), _r23), _s8, _r23), _multiply(_k102, _s42, _r7), _r7), _k72 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k133 < _s17, _k133, _s17, _r23), _r23), _s8, _r23), _multiply(_k176, _s42, _r7), _r7), _k146 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k64 * p_ring_radius
+    _s45 = _k138 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k61, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k135, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(swing, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(steady, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k103, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k177, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
     _s51 = _negative(_s19, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k68 * p_ball_radius) + (_k68 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k59, _k59, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k104, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(steady, _add(_s52, _multiply(_k105, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k142 * p_ball_radius) + (_k142 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k133, _k133, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k178, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(steady, _add(_s52, _multiply(_k179, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k100, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
-    _s56 = _k59 < _select(_k59 < _s23, _s55, _s23, _r16)
-    _s57 = _add(_multiply(_multiply(_k81, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k174, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
+    _s56 = _k133 < _select(_k133 < _s23, _s55, _s23, _r16)
+    _s57 = _add(_multiply(_multiply(_k155, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k59 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k59 < _s50, _s50, _k59, _r2), _r4), _r8), _k60, _r15)
+    _s59 = _select(_k133 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k133 < _s50, _s50, _k133, _r2), _r4), _r8), _k134, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k59), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k133), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k60, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k134, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3698,7 +3797,7 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     _r0, _r1 = _room[:2]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
     _s1 = _add(_multiply(vx, x, _r1), _multiply(vy, y, _r0), _r0) / _s0
-    return _s0, _k9 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
+    return _s0, _k23 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
 def ring_lost(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3711,7 +3810,7 @@ def ring_lost(horizon: Any, extent: Any, speed: Any, position_error: Any, veloci
     _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = 1.0 / p_gravity
     _s2 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s1, _add(_add(2.0 * p_ball_radius, extent, _r0), 2.0 * p_wire_radius, _r0), _r0), _r0), _r0)
-    _s3 = _add(_s2, _multiply(_multiply(_k9, speed, _r1), _s1, _r1), _r1)
+    _s3 = _add(_s2, _multiply(_multiply(_k23, speed, _r1), _s1, _r1), _r1)
     _s4 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s3 < horizon, _s3, horizon, _r0), _r0), _r0), 1.52587890625e-05 * p_ball_radius, _r0), 1.52587890625e-05 * p_wire_radius, _r0)
     return _result(_s0 < _s4, _s4, _s0, _r0),
 
@@ -3727,9 +3826,9 @@ def ring_beside(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: An
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _r0)
     _s3 = 2.0 * p_ring_radius
-    _s4 = _add(_multiply(_multiply(_k9, vz, _r2), z, _r2), _divide(_multiply(_multiply(_k17, _subtract(_multiply(_k9, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(_k9, vx, _r4), x, _r4), _multiply(_multiply(_k9, vy, _r5), y, _r5), _r5), _r3), _s0, _r3), _r3)
-    _s5 = _subtract(_divide(_s3, _s0, _r1), _k8, _r1)
-    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(_k17, _s4, _r3) / _s2, _select(_k0 < _s5, _s5, _k0, _r3) / (p_ball_radius + p_wire_radius)
+    _s4 = _add(_multiply(_multiply(_k23, vz, _r2), z, _r2), _divide(_multiply(_multiply(_k40, _subtract(_multiply(_k23, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(_k23, vx, _r4), x, _r4), _multiply(_multiply(_k23, vy, _r5), y, _r5), _r5), _r3), _s0, _r3), _r3)
+    _s5 = _subtract(_divide(_s3, _s0, _r1), _k22, _r1)
+    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(_k40, _s4, _r3) / _s2, _select(_k6 < _s5, _s5, _k6, _r3) / (p_ball_radius + p_wire_radius)
 
 
 def ring_closing(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3744,14 +3843,14 @@ def ring_closing(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: A
     _s2 = _subtract(_s1, p_ring_radius, _r2)
     _s3 = _add(_multiply(z, z, _r3), _multiply(_s2, _s2, _r4), _r4)
     _s4 = _sqrt(_s3, _r3)
-    _s5 = _add(_multiply(_multiply(_k9, rolled_x, _r5), x, _r5), _multiply(_multiply(_k9, rolled_y, _r6), y, _r6), _r6)
-    _s6 = _divide(_multiply(_k17, _s5, _r5), _s1, _r5)
-    _s7 = _add(_multiply(_multiply(_k9, rolled_z, _r7), z, _r7), _multiply(_multiply(_k9, _s6, _r8), _s2, _r8), _r8)
-    _s8 = _divide(_multiply(_k17, _add(_add(_multiply(_k9, _multiply(rolled_x, rolled_x, _r7), _r7), _multiply(_multiply(_k9, thrust_x, _r9), x, _r9), _r9), _add(_multiply(_k9, _multiply(rolled_y, rolled_y, _r7), _r7), _multiply(_multiply(_k9, thrust_y, _r10), y, _r10), _r10), _r10), _r10), _s1, _r10)
-    _s9 = _add(_multiply(_multiply(_k9, _s2, _r9), _subtract(_s8, _divide(_multiply(_k12, _multiply(_s5, _s5, _r6), _r6), _multiply(_s1, _s0, _r1), _r6), _r6), _r9), _multiply(_k9, _multiply(_s6, _s6, _r5), _r5), _r5)
-    _s10 = _divide(_multiply(_k17, _add(_add(_multiply(_k9, _multiply(rolled_z, rolled_z, _r9), _r9), _multiply(_multiply(_k9, thrust_z, _r6), z, _r6), _r6), _s9, _r5), _r5), _s4, _r5)
-    _s11 = _multiply(_k9, _divide(_multiply(_k17, _add(_multiply(_multiply(_k9, nx, _r6), x, _r6), _multiply(_multiply(_k9, ny, _r9), y, _r9), _r9), _r9), _s1, _r9), _r9)
-    return _subtract(_s4, p_ball_radius, _r0) - p_wire_radius, _multiply(_k17, _s7, _r0) / _s4, _s10 - _divide(_multiply(_k12, _multiply(_s7, _s7, _r8), _r8), _multiply(_s4, _s3, _r4), _r8), _multiply(_k17, _add(_multiply(_multiply(_k9, nz, _r8), z, _r8), _multiply(_s11, _s2, _r9), _r9), _r9) / _s4
+    _s5 = _add(_multiply(_multiply(_k23, rolled_x, _r5), x, _r5), _multiply(_multiply(_k23, rolled_y, _r6), y, _r6), _r6)
+    _s6 = _divide(_multiply(_k40, _s5, _r5), _s1, _r5)
+    _s7 = _add(_multiply(_multiply(_k23, rolled_z, _r7), z, _r7), _multiply(_multiply(_k23, _s6, _r8), _s2, _r8), _r8)
+    _s8 = _divide(_multiply(_k40, _add(_add(_multiply(_k23, _multiply(rolled_x, rolled_x, _r7), _r7), _multiply(_multiply(_k23, thrust_x, _r9), x, _r9), _r9), _add(_multiply(_k23, _multiply(rolled_y, rolled_y, _r7), _r7), _multiply(_multiply(_k23, thrust_y, _r10), y, _r10), _r10), _r10), _r10), _s1, _r10)
+    _s9 = _add(_multiply(_multiply(_k23, _s2, _r9), _subtract(_s8, _divide(_multiply(_k26, _multiply(_s5, _s5, _r6), _r6), _multiply(_s1, _s0, _r1), _r6), _r6), _r9), _multiply(_k23, _multiply(_s6, _s6, _r5), _r5), _r5)
+    _s10 = _divide(_multiply(_k40, _add(_add(_multiply(_k23, _multiply(rolled_z, rolled_z, _r9), _r9), _multiply(_multiply(_k23, thrust_z, _r6), z, _r6), _r6), _s9, _r5), _r5), _s4, _r5)
+    _s11 = _multiply(_k23, _divide(_multiply(_k40, _add(_multiply(_multiply(_k23, nx, _r6), x, _r6), _multiply(_multiply(_k23, ny, _r9), y, _r9), _r9), _r9), _s1, _r9), _r9)
+    return _subtract(_s4, p_ball_radius, _r0) - p_wire_radius, _multiply(_k40, _s7, _r0) / _s4, _s10 - _divide(_multiply(_k26, _multiply(_s7, _s7, _r8), _r8), _multiply(_s4, _s3, _r4), _r8), _multiply(_k40, _add(_multiply(_multiply(_k23, nz, _r8), z, _r8), _multiply(_s11, _s2, _r9), _r9), _r9) / _s4
 
 
 def ring_off(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3784,9 +3883,9 @@ def ring_turning(p_ball_radius: Any, p_ring_radius: Any, rolled_x: Any, rolled_y
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s2 = _subtract(_s1, p_ring_radius, _r0)
-    _s3 = _divide(_k8, _s1, _r2)
+    _s3 = _divide(_k22, _s1, _r2)
     _s4 = _multiply(_multiply(_s0, _s2, _r3), _s3, _r3)
-    _s5 = _divide(_multiply(_k17, _add(_multiply(_multiply(_k9, rolled_x, _r4), x, _r4), _multiply(_multiply(_k9, rolled_y, _r5), y, _r5), _r5), _r5), _s1, _r5)
+    _s5 = _divide(_multiply(_k40, _add(_multiply(_multiply(_k23, rolled_x, _r4), x, _r4), _multiply(_multiply(_k23, rolled_y, _r5), y, _r5), _r5), _r5), _s1, _r5)
     _s6 = _add(_multiply(_multiply(_s5, _s0, _r1), _s3, _r1), _multiply(_multiply(_negative(_multiply(_s5, _multiply(_s3, _s3, _r2), _r2), _r2), _s0, _r2), _s2, _r2), _r2)
     return _multiply(rolled_x, _s4, _r1) + _multiply(x, _s6, _r0), _multiply(rolled_y, _s4, _r3) + _multiply(y, _s6, _r2), rolled_z * _s0
 
@@ -3803,27 +3902,27 @@ def ring_parting(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, 
     _s2 = _subtract(_s1, p_ring_radius, _r2)
     _s3 = _add(_multiply(z, z, _r3), _multiply(_s2, _s2, _r4), _r4)
     _s4 = _sqrt(_s3, _r3)
-    _s5 = _add(_multiply(_k9, _multiply(vx, vx, _r5), _r5), _multiply(_k9, _multiply(vy, vy, _r6), _r6), _r6)
+    _s5 = _add(_multiply(_k23, _multiply(vx, vx, _r5), _r5), _multiply(_k23, _multiply(vy, vy, _r6), _r6), _r6)
     _s6 = _multiply(_s1, _s0, _r5)
-    _s7 = _add(_multiply(_multiply(_k9, vx, _r7), x, _r7), _multiply(_multiply(_k9, vy, _r8), y, _r8), _r8)
+    _s7 = _add(_multiply(_multiply(_k23, vx, _r7), x, _r7), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8)
     _s8 = _multiply(_s7, _s7, _r7)
-    _s9 = _subtract(_divide(_multiply(_k17, _s5, _r9), _s1, _r9), _divide(_multiply(_k12, _s8, _r10), _s6, _r10), _r10)
-    _s10 = _multiply(_k9, _s2, _r9)
-    _s11 = _divide(_multiply(_k17, _s7, _r11), _s1, _r11)
-    _s12 = _add(_subtract(_multiply(_k9, _multiply(vz, vz, _r12), _r12), _multiply(2.0 * p_gravity, z, _r13), _r13), _add(_multiply(_s10, _s9, _r12), _multiply(_k9, _multiply(_s11, _s11, _r14), _r14), _r14), _r14)
+    _s9 = _subtract(_divide(_multiply(_k40, _s5, _r9), _s1, _r9), _divide(_multiply(_k26, _s8, _r10), _s6, _r10), _r10)
+    _s10 = _multiply(_k23, _s2, _r9)
+    _s11 = _divide(_multiply(_k40, _s7, _r11), _s1, _r11)
+    _s12 = _add(_subtract(_multiply(_k23, _multiply(vz, vz, _r12), _r12), _multiply(2.0 * p_gravity, z, _r13), _r13), _add(_multiply(_s10, _s9, _r12), _multiply(_k23, _multiply(_s11, _s11, _r14), _r14), _r14), _r14)
     _s13 = _multiply(_s4, _s3, _r13)
-    _s14 = _add(_multiply(_multiply(_k9, vz, _r12), z, _r12), _multiply(_multiply(_k9, _s11, _r15), _s2, _r15), _r15)
+    _s14 = _add(_multiply(_multiply(_k23, vz, _r12), z, _r12), _multiply(_multiply(_k23, _s11, _r15), _s2, _r15), _r15)
     _s15 = _multiply(_s14, _s14, _r12)
     _s16 = _multiply(_s3, _s3, _r4)
     _s17 = _multiply(_s4, _s16, _r2)
     _s18 = _multiply(_s0, _s0, _r1)
     _s19 = _multiply(_s1, _s18, _r0)
-    _s20 = _subtract(_divide(_multiply(_k109, _multiply(_s7, _s8, _r16), _r16), _s19, _r16), _divide(_multiply(_multiply(_k110, _s5, _r17), _s7, _r17), _s6, _r17), _r17)
-    _s21 = _add(_negative(_multiply(6.0 * p_gravity, vz, _r16), _r16), _add(_multiply(_multiply(_k1, _s11, _r8), _s9, _r8), _multiply(_s10, _s20, _r18), _r18), _r18)
-    _s22 = _multiply(_s10, _subtract(_subtract(_divide(_multiply(_multiply(_k111, _s5, _r16), _s8, _r16), _s19, _r16), _divide(_multiply(_k110, _multiply(_s5, _s5, _r6), _r6), _s6, _r6), _r6), _divide(_multiply(_k112, _multiply(_s8, _s8, _r7), _r7), _multiply(_s6, _s18, _r1), _r7), _r7), _r7)
-    _s23 = _multiply(_k17, _add(6.0 * (p_gravity * p_gravity), _add(_add(_multiply(_multiply(_k11, _s11, _r11), _s20, _r11), _s22, _r7), _multiply(_k1, _multiply(_s9, _s9, _r10), _r10), _r10), _r10), _r10)
-    _s24 = _subtract(_subtract(_add(_divide(_s23, _s4, _r10), _divide(_multiply(_multiply(_k111, _s15, _r7), _s12, _r7), _s17, _r7), _r7), _divide(_multiply(_k112, _multiply(_s15, _s15, _r10), _r10), _multiply(_s13, _s16, _r4), _r10), _r10), _divide(_multiply(_k110, _multiply(_s12, _s12, _r7), _r7), _s13, _r7), _r7)
-    return _divide(_multiply(_k17, _s12, _r10), _s4, _r10) - _divide(_multiply(_k12, _s15, _r4), _s13, _r4), _add(_divide(_multiply(_k109, _multiply(_s14, _s15, _r12), _r12), _s17, _r12), _divide(_multiply(_k17, _s21, _r2), _s4, _r2), _r2) - _divide(_multiply(_multiply(_k110, _s14, _r12), _s12, _r12), _s13, _r12), _s24 - _divide(_multiply(_s21, _s14, _r18), _s13, _r18)
+    _s20 = _subtract(_divide(_multiply(_k183, _multiply(_s7, _s8, _r16), _r16), _s19, _r16), _divide(_multiply(_multiply(_k184, _s5, _r17), _s7, _r17), _s6, _r17), _r17)
+    _s21 = _add(_negative(_multiply(6.0 * p_gravity, vz, _r16), _r16), _add(_multiply(_multiply(_k7, _s11, _r8), _s9, _r8), _multiply(_s10, _s20, _r18), _r18), _r18)
+    _s22 = _multiply(_s10, _subtract(_subtract(_divide(_multiply(_multiply(_k185, _s5, _r16), _s8, _r16), _s19, _r16), _divide(_multiply(_k184, _multiply(_s5, _s5, _r6), _r6), _s6, _r6), _r6), _divide(_multiply(_k186, _multiply(_s8, _s8, _r7), _r7), _multiply(_s6, _s18, _r1), _r7), _r7), _r7)
+    _s23 = _multiply(_k40, _add(6.0 * (p_gravity * p_gravity), _add(_add(_multiply(_multiply(_k25, _s11, _r11), _s20, _r11), _s22, _r7), _multiply(_k7, _multiply(_s9, _s9, _r10), _r10), _r10), _r10), _r10)
+    _s24 = _subtract(_subtract(_add(_divide(_s23, _s4, _r10), _divide(_multiply(_multiply(_k185, _s15, _r7), _s12, _r7), _s17, _r7), _r7), _divide(_multiply(_k186, _multiply(_s15, _s15, _r10), _r10), _multiply(_s13, _s16, _r4), _r10), _r10), _divide(_multiply(_k184, _multiply(_s12, _s12, _r7), _r7), _s13, _r7), _r7)
+    return _divide(_multiply(_k40, _s12, _r10), _s4, _r10) - _divide(_multiply(_k26, _s15, _r4), _s13, _r4), _add(_divide(_multiply(_k183, _multiply(_s14, _s15, _r12), _r12), _s17, _r12), _divide(_multiply(_k40, _s21, _r2), _s4, _r2), _r2) - _divide(_multiply(_multiply(_k184, _s14, _r12), _s12, _r12), _s13, _r12), _s24 - _divide(_multiply(_s21, _s14, _r18), _s13, _r18)
 
 
 def ring_round_start(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3835,14 +3934,14 @@ def ring_round_start(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, v
     _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _subtract(_s0, p_ring_radius, _r0)
-    _s2 = _divide(_k8, _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r3), _r3), _r3), _r3)
+    _s2 = _divide(_k22, _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r3), _r3), _r3), _r3)
     _s3 = _s1 * _s2
     _s4 = z * _s2
     _s5 = p_ball_radius + p_wire_radius
-    _s6 = _divide(_k8, _s0, _r1)
+    _s6 = _divide(_k22, _s0, _r1)
     _s7 = x * _s6
     _s8 = y * _s6
-    return _s3, _s4, _subtract(_multiply(vz, _s3, _r1), _multiply(_s4, _add(_multiply(vx, _s7, _r3), _multiply(vy, _s8, _r0), _r0), _r0), _r0) / _s5, _multiply(vy, _s7, _r0) - _multiply(vx, _s8, _r1), p_ball_radius * _add(_multiply(wz, _s4, _r1), _multiply(_s3, _add(_multiply(wx, _s7, _r0), _multiply(wy, _s8, _r3), _r3), _r3), _r3), _s7, _s8, _k8 / _add(p_ring_radius, _multiply(_s3, _s5, _r3), _r3)
+    return _s3, _s4, _subtract(_multiply(vz, _s3, _r1), _multiply(_s4, _add(_multiply(vx, _s7, _r3), _multiply(vy, _s8, _r0), _r0), _r0), _r0) / _s5, _multiply(vy, _s7, _r0) - _multiply(vx, _s8, _r1), p_ball_radius * _add(_multiply(wz, _s4, _r1), _multiply(_s3, _add(_multiply(wx, _s7, _r0), _multiply(wy, _s8, _r3), _r3), _r3), _r3), _s7, _s8, _k22 / _add(p_ring_radius, _multiply(_s3, _s5, _r3), _r3)
 
 
 def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_12: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_12: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_12: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_12: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_12: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3860,7 +3959,7 @@ def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, a
     _s5 = _add(sin_6, _multiply(t, _add(sin_7, _multiply(t, _add(sin_8, _multiply(t, _s4, _r1), _r1), _r1), _r1), _r1), _r1)
     _s6 = _add(sin_3, _multiply(t, _add(sin_4, _multiply(t, _add(sin_5, _multiply(t, _s5, _r1), _r1), _r1), _r1), _r1), _r1)
     _s7 = _add(sin_0, _multiply(t, _add(sin_1, _multiply(t, _add(sin_2, _multiply(t, _s6, _r1), _r1), _r1), _r1), _r1), _r1)
-    _s8 = _divide(_k8, _sqrt(_add(_multiply(_s3, _s3, _r2), _multiply(_s7, _s7, _r3), _r3), _r3), _r3)
+    _s8 = _divide(_k22, _sqrt(_add(_multiply(_s3, _s3, _r2), _multiply(_s7, _s7, _r3), _r3), _r3), _r3)
     _s9 = _multiply(_s3, _s8, _r0)
     _s10 = _add(cosine_9, _multiply(t, _add(cosine_10, _multiply(t, _add(cosine_11, _multiply(cosine_12, t, _r2), _r2), _r2), _r2), _r2), _r2)
     _s11 = _add(cosine_6, _multiply(t, _add(cosine_7, _multiply(t, _add(cosine_8, _multiply(t, _s10, _r2), _r2), _r2), _r2), _r2), _r2)
@@ -3870,7 +3969,7 @@ def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, a
     _s15 = _add(sine_6, _multiply(t, _add(sine_7, _multiply(t, _add(sine_8, _multiply(t, _s14, _r4), _r4), _r4), _r4), _r4), _r4)
     _s16 = _add(sine_3, _multiply(t, _add(sine_4, _multiply(t, _add(sine_5, _multiply(t, _s15, _r4), _r4), _r4), _r4), _r4), _r4)
     _s17 = _add(sine_0, _multiply(t, _add(sine_1, _multiply(t, _add(sine_2, _multiply(t, _s16, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s18 = _divide(_k8, _sqrt(_add(_multiply(_s13, _s13, _r5), _multiply(_s17, _s17, _r6), _r6), _r6), _r6)
+    _s18 = _divide(_k22, _sqrt(_add(_multiply(_s13, _s13, _r5), _multiply(_s17, _s17, _r6), _r6), _r6), _r6)
     _s19 = _multiply(_s13, _s18, _r2)
     _s20 = p_ball_radius + p_wire_radius
     _s21 = _add(p_ring_radius, _multiply(_s19, _s20, _r5), _r5)
@@ -3911,28 +4010,28 @@ def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, al
     _s6 = _absolute(along_11, _r5)
     _s7 = _absolute(climb_12, _r6)
     _s8 = _absolute(along_12, _r7)
-    _s9 = _add(_multiply(_multiply(_k12, _add(_multiply(_s5, _s1, _r8), _add(_s6, _absolute(turn_rate_11, _r9), _r9), _r9), _r9), _add(_divide(_s3, _s1, _r3), _sqrt((p_gravity / _s1)), _r3), _r9), _add(_multiply(_s7, _s1, _r3), _add(_s8, _absolute(turn_rate_12, _r8), _r8), _r8), _r8)
+    _s9 = _add(_multiply(_multiply(_k26, _add(_multiply(_s5, _s1, _r8), _add(_s6, _absolute(turn_rate_11, _r9), _r9), _r9), _r9), _add(_divide(_s3, _s1, _r3), _sqrt((p_gravity / _s1)), _r3), _r9), _add(_multiply(_s7, _s1, _r3), _add(_s8, _absolute(turn_rate_12, _r8), _r8), _r8), _r8)
     _s10 = _multiply(_s4, _add(_add(_add(_absolute(cos_12, _r9), _absolute(cosine_12, _r3), _r3), _absolute(sin_12, _r9), _r9), _absolute(sine_12, _r3), _r3), _r3)
-    _s11 = _sqrt(_sqrt(_divide(_multiply(_k18, _s4, _r2), _select(_s9 < _s10, _s10, _s9, _r9), _r2), _r2), _r2)
+    _s11 = _sqrt(_sqrt(_divide(_multiply(_k41, _s4, _r2), _select(_s9 < _s10, _s10, _s9, _r9), _r2), _r2), _r2)
     _s12 = _sqrt(_sqrt(_s11, _r9), _r9)
     _s13 = _multiply(_s12, _sqrt(_sqrt(_s12, _r3), _r3), _r3)
-    _s14 = _add(_divide(_s11, _multiply(_k25, _multiply(_s13, _s13, _r9), _r9), _r9), _multiply(_k113, _s13, _r3), _r3)
-    _s15 = _add(_divide(_s11, _multiply(_k25, _multiply(_s14, _s14, _r9), _r9), _r9), _multiply(_k113, _s14, _r3), _r3)
-    _s16 = _result(_s15 < _k13, _s15, _k13, _r0)
+    _s14 = _add(_divide(_s11, _multiply(_k59, _multiply(_s13, _s13, _r9), _r9), _r9), _multiply(_k191, _s13, _r3), _r3)
+    _s15 = _add(_divide(_s11, _multiply(_k59, _multiply(_s14, _s14, _r9), _r9), _r9), _multiply(_k191, _s14, _r3), _r3)
+    _s16 = _result(_s15 < _k27, _s15, _k27, _r0)
     _s17 = _absolute(climb_10, _r9)
-    _s18 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k34, _s7, _r2), _s16, _r2), _multiply(_k114, _s5, _r8), _r8), _s16, _r8), _multiply(_k115, _s17, _r2), _r2), _s16, _r2)
+    _s18 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k75, _s7, _r2), _s16, _r2), _multiply(_k192, _s5, _r8), _r8), _s16, _r8), _multiply(_k193, _s17, _r2), _r2), _s16, _r2)
     _s19 = _absolute(climb_9, _r8)
     _s20 = _absolute(climb_8, _r10)
     _s21 = _absolute(climb_7, _r11)
-    _s22 = _add(_multiply(_add(_multiply(_add(_s18, _multiply(_k116, _s19, _r12), _r12), _s16, _r12), _multiply(_k11, _s20, _r2), _r2), _s16, _r2), _multiply(_k31, _s21, _r12), _r12)
+    _s22 = _add(_multiply(_add(_multiply(_add(_s18, _multiply(_k194, _s19, _r12), _r12), _s16, _r12), _multiply(_k25, _s20, _r2), _r2), _s16, _r2), _multiply(_k69, _s21, _r12), _r12)
     _s23 = _absolute(climb_6, _r2)
     _s24 = _absolute(climb_5, _r13)
     _s25 = _absolute(climb_4, _r14)
-    _s26 = _add(_multiply(_add(_multiply(_add(_multiply(_s22, _s16, _r12), _multiply(_k1, _s23, _r15), _r15), _s16, _r15), _multiply(_k28, _s24, _r12), _r12), _s16, _r12), _multiply(_k26, _s25, _r15), _r15)
+    _s26 = _add(_multiply(_add(_multiply(_add(_multiply(_s22, _s16, _r12), _multiply(_k7, _s23, _r15), _r15), _s16, _r15), _multiply(_k63, _s24, _r12), _r12), _s16, _r12), _multiply(_k60, _s25, _r15), _r15)
     _s27 = _absolute(climb_3, _r12)
     _s28 = _absolute(climb_2, _r16)
     _s29 = _absolute(climb_1, _r17)
-    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s16, _r15), _multiply(_k25, _s27, _r18), _r18), _s16, _r18), _multiply(_k9, _s28, _r15), _r15), _s16, _r15), _s29, _r15)
+    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s16, _r15), _multiply(_k59, _s27, _r18), _r18), _s16, _r18), _multiply(_k23, _s28, _r15), _r15), _s16, _r15), _s29, _r15)
     _s31 = _add(_multiply(_add(_multiply(_add(_multiply(_s7, _s16, _r6), _s5, _r6), _s16, _r6), _s17, _r6), _s16, _r6), _s19, _r6)
     _s32 = _add(_multiply(_add(_multiply(_add(_multiply(_s31, _s16, _r6), _s20, _r6), _s16, _r6), _s21, _r6), _s16, _r6), _s23, _r6)
     _s33 = _add(_multiply(_add(_multiply(_add(_multiply(_s32, _s16, _r6), _s24, _r6), _s16, _r6), _s25, _r6), _s16, _r6), _s27, _r6)
@@ -3953,19 +4052,19 @@ def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, al
     _s48 = _absolute(along_1, _r8)
     _s49 = _add(_multiply(_add(_multiply(_add(_multiply(_s46, _s16, _r17), _s47, _r17), _s16, _r17), _s48, _r17), _s16, _r17), _s2, _r17)
     _s50 = _multiply(_s1, _s34, _r6) + _s49
-    _s51 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k34, _s8, _r7), _s16, _r7), _multiply(_k114, _s6, _r5), _r5), _s16, _r5), _multiply(_k115, _s36, _r0), _r0), _s16, _r0)
-    _s52 = _add(_multiply(_add(_multiply(_add(_s51, _multiply(_k116, _s37, _r15), _r15), _s16, _r15), _multiply(_k11, _s39, _r16), _r16), _s16, _r16), _multiply(_k31, _s40, _r12), _r12)
-    _s53 = _add(_multiply(_add(_multiply(_add(_multiply(_s52, _s16, _r12), _multiply(_k1, _s41, _r14), _r14), _s16, _r14), _multiply(_k28, _s43, _r13), _r13), _s16, _r13), _multiply(_k26, _s44, _r2), _r2)
-    _s54 = _add(_multiply(_add(_multiply(_add(_multiply(_s53, _s16, _r2), _multiply(_k25, _s45, _r11), _r11), _s16, _r11), _multiply(_k9, _s47, _r10), _r10), _s16, _r10), _s48, _r10)
+    _s51 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k75, _s8, _r7), _s16, _r7), _multiply(_k192, _s6, _r5), _r5), _s16, _r5), _multiply(_k193, _s36, _r0), _r0), _s16, _r0)
+    _s52 = _add(_multiply(_add(_multiply(_add(_s51, _multiply(_k194, _s37, _r15), _r15), _s16, _r15), _multiply(_k25, _s39, _r16), _r16), _s16, _r16), _multiply(_k69, _s40, _r12), _r12)
+    _s53 = _add(_multiply(_add(_multiply(_add(_multiply(_s52, _s16, _r12), _multiply(_k7, _s41, _r14), _r14), _s16, _r14), _multiply(_k63, _s43, _r13), _r13), _s16, _r13), _multiply(_k60, _s44, _r2), _r2)
+    _s54 = _add(_multiply(_add(_multiply(_add(_multiply(_s53, _s16, _r2), _multiply(_k59, _s45, _r11), _r11), _s16, _r11), _multiply(_k23, _s47, _r10), _r10), _s16, _r10), _s48, _r10)
     _s55 = _s35 + _add(_multiply(_multiply(_s49, 1.0 / (p_ring_radius - _s1), _r17), _s50, _r17), _s54, _r10)
-    _s56 = _add(_multiply(_add(_multiply(_multiply(_k117, _absolute(force_11, _r10), _r10), _s16, _r10), _multiply(_k118, _absolute(force_10, _r17), _r17), _r17), _s16, _r17), _multiply(_k119, _absolute(force_9, _r10), _r10), _r10)
-    _s57 = _multiply(_add(_multiply(_add(_multiply(_s56, _s16, _r10), _multiply(_k120, _absolute(force_8, _r17), _r17), _r17), _s16, _r17), _multiply(_k37, _absolute(force_7, _r10), _r10), _r10), _s16, _r10)
-    _s58 = _multiply(_add(_multiply(_add(_s57, _multiply(_k36, _absolute(force_6, _r17), _r17), _r17), _s16, _r17), _multiply(_k35, _absolute(force_5, _r10), _r10), _r10), _s16, _r10)
-    _s59 = _multiply(_add(_multiply(_add(_s58, _multiply(_k34, _absolute(force_4, _r17), _r17), _r17), _s16, _r17), _multiply(_k1, _absolute(force_3, _r10), _r10), _r10), _s16, _r10)
+    _s56 = _add(_multiply(_add(_multiply(_multiply(_k195, _absolute(force_11, _r10), _r10), _s16, _r10), _multiply(_k196, _absolute(force_10, _r17), _r17), _r17), _s16, _r17), _multiply(_k197, _absolute(force_9, _r10), _r10), _r10)
+    _s57 = _multiply(_add(_multiply(_add(_multiply(_s56, _s16, _r10), _multiply(_k198, _absolute(force_8, _r17), _r17), _r17), _s16, _r17), _multiply(_k78, _absolute(force_7, _r10), _r10), _r10), _s16, _r10)
+    _s58 = _multiply(_add(_multiply(_add(_s57, _multiply(_k77, _absolute(force_6, _r17), _r17), _r17), _s16, _r17), _multiply(_k76, _absolute(force_5, _r10), _r10), _r10), _s16, _r10)
+    _s59 = _multiply(_add(_multiply(_add(_s58, _multiply(_k75, _absolute(force_4, _r17), _r17), _r17), _s16, _r17), _multiply(_k7, _absolute(force_3, _r10), _r10), _r10), _s16, _r10)
     _s60 = _multiply(_multiply(climb_0, climb_0, _r3), _s1, _r3)
     _s61 = _negative(_add(_add(_multiply(along_0, omega_0, _r17), _multiply(cosine_0, _s60, _r8), _r8), _multiply(_multiply(climb_1, sine_0, _r17), _s1, _r17), _r17), _r17)
     _s62 = _subtract(along_1, _multiply(omega_0, _multiply(_multiply(climb_0, sine_0, _r8), _s1, _r8), _r8), _r8)
-    return _s16, _s55, _s50, _s35, force_0, force_1, _s59 + _multiply(_k9, _absolute(force_2, _r11), _r11), (0.8 * p_gravity) * _multiply(climb_0, cosine_0, _r11), _multiply(cos_0, _s61, _r11) - _multiply(sin_0, _s62, _r10), _multiply(cos_0, _s62, _r8) + _multiply(sin_0, _s61, _r17), _multiply(_multiply(climb_1, cosine_0, _r17), _s1, _r17) - _multiply(sine_0, _s60, _r3)
+    return _s16, _s55, _s50, _s35, force_0, force_1, _s59 + _multiply(_k23, _absolute(force_2, _r11), _r11), (0.8 * p_gravity) * _multiply(climb_0, cosine_0, _r11), _multiply(cos_0, _s61, _r11) - _multiply(sin_0, _s62, _r10), _multiply(cos_0, _s62, _r8) + _multiply(sin_0, _s61, _r17), _multiply(_multiply(climb_1, cosine_0, _r17), _s1, _r17) - _multiply(sine_0, _s60, _r3)
 
 
 def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, omega_0: Any, omega_1: Any, turn_rate_0: Any, turn_rate_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3975,11 +4074,11 @@ def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, 
     Returns drag, drag_rate, strain, strain_rate.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = _multiply(_k23, _multiply(climb_0, turn_rate_0, _r0), _r0)
+    _s0 = _multiply(_k56, _multiply(climb_0, turn_rate_0, _r0), _r0)
     _s1 = _add(p_gravity, _multiply(omega_0, turn_rate_0, _r1), _r1)
-    _s2 = _multiply(_k23, _multiply(cosine_0, _s1, _r2), _r2)
-    _s3 = _multiply(_s2, _multiply(_k23, _add(_multiply(cosine_0, _add(_multiply(omega_0, turn_rate_1, _r3), _multiply(omega_1, turn_rate_0, _r4), _r4), _r4), _multiply(cosine_1, _s1, _r1), _r1), _r1), _r1)
-    _s4 = _k9 * _add(_multiply(_s0, _multiply(_k23, _add(_multiply(climb_0, turn_rate_1, _r4), _multiply(climb_1, turn_rate_0, _r3), _r3), _r3), _r3), _s3, _r1)
+    _s2 = _multiply(_k56, _multiply(cosine_0, _s1, _r2), _r2)
+    _s3 = _multiply(_s2, _multiply(_k56, _add(_multiply(cosine_0, _add(_multiply(omega_0, turn_rate_1, _r3), _multiply(omega_1, turn_rate_0, _r4), _r4), _r4), _multiply(cosine_1, _s1, _r1), _r1), _r1), _r1)
+    _s4 = _k23 * _add(_multiply(_s0, _multiply(_k56, _add(_multiply(climb_0, turn_rate_1, _r4), _multiply(climb_1, turn_rate_0, _r3), _r3), _r3), _r3), _s3, _r1)
     return _multiply(_s0, _s0, _r0) + _multiply(_s2, _s2, _r2), _s4, -_inf, 0.0
 
 
@@ -3992,13 +4091,13 @@ def ring_swung(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0
     _r0, _r1, _r2 = _room[:3]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _multiply(stride, stride, _r0)
-    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(_k32, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < _k0, force_rate, _k0, _r1), _r1), _r1), _multiply(_multiply(_k17, force_bend, _r2), _s1, _r2), _r2)))
-    _s3 = _logical_and(_s2, (which == _k20))
-    _s4 = _logical_and((_multiply(climb, climb_0, _r2) < _k0), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
-    _s5 = _logical_and(_logical_and(_s3, _s4), (_k0 < circled))
+    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(_k70, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < _k6, force_rate, _k6, _r1), _r1), _r1), _multiply(_multiply(_k40, force_bend, _r2), _s1, _r2), _r2)))
+    _s3 = _logical_and(_s2, (which == _k46))
+    _s4 = _logical_and((_multiply(climb, climb_0, _r2) < _k6), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
+    _s5 = _logical_and(_logical_and(_s3, _s4), (_k6 < circled))
     _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
-    _s7 = _logical_not((_multiply(_s6, _multiply(_k121, _add(_multiply(fastest, velocity_error, _r2), _multiply(position_error, _s6, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
-    return _result(_s3, _select(_s4, _k8, circled, _r0), _k0, _r0), _s5, _result(_logical_and(_s5, _s7), _k0, doubt, _r0)
+    _s7 = _logical_not((_multiply(_s6, _multiply(_k206, _add(_multiply(fastest, velocity_error, _r2), _multiply(position_error, _s6, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
+    return _result(_s3, _select(_s4, _k22, circled, _r0), _k6, _r0), _s5, _result(_logical_and(_s5, _s7), _k6, doubt, _r0)
 
 
 def ring_round_0(along_0: Any, p_ball_radius: Any, climb_0: Any, cos_0: Any, cosine_0: Any, p_gravity: Any, near_0: Any, p_ring_radius: Any, sin_0: Any, sine_0: Any, turn_rate_0: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4010,10 +4109,10 @@ def ring_round_0(along_0: Any, p_ball_radius: Any, climb_0: Any, cos_0: Any, cos
     _r0, _r1 = _room[:2]
     _s0 = along_0 * near_0
     _s1 = climb_0 * _s0
-    _s2 = _multiply(along_0, sine_0, _r0) - _multiply(_k23, _multiply(cosine_0, turn_rate_0, _r1), _r1)
+    _s2 = _multiply(along_0, sine_0, _r0) - _multiply(_k56, _multiply(cosine_0, turn_rate_0, _r1), _r1)
     _s3 = along_0 * cosine_0
     _s4 = p_ball_radius + p_wire_radius
-    return _s0, _s1, _s2, _s3, _subtract(_multiply(p_gravity, sine_0, _r1), _multiply(_multiply(climb_0, climb_0, _r0), _s4, _r0), _r0) - _multiply(_s3, _s0, _r1), -_multiply(climb_0, sine_0, _r1), climb_0 * cosine_0, -_divide(_add(_multiply(_multiply(_k122, cosine_0, _r1), p_gravity, _r1), _multiply(_s0, _s2, _r0), _r0), _s4, _r0), _multiply(_multiply(sine_0, _s1, _r0), _s4, _r0) - _multiply(_k23, _multiply(climb_0, turn_rate_0, _r1), _r1), p_ring_radius * _s1, -_multiply(sin_0, _s0, _r1), cos_0 * _s0
+    return _s0, _s1, _s2, _s3, _subtract(_multiply(p_gravity, sine_0, _r1), _multiply(_multiply(climb_0, climb_0, _r0), _s4, _r0), _r0) - _multiply(_s3, _s0, _r1), -_multiply(climb_0, sine_0, _r1), climb_0 * cosine_0, -_divide(_add(_multiply(_multiply(_k209, cosine_0, _r1), p_gravity, _r1), _multiply(_s0, _s2, _r0), _r0), _s4, _r0), _multiply(_multiply(sine_0, _s1, _r0), _s4, _r0) - _multiply(_k56, _multiply(climb_0, turn_rate_0, _r1), _r1), p_ring_radius * _s1, -_multiply(sin_0, _s0, _r1), cos_0 * _s0
 
 
 def ring_round_1(along_0: Any, along_1: Any, around_0: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, cos_0: Any, cos_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, near_0: Any, omega_0: Any, pressed_0: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sine_0: Any, sine_1: Any, tilted_0: Any, turn_rate_0: Any, turn_rate_1: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4027,10 +4126,10 @@ def ring_round_1(along_0: Any, along_1: Any, around_0: Any, p_ball_radius: Any, 
     _s1 = -_multiply(_multiply(near_0, _multiply(cosine_1, near_0, _r0), _r0), _s0, _r0)
     _s2 = _multiply(along_0, _s1, _r0) + _multiply(along_1, near_0, _r1)
     _s3 = _multiply(climb_0, _s2, _r1) + _multiply(climb_1, omega_0, _r0)
-    _s4 = _add(_multiply(along_0, sine_1, _r0), _multiply(along_1, sine_0, _r1), _r1) - _multiply(_k23, _add(_multiply(cosine_0, turn_rate_1, _r0), _multiply(cosine_1, turn_rate_0, _r2), _r2), _r2)
+    _s4 = _add(_multiply(along_0, sine_1, _r0), _multiply(along_1, sine_0, _r1), _r1) - _multiply(_k56, _add(_multiply(cosine_0, turn_rate_1, _r0), _multiply(cosine_1, turn_rate_0, _r2), _r2), _r2)
     _s5 = _multiply(along_0, cosine_1, _r2) + _multiply(along_1, cosine_0, _r1)
-    _s6 = -_divide(_multiply(_k17, _add(_multiply(_multiply(_k122, cosine_1, _r1), p_gravity, _r1), _add(_multiply(omega_0, _s4, _r2), _multiply(tilted_0, _s2, _r0), _r0), _r0), _r0), _s0, _r0)
-    return _s1, _s2, _s3, _s4, _s5, _subtract(_multiply(p_gravity, sine_1, _r0), _multiply(_multiply(_multiply(_k9, climb_0, _r1), climb_1, _r1), _s0, _r1), _r1) - _add(_multiply(omega_0, _s5, _r0), _multiply(pressed_0, _s2, _r2), _r2), -_multiply(_k17, _add(_multiply(climb_0, sine_1, _r2), _multiply(climb_1, sine_0, _r1), _r1), _r1), _k17 * _add(_multiply(climb_0, cosine_1, _r1), _multiply(climb_1, cosine_0, _r2), _r2), _s6, _k17 * _subtract(_multiply(_s0, _add(_multiply(around_0, sine_1, _r2), _multiply(sine_0, _s3, _r1), _r1), _r1), _multiply(_k23, _add(_multiply(climb_0, turn_rate_1, _r2), _multiply(climb_1, turn_rate_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s3, -_multiply(_k17, _add(_multiply(omega_0, sin_1, _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), _k17 * _add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_0, _r0), _r0)
+    _s6 = -_divide(_multiply(_k40, _add(_multiply(_multiply(_k209, cosine_1, _r1), p_gravity, _r1), _add(_multiply(omega_0, _s4, _r2), _multiply(tilted_0, _s2, _r0), _r0), _r0), _r0), _s0, _r0)
+    return _s1, _s2, _s3, _s4, _s5, _subtract(_multiply(p_gravity, sine_1, _r0), _multiply(_multiply(_multiply(_k23, climb_0, _r1), climb_1, _r1), _s0, _r1), _r1) - _add(_multiply(omega_0, _s5, _r0), _multiply(pressed_0, _s2, _r2), _r2), -_multiply(_k40, _add(_multiply(climb_0, sine_1, _r2), _multiply(climb_1, sine_0, _r1), _r1), _r1), _k40 * _add(_multiply(climb_0, cosine_1, _r1), _multiply(climb_1, cosine_0, _r2), _r2), _s6, _k40 * _subtract(_multiply(_s0, _add(_multiply(around_0, sine_1, _r2), _multiply(sine_0, _s3, _r1), _r1), _r1), _multiply(_k56, _add(_multiply(climb_0, turn_rate_1, _r2), _multiply(climb_1, turn_rate_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s3, -_multiply(_k40, _add(_multiply(omega_0, sin_1, _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), _k40 * _add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_0, _r0), _r0)
 
 
 def ring_round_2(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, cos_0: Any, cos_1: Any, cos_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, p_gravity: Any, near_0: Any, near_1: Any, omega_0: Any, omega_1: Any, pressed_0: Any, pressed_1: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sine_0: Any, sine_1: Any, sine_2: Any, tilted_0: Any, tilted_1: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4044,12 +4143,12 @@ def ring_round_2(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_multiply(cosine_1, near_1, _r1), _multiply(cosine_2, near_0, _r2), _r2), _r0)
     _s2 = _add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_1, _r2), _r2) + _multiply(along_2, near_0, _r0)
     _s3 = _add(_multiply(climb_0, _s2, _r0), _multiply(climb_1, omega_1, _r2), _r2) + _multiply(climb_2, omega_0, _r0)
-    _s4 = _add(_add(_multiply(along_0, sine_2, _r0), _multiply(along_1, sine_1, _r2), _r2), _multiply(along_2, sine_0, _r0), _r0) - _multiply(_k23, _add(_add(_multiply(cosine_0, turn_rate_2, _r2), _multiply(cosine_1, turn_rate_1, _r1), _r1), _multiply(cosine_2, turn_rate_0, _r2), _r2), _r2)
+    _s4 = _add(_add(_multiply(along_0, sine_2, _r0), _multiply(along_1, sine_1, _r2), _r2), _multiply(along_2, sine_0, _r0), _r0) - _multiply(_k56, _add(_add(_multiply(cosine_0, turn_rate_2, _r2), _multiply(cosine_1, turn_rate_1, _r1), _r1), _multiply(cosine_2, turn_rate_0, _r2), _r2), _r2)
     _s5 = _add(_multiply(along_0, cosine_2, _r2), _multiply(along_1, cosine_1, _r0), _r0) + _multiply(along_2, cosine_0, _r2)
-    _s6 = _subtract(_multiply(p_gravity, sine_2, _r2), _multiply(_s0, _add(_multiply(climb_1, climb_1, _r0), _multiply(_multiply(_k9, climb_0, _r1), climb_2, _r1), _r1), _r1), _r1) - _add(_add(_multiply(omega_0, _s5, _r2), _multiply(omega_1, pressed_1, _r0), _r0), _multiply(pressed_0, _s2, _r2), _r2)
-    _s7 = _divide(_multiply(_k24, _add(_multiply(_multiply(_k122, cosine_2, _r2), p_gravity, _r2), _add(_add(_multiply(omega_0, _s4, _r1), _multiply(omega_1, tilted_1, _r0), _r0), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1), _s0, _r1)
-    _s8 = _k24 * _subtract(_multiply(_s0, _add(_add(_multiply(around_0, sine_2, _r2), _multiply(around_1, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(_k23, _add(_add(_multiply(climb_0, turn_rate_2, _r0), _multiply(climb_1, turn_rate_1, _r3), _r3), _multiply(climb_2, turn_rate_0, _r0), _r0), _r0), _r0)
-    return _s1, _s2, _s3, _s4, _s5, _s6, -_multiply(_k24, _add(_add(_multiply(climb_0, sine_2, _r0), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r0), _r0), _r0), _k24 * _add(_add(_multiply(climb_0, cosine_2, _r0), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r0), _r0), -_s7, _s8, (0.3333333333333333 * p_ring_radius) * _s3, -_multiply(_k24, _add(_add(_multiply(omega_0, sin_2, _r1), _multiply(omega_1, sin_1, _r0), _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), _k24 * _add(_add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_1, _r0), _r0), _multiply(cos_2, omega_0, _r1), _r1)
+    _s6 = _subtract(_multiply(p_gravity, sine_2, _r2), _multiply(_s0, _add(_multiply(climb_1, climb_1, _r0), _multiply(_multiply(_k23, climb_0, _r1), climb_2, _r1), _r1), _r1), _r1) - _add(_add(_multiply(omega_0, _s5, _r2), _multiply(omega_1, pressed_1, _r0), _r0), _multiply(pressed_0, _s2, _r2), _r2)
+    _s7 = _divide(_multiply(_k57, _add(_multiply(_multiply(_k209, cosine_2, _r2), p_gravity, _r2), _add(_add(_multiply(omega_0, _s4, _r1), _multiply(omega_1, tilted_1, _r0), _r0), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1), _s0, _r1)
+    _s8 = _k57 * _subtract(_multiply(_s0, _add(_add(_multiply(around_0, sine_2, _r2), _multiply(around_1, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(_k56, _add(_add(_multiply(climb_0, turn_rate_2, _r0), _multiply(climb_1, turn_rate_1, _r3), _r3), _multiply(climb_2, turn_rate_0, _r0), _r0), _r0), _r0)
+    return _s1, _s2, _s3, _s4, _s5, _s6, -_multiply(_k57, _add(_add(_multiply(climb_0, sine_2, _r0), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r0), _r0), _r0), _k57 * _add(_add(_multiply(climb_0, cosine_2, _r0), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r0), _r0), -_s7, _s8, (0.3333333333333333 * p_ring_radius) * _s3, -_multiply(_k57, _add(_add(_multiply(omega_0, sin_2, _r1), _multiply(omega_1, sin_1, _r0), _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), _k57 * _add(_add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_1, _r0), _r0), _multiply(cos_2, omega_0, _r1), _r1)
 
 
 def ring_round_3(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, omega_0: Any, omega_1: Any, omega_2: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4063,14 +4162,14 @@ def ring_round_3(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_multiply(cosine_1, near_2, _r1), _multiply(cosine_2, near_1, _r2), _r2), _multiply(cosine_3, near_0, _r1), _r1), _r0)
     _s2 = _add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_2, _r1), _r1), _multiply(along_2, near_1, _r0), _r0) + _multiply(along_3, near_0, _r1)
     _s3 = _add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_2, _r0), _r0), _multiply(climb_2, omega_1, _r1), _r1) + _multiply(climb_3, omega_0, _r0)
-    _s4 = _add(_add(_add(_multiply(along_0, sine_3, _r0), _multiply(along_1, sine_2, _r1), _r1), _multiply(along_2, sine_1, _r0), _r0), _multiply(along_3, sine_0, _r1), _r1) - _multiply(_k23, _add(_add(_add(_multiply(cosine_0, turn_rate_3, _r0), _multiply(cosine_1, turn_rate_2, _r2), _r2), _multiply(cosine_2, turn_rate_1, _r0), _r0), _multiply(cosine_3, turn_rate_0, _r2), _r2), _r2)
+    _s4 = _add(_add(_add(_multiply(along_0, sine_3, _r0), _multiply(along_1, sine_2, _r1), _r1), _multiply(along_2, sine_1, _r0), _r0), _multiply(along_3, sine_0, _r1), _r1) - _multiply(_k56, _add(_add(_add(_multiply(cosine_0, turn_rate_3, _r0), _multiply(cosine_1, turn_rate_2, _r2), _r2), _multiply(cosine_2, turn_rate_1, _r0), _r0), _multiply(cosine_3, turn_rate_0, _r2), _r2), _r2)
     _s5 = _add(_add(_multiply(along_0, cosine_3, _r2), _multiply(along_1, cosine_2, _r1), _r1), _multiply(along_2, cosine_1, _r2), _r2) + _multiply(along_3, cosine_0, _r1)
-    _s6 = _subtract(_multiply(p_gravity, sine_3, _r1), _multiply(_s0, _add(_multiply(_multiply(_k9, climb_0, _r2), climb_3, _r2), _multiply(_multiply(_k9, climb_1, _r0), climb_2, _r0), _r0), _r0), _r0) - _add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, pressed_2, _r2), _r2), _multiply(omega_2, pressed_1, _r1), _r1), _multiply(pressed_0, _s2, _r2), _r2)
-    _s7 = -_multiply(_k12, _add(_add(_add(_multiply(climb_0, sine_3, _r2), _multiply(climb_1, sine_2, _r0), _r0), _multiply(climb_2, sine_1, _r2), _r2), _multiply(climb_3, sine_0, _r0), _r0), _r0)
-    _s8 = _multiply(_k12, _add(_multiply(_multiply(_k122, cosine_3, _r0), p_gravity, _r0), _add(_add(_add(_multiply(omega_0, _s4, _r2), _multiply(omega_1, tilted_2, _r1), _r1), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1)
-    _s9 = _subtract(_multiply(_s0, _add(_add(_add(_multiply(around_0, sine_3, _r0), _multiply(around_1, sine_2, _r2), _r2), _multiply(around_2, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(_k23, _add(_add(_add(_multiply(climb_0, turn_rate_3, _r0), _multiply(climb_1, turn_rate_2, _r3), _r3), _multiply(climb_2, turn_rate_1, _r0), _r0), _multiply(climb_3, turn_rate_0, _r3), _r3), _r3), _r3)
-    _s10 = -_multiply(_k12, _add(_add(_add(_multiply(omega_0, sin_3, _r2), _multiply(omega_1, sin_2, _r0), _r0), _multiply(omega_2, sin_1, _r2), _r2), _multiply(sin_0, _s2, _r0), _r0), _r0)
-    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, _k12 * _add(_add(_add(_multiply(climb_0, cosine_3, _r0), _multiply(climb_1, cosine_2, _r2), _r2), _multiply(climb_2, cosine_1, _r0), _r0), _multiply(climb_3, cosine_0, _r2), _r2), -_divide(_s8, _s0, _r1), _k12 * _s9, (0.25 * p_ring_radius) * _s3, _s10, _k12 * _add(_add(_add(_multiply(cos_0, _s2, _r3), _multiply(cos_1, omega_2, _r1), _r1), _multiply(cos_2, omega_1, _r3), _r3), _multiply(cos_3, omega_0, _r1), _r1)
+    _s6 = _subtract(_multiply(p_gravity, sine_3, _r1), _multiply(_s0, _add(_multiply(_multiply(_k23, climb_0, _r2), climb_3, _r2), _multiply(_multiply(_k23, climb_1, _r0), climb_2, _r0), _r0), _r0), _r0) - _add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, pressed_2, _r2), _r2), _multiply(omega_2, pressed_1, _r1), _r1), _multiply(pressed_0, _s2, _r2), _r2)
+    _s7 = -_multiply(_k26, _add(_add(_add(_multiply(climb_0, sine_3, _r2), _multiply(climb_1, sine_2, _r0), _r0), _multiply(climb_2, sine_1, _r2), _r2), _multiply(climb_3, sine_0, _r0), _r0), _r0)
+    _s8 = _multiply(_k26, _add(_multiply(_multiply(_k209, cosine_3, _r0), p_gravity, _r0), _add(_add(_add(_multiply(omega_0, _s4, _r2), _multiply(omega_1, tilted_2, _r1), _r1), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1)
+    _s9 = _subtract(_multiply(_s0, _add(_add(_add(_multiply(around_0, sine_3, _r0), _multiply(around_1, sine_2, _r2), _r2), _multiply(around_2, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(_k56, _add(_add(_add(_multiply(climb_0, turn_rate_3, _r0), _multiply(climb_1, turn_rate_2, _r3), _r3), _multiply(climb_2, turn_rate_1, _r0), _r0), _multiply(climb_3, turn_rate_0, _r3), _r3), _r3), _r3)
+    _s10 = -_multiply(_k26, _add(_add(_add(_multiply(omega_0, sin_3, _r2), _multiply(omega_1, sin_2, _r0), _r0), _multiply(omega_2, sin_1, _r2), _r2), _multiply(sin_0, _s2, _r0), _r0), _r0)
+    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, _k26 * _add(_add(_add(_multiply(climb_0, cosine_3, _r0), _multiply(climb_1, cosine_2, _r2), _r2), _multiply(climb_2, cosine_1, _r0), _r0), _multiply(climb_3, cosine_0, _r2), _r2), -_divide(_s8, _s0, _r1), _k26 * _s9, (0.25 * p_ring_radius) * _s3, _s10, _k26 * _add(_add(_add(_multiply(cos_0, _s2, _r3), _multiply(cos_1, omega_2, _r1), _r1), _multiply(cos_2, omega_1, _r3), _r3), _multiply(cos_3, omega_0, _r1), _r1)
 
 
 def ring_round_4(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4084,19 +4183,19 @@ def ring_round_4(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_multiply(cosine_1, near_3, _r1), _multiply(cosine_2, near_2, _r2), _r2), _multiply(cosine_3, near_1, _r1), _r1), _multiply(cosine_4, near_0, _r2), _r2), _r0)
     _s2 = _add(_add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_3, _r2), _r2), _multiply(along_2, near_2, _r0), _r0), _multiply(along_3, near_1, _r2), _r2) + _multiply(along_4, near_0, _r0)
     _s3 = _add(_add(_add(_multiply(climb_0, _s2, _r0), _multiply(climb_1, omega_3, _r2), _r2), _multiply(climb_2, omega_2, _r0), _r0), _multiply(climb_3, omega_1, _r2), _r2) + _multiply(climb_4, omega_0, _r0)
-    _s4 = _multiply(_k23, _add(_add(_add(_add(_multiply(cosine_0, turn_rate_4, _r0), _multiply(cosine_1, turn_rate_3, _r2), _r2), _multiply(cosine_2, turn_rate_2, _r0), _r0), _multiply(cosine_3, turn_rate_1, _r2), _r2), _multiply(cosine_4, turn_rate_0, _r0), _r0), _r0)
+    _s4 = _multiply(_k56, _add(_add(_add(_add(_multiply(cosine_0, turn_rate_4, _r0), _multiply(cosine_1, turn_rate_3, _r2), _r2), _multiply(cosine_2, turn_rate_2, _r0), _r0), _multiply(cosine_3, turn_rate_1, _r2), _r2), _multiply(cosine_4, turn_rate_0, _r0), _r0), _r0)
     _s5 = _add(_add(_add(_add(_multiply(along_0, sine_4, _r2), _multiply(along_1, sine_3, _r1), _r1), _multiply(along_2, sine_2, _r2), _r2), _multiply(along_3, sine_1, _r1), _r1), _multiply(along_4, sine_0, _r2), _r2) - _s4
     _s6 = _add(_add(_add(_multiply(along_0, cosine_4, _r0), _multiply(along_1, cosine_3, _r2), _r2), _multiply(along_2, cosine_2, _r0), _r0), _multiply(along_3, cosine_1, _r2), _r2) + _multiply(along_4, cosine_0, _r0)
-    _s7 = _subtract(_multiply(p_gravity, sine_4, _r0), _multiply(_s0, _add(_add(_multiply(climb_2, climb_2, _r2), _multiply(_multiply(_k9, climb_0, _r1), climb_4, _r1), _r1), _multiply(_multiply(_k9, climb_1, _r2), climb_3, _r2), _r2), _r2), _r2)
+    _s7 = _subtract(_multiply(p_gravity, sine_4, _r0), _multiply(_s0, _add(_add(_multiply(climb_2, climb_2, _r2), _multiply(_multiply(_k23, climb_0, _r1), climb_4, _r1), _r1), _multiply(_multiply(_k23, climb_1, _r2), climb_3, _r2), _r2), _r2), _r2)
     _s8 = _s7 - _add(_add(_add(_add(_multiply(omega_0, _s6, _r0), _multiply(omega_1, pressed_3, _r1), _r1), _multiply(omega_2, pressed_2, _r0), _r0), _multiply(omega_3, pressed_1, _r1), _r1), _multiply(pressed_0, _s2, _r0), _r0)
-    _s9 = _multiply(_k27, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r0), _multiply(climb_1, sine_3, _r2), _r2), _multiply(climb_2, sine_2, _r0), _r0), _multiply(climb_3, sine_1, _r2), _r2), _multiply(climb_4, sine_0, _r0), _r0), _r0)
-    _s10 = _k27 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r2), _multiply(climb_1, cosine_3, _r1), _r1), _multiply(climb_2, cosine_2, _r2), _r2), _multiply(climb_3, cosine_1, _r1), _r1), _multiply(climb_4, cosine_0, _r2), _r2)
-    _s11 = _add(_multiply(_multiply(_k122, cosine_4, _r2), p_gravity, _r2), _add(_add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r1), _r1), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r1), _r1), _r1)
+    _s9 = _multiply(_k61, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r0), _multiply(climb_1, sine_3, _r2), _r2), _multiply(climb_2, sine_2, _r0), _r0), _multiply(climb_3, sine_1, _r2), _r2), _multiply(climb_4, sine_0, _r0), _r0), _r0)
+    _s10 = _k61 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r2), _multiply(climb_1, cosine_3, _r1), _r1), _multiply(climb_2, cosine_2, _r2), _r2), _multiply(climb_3, cosine_1, _r1), _r1), _multiply(climb_4, cosine_0, _r2), _r2)
+    _s11 = _add(_multiply(_multiply(_k209, cosine_4, _r2), p_gravity, _r2), _add(_add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r1), _r1), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r1), _r1), _r1)
     _s12 = _multiply(_s0, _add(_add(_add(_add(_multiply(around_0, sine_4, _r2), _multiply(around_1, sine_3, _r3), _r3), _multiply(around_2, sine_2, _r2), _r2), _multiply(around_3, sine_1, _r3), _r3), _multiply(sine_0, _s3, _r2), _r2), _r2)
-    _s13 = _multiply(_k23, _add(_add(_add(_add(_multiply(climb_0, turn_rate_4, _r3), _multiply(climb_1, turn_rate_3, _r4), _r4), _multiply(climb_2, turn_rate_2, _r3), _r3), _multiply(climb_3, turn_rate_1, _r4), _r4), _multiply(climb_4, turn_rate_0, _r3), _r3), _r3)
-    _s14 = _multiply(_k27, _add(_add(_add(_add(_multiply(omega_0, sin_4, _r4), _multiply(omega_1, sin_3, _r5), _r5), _multiply(omega_2, sin_2, _r4), _r4), _multiply(omega_3, sin_1, _r5), _r5), _multiply(sin_0, _s2, _r4), _r4), _r4)
-    _s15 = _k27 * _add(_add(_add(_add(_multiply(cos_0, _s2, _r5), _multiply(cos_1, omega_3, _r6), _r6), _multiply(cos_2, omega_2, _r5), _r5), _multiply(cos_3, omega_1, _r6), _r6), _multiply(cos_4, omega_0, _r5), _r5)
-    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -_divide(_multiply(_k27, _s11, _r1), _s0, _r1), _k27 * _subtract(_s12, _s13, _r3), (0.2 * p_ring_radius) * _s3, -_s14, _s15
+    _s13 = _multiply(_k56, _add(_add(_add(_add(_multiply(climb_0, turn_rate_4, _r3), _multiply(climb_1, turn_rate_3, _r4), _r4), _multiply(climb_2, turn_rate_2, _r3), _r3), _multiply(climb_3, turn_rate_1, _r4), _r4), _multiply(climb_4, turn_rate_0, _r3), _r3), _r3)
+    _s14 = _multiply(_k61, _add(_add(_add(_add(_multiply(omega_0, sin_4, _r4), _multiply(omega_1, sin_3, _r5), _r5), _multiply(omega_2, sin_2, _r4), _r4), _multiply(omega_3, sin_1, _r5), _r5), _multiply(sin_0, _s2, _r4), _r4), _r4)
+    _s15 = _k61 * _add(_add(_add(_add(_multiply(cos_0, _s2, _r5), _multiply(cos_1, omega_3, _r6), _r6), _multiply(cos_2, omega_2, _r5), _r5), _multiply(cos_3, omega_1, _r6), _r6), _multiply(cos_4, omega_0, _r5), _r5)
+    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -_divide(_multiply(_k61, _s11, _r1), _s0, _r1), _k61 * _subtract(_s12, _s13, _r3), (0.2 * p_ring_radius) * _s3, -_s14, _s15
 
 
 def ring_round_5(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4113,19 +4212,19 @@ def ring_round_5(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s4 = _add(_add(_add(_add(_multiply(climb_0, _s3, _r1), _multiply(climb_1, omega_4, _r0), _r0), _multiply(climb_2, omega_3, _r1), _r1), _multiply(climb_3, omega_2, _r0), _r0), _multiply(climb_4, omega_1, _r1), _r1) + _multiply(climb_5, omega_0, _r0)
     _s5 = _add(_add(_add(_add(_add(_multiply(along_0, sine_5, _r0), _multiply(along_1, sine_4, _r1), _r1), _multiply(along_2, sine_3, _r0), _r0), _multiply(along_3, sine_2, _r1), _r1), _multiply(along_4, sine_1, _r0), _r0), _multiply(along_5, sine_0, _r1), _r1)
     _s6 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_5, _r0), _multiply(cosine_1, turn_rate_4, _r2), _r2), _multiply(cosine_2, turn_rate_3, _r0), _r0), _multiply(cosine_3, turn_rate_2, _r2), _r2), _multiply(cosine_4, turn_rate_1, _r0), _r0), _multiply(cosine_5, turn_rate_0, _r2), _r2)
-    _s7 = _s5 - _multiply(_k23, _s6, _r2)
+    _s7 = _s5 - _multiply(_k56, _s6, _r2)
     _s8 = _add(_add(_add(_add(_multiply(along_0, cosine_5, _r2), _multiply(along_1, cosine_4, _r1), _r1), _multiply(along_2, cosine_3, _r2), _r2), _multiply(along_3, cosine_2, _r1), _r1), _multiply(along_4, cosine_1, _r2), _r2) + _multiply(along_5, cosine_0, _r1)
-    _s9 = _subtract(_multiply(p_gravity, sine_5, _r1), _multiply(_s0, _add(_add(_multiply(_multiply(_k9, climb_0, _r2), climb_5, _r2), _multiply(_multiply(_k9, climb_1, _r0), climb_4, _r0), _r0), _multiply(_multiply(_k9, climb_2, _r2), climb_3, _r2), _r2), _r2), _r2)
+    _s9 = _subtract(_multiply(p_gravity, sine_5, _r1), _multiply(_s0, _add(_add(_multiply(_multiply(_k23, climb_0, _r2), climb_5, _r2), _multiply(_multiply(_k23, climb_1, _r0), climb_4, _r0), _r0), _multiply(_multiply(_k23, climb_2, _r2), climb_3, _r2), _r2), _r2), _r2)
     _s10 = _add(_add(_add(_add(_add(_multiply(omega_0, _s8, _r1), _multiply(omega_1, pressed_4, _r0), _r0), _multiply(omega_2, pressed_3, _r1), _r1), _multiply(omega_3, pressed_2, _r0), _r0), _multiply(omega_4, pressed_1, _r1), _r1), _multiply(pressed_0, _s3, _r0), _r0)
     _s11 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_5, _r1), _multiply(climb_1, sine_4, _r3), _r3), _multiply(climb_2, sine_3, _r1), _r1), _multiply(climb_3, sine_2, _r3), _r3), _multiply(climb_4, sine_1, _r1), _r1), _multiply(climb_5, sine_0, _r3), _r3)
     _s12 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_5, _r1), _multiply(climb_1, cosine_4, _r4), _r4), _multiply(climb_2, cosine_3, _r1), _r1), _multiply(climb_3, cosine_2, _r4), _r4), _multiply(climb_4, cosine_1, _r1), _r1), _multiply(climb_5, cosine_0, _r4), _r4)
     _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s7, _r1), _multiply(omega_1, tilted_4, _r5), _r5), _multiply(omega_2, tilted_3, _r1), _r1), _multiply(omega_3, tilted_2, _r5), _r5), _multiply(omega_4, tilted_1, _r1), _r1), _multiply(tilted_0, _s3, _r5), _r5)
-    _s14 = -_divide(_multiply(_k29, _add(_multiply(_multiply(_k122, cosine_5, _r1), p_gravity, _r1), _s13, _r5), _r5), _s0, _r5)
+    _s14 = -_divide(_multiply(_k64, _add(_multiply(_multiply(_k209, cosine_5, _r1), p_gravity, _r1), _s13, _r5), _r5), _s0, _r5)
     _s15 = _add(_add(_add(_add(_add(_multiply(around_0, sine_5, _r5), _multiply(around_1, sine_4, _r1), _r1), _multiply(around_2, sine_3, _r5), _r5), _multiply(around_3, sine_2, _r1), _r1), _multiply(around_4, sine_1, _r5), _r5), _multiply(sine_0, _s4, _r1), _r1)
     _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_5, _r5), _multiply(climb_1, turn_rate_4, _r6), _r6), _multiply(climb_2, turn_rate_3, _r5), _r5), _multiply(climb_3, turn_rate_2, _r6), _r6), _multiply(climb_4, turn_rate_1, _r5), _r5), _multiply(climb_5, turn_rate_0, _r6), _r6)
     _s17 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_5, _r5), _multiply(omega_1, sin_4, _r7), _r7), _multiply(omega_2, sin_3, _r5), _r5), _multiply(omega_3, sin_2, _r7), _r7), _multiply(omega_4, sin_1, _r5), _r5), _multiply(sin_0, _s3, _r7), _r7)
     _s18 = _add(_add(_add(_add(_add(_multiply(cos_0, _s3, _r5), _multiply(cos_1, omega_4, _r8), _r8), _multiply(cos_2, omega_3, _r5), _r5), _multiply(cos_3, omega_2, _r8), _r8), _multiply(cos_4, omega_1, _r5), _r5), _multiply(cos_5, omega_0, _r8), _r8)
-    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -_multiply(_k29, _s11, _r3), _k29 * _s12, _s14, _k29 * _subtract(_multiply(_s0, _s15, _r1), _multiply(_k23, _s16, _r6), _r6), (0.16666666666666666 * p_ring_radius) * _s4, -_multiply(_k29, _s17, _r7), _k29 * _s18
+    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -_multiply(_k64, _s11, _r3), _k64 * _s12, _s14, _k64 * _subtract(_multiply(_s0, _s15, _r1), _multiply(_k56, _s16, _r6), _r6), (0.16666666666666666 * p_ring_radius) * _s4, -_multiply(_k64, _s17, _r7), _k64 * _s18
 
 
 def ring_round_6(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4144,20 +4243,20 @@ def ring_round_6(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s6 = _s5 + _multiply(climb_6, omega_0, _r0)
     _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_6, _r0), _multiply(along_1, sine_5, _r1), _r1), _multiply(along_2, sine_4, _r0), _r0), _multiply(along_3, sine_3, _r1), _r1), _multiply(along_4, sine_2, _r0), _r0), _multiply(along_5, sine_1, _r1), _r1)
     _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_6, _r0), _multiply(cosine_1, turn_rate_5, _r2), _r2), _multiply(cosine_2, turn_rate_4, _r0), _r0), _multiply(cosine_3, turn_rate_3, _r2), _r2), _multiply(cosine_4, turn_rate_2, _r0), _r0), _multiply(cosine_5, turn_rate_1, _r2), _r2)
-    _s9 = _add(_s7, _multiply(along_6, sine_0, _r0), _r0) - _multiply(_k23, _add(_s8, _multiply(cosine_6, turn_rate_0, _r1), _r1), _r1)
+    _s9 = _add(_s7, _multiply(along_6, sine_0, _r0), _r0) - _multiply(_k56, _add(_s8, _multiply(cosine_6, turn_rate_0, _r1), _r1), _r1)
     _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_6, _r1), _multiply(along_1, cosine_5, _r0), _r0), _multiply(along_2, cosine_4, _r1), _r1), _multiply(along_3, cosine_3, _r0), _r0), _multiply(along_4, cosine_2, _r1), _r1), _multiply(along_5, cosine_1, _r0), _r0)
     _s11 = _s10 + _multiply(along_6, cosine_0, _r1)
-    _s12 = _multiply(_s0, _add(_add(_add(_multiply(climb_3, climb_3, _r1), _multiply(_multiply(_k9, climb_0, _r0), climb_6, _r0), _r0), _multiply(_multiply(_k9, climb_1, _r1), climb_5, _r1), _r1), _multiply(_multiply(_k9, climb_2, _r0), climb_4, _r0), _r0), _r0)
+    _s12 = _multiply(_s0, _add(_add(_add(_multiply(climb_3, climb_3, _r1), _multiply(_multiply(_k23, climb_0, _r0), climb_6, _r0), _r0), _multiply(_multiply(_k23, climb_1, _r1), climb_5, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r0), climb_4, _r0), _r0), _r0)
     _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s11, _r1), _multiply(omega_1, pressed_5, _r2), _r2), _multiply(omega_2, pressed_4, _r1), _r1), _multiply(omega_3, pressed_3, _r2), _r2), _multiply(omega_4, pressed_2, _r1), _r1), _multiply(omega_5, pressed_1, _r2), _r2)
     _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_6, _r1), _multiply(climb_1, sine_5, _r3), _r3), _multiply(climb_2, sine_4, _r1), _r1), _multiply(climb_3, sine_3, _r3), _r3), _multiply(climb_4, sine_2, _r1), _r1), _multiply(climb_5, sine_1, _r3), _r3)
     _s15 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_6, _r1), _multiply(climb_1, cosine_5, _r4), _r4), _multiply(climb_2, cosine_4, _r1), _r1), _multiply(climb_3, cosine_3, _r4), _r4), _multiply(climb_4, cosine_2, _r1), _r1), _multiply(climb_5, cosine_1, _r4), _r4)
     _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r1), _multiply(omega_1, tilted_5, _r5), _r5), _multiply(omega_2, tilted_4, _r1), _r1), _multiply(omega_3, tilted_3, _r5), _r5), _multiply(omega_4, tilted_2, _r1), _r1), _multiply(omega_5, tilted_1, _r5), _r5)
-    _s17 = -_divide(_multiply(_k30, _add(_multiply(_multiply(_k122, cosine_6, _r1), p_gravity, _r1), _add(_s16, _multiply(tilted_0, _s4, _r6), _r6), _r6), _r6), _s0, _r6)
+    _s17 = -_divide(_multiply(_k67, _add(_multiply(_multiply(_k209, cosine_6, _r1), p_gravity, _r1), _add(_s16, _multiply(tilted_0, _s4, _r6), _r6), _r6), _r6), _s0, _r6)
     _s18 = _add(_add(_add(_add(_add(_multiply(around_0, sine_6, _r6), _multiply(around_1, sine_5, _r1), _r1), _multiply(around_2, sine_4, _r6), _r6), _multiply(around_3, sine_3, _r1), _r1), _multiply(around_4, sine_2, _r6), _r6), _multiply(around_5, sine_1, _r1), _r1)
     _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_6, _r6), _multiply(climb_1, turn_rate_5, _r5), _r5), _multiply(climb_2, turn_rate_4, _r6), _r6), _multiply(climb_3, turn_rate_3, _r5), _r5), _multiply(climb_4, turn_rate_2, _r6), _r6), _multiply(climb_5, turn_rate_1, _r5), _r5)
     _s20 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_6, _r6), _multiply(omega_1, sin_5, _r7), _r7), _multiply(omega_2, sin_4, _r6), _r6), _multiply(omega_3, sin_3, _r7), _r7), _multiply(omega_4, sin_2, _r6), _r6), _multiply(omega_5, sin_1, _r7), _r7)
     _s21 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r6), _multiply(cos_1, omega_5, _r8), _r8), _multiply(cos_2, omega_4, _r6), _r6), _multiply(cos_3, omega_3, _r8), _r8), _multiply(cos_4, omega_2, _r6), _r6), _multiply(cos_5, omega_1, _r8), _r8)
-    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_6, _r6), _s12, _r0) - _add(_s13, _multiply(pressed_0, _s4, _r6), _r6), -_multiply(_k30, _add(_s14, _multiply(climb_6, sine_0, _r6), _r6), _r6), _k30 * _add(_s15, _multiply(climb_6, cosine_0, _r6), _r6), _s17, _k30 * _subtract(_multiply(_s0, _add(_s18, _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k23, _add(_s19, _multiply(climb_6, turn_rate_0, _r1), _r1), _r1), _r1), (0.14285714285714285 * p_ring_radius) * _s6, -_multiply(_k30, _add(_s20, _multiply(sin_0, _s4, _r1), _r1), _r1), _k30 * _add(_s21, _multiply(cos_6, omega_0, _r1), _r1)
+    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_6, _r6), _s12, _r0) - _add(_s13, _multiply(pressed_0, _s4, _r6), _r6), -_multiply(_k67, _add(_s14, _multiply(climb_6, sine_0, _r6), _r6), _r6), _k67 * _add(_s15, _multiply(climb_6, cosine_0, _r6), _r6), _s17, _k67 * _subtract(_multiply(_s0, _add(_s18, _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k56, _add(_s19, _multiply(climb_6, turn_rate_0, _r1), _r1), _r1), _r1), (0.14285714285714285 * p_ring_radius) * _s6, -_multiply(_k67, _add(_s20, _multiply(sin_0, _s4, _r1), _r1), _r1), _k67 * _add(_s21, _multiply(cos_6, omega_0, _r1), _r1)
 
 
 def ring_round_7(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4176,21 +4275,21 @@ def ring_round_7(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s6 = _add(_s5, _multiply(climb_6, omega_1, _r2), _r2) + _multiply(climb_7, omega_0, _r0)
     _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_7, _r0), _multiply(along_1, sine_6, _r2), _r2), _multiply(along_2, sine_5, _r0), _r0), _multiply(along_3, sine_4, _r2), _r2), _multiply(along_4, sine_3, _r0), _r0), _multiply(along_5, sine_2, _r2), _r2)
     _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_7, _r0), _multiply(cosine_1, turn_rate_6, _r1), _r1), _multiply(cosine_2, turn_rate_5, _r0), _r0), _multiply(cosine_3, turn_rate_4, _r1), _r1), _multiply(cosine_4, turn_rate_3, _r0), _r0), _multiply(cosine_5, turn_rate_2, _r1), _r1)
-    _s9 = _add(_add(_s7, _multiply(along_6, sine_1, _r0), _r0), _multiply(along_7, sine_0, _r2), _r2) - _multiply(_k23, _add(_add(_s8, _multiply(cosine_6, turn_rate_1, _r0), _r0), _multiply(cosine_7, turn_rate_0, _r1), _r1), _r1)
+    _s9 = _add(_add(_s7, _multiply(along_6, sine_1, _r0), _r0), _multiply(along_7, sine_0, _r2), _r2) - _multiply(_k56, _add(_add(_s8, _multiply(cosine_6, turn_rate_1, _r0), _r0), _multiply(cosine_7, turn_rate_0, _r1), _r1), _r1)
     _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_7, _r1), _multiply(along_1, cosine_6, _r2), _r2), _multiply(along_2, cosine_5, _r1), _r1), _multiply(along_3, cosine_4, _r2), _r2), _multiply(along_4, cosine_3, _r1), _r1), _multiply(along_5, cosine_2, _r2), _r2)
     _s11 = _add(_s10, _multiply(along_6, cosine_1, _r1), _r1) + _multiply(along_7, cosine_0, _r2)
-    _s12 = _multiply(_s0, _add(_add(_add(_multiply(_multiply(_k9, climb_0, _r2), climb_7, _r2), _multiply(_multiply(_k9, climb_1, _r1), climb_6, _r1), _r1), _multiply(_multiply(_k9, climb_2, _r2), climb_5, _r2), _r2), _multiply(_multiply(_k9, climb_3, _r1), climb_4, _r1), _r1), _r1)
+    _s12 = _multiply(_s0, _add(_add(_add(_multiply(_multiply(_k23, climb_0, _r2), climb_7, _r2), _multiply(_multiply(_k23, climb_1, _r1), climb_6, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r2), climb_5, _r2), _r2), _multiply(_multiply(_k23, climb_3, _r1), climb_4, _r1), _r1), _r1)
     _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s11, _r2), _multiply(omega_1, pressed_6, _r0), _r0), _multiply(omega_2, pressed_5, _r2), _r2), _multiply(omega_3, pressed_4, _r0), _r0), _multiply(omega_4, pressed_3, _r2), _r2), _multiply(omega_5, pressed_2, _r0), _r0)
     _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_7, _r2), _multiply(climb_1, sine_6, _r3), _r3), _multiply(climb_2, sine_5, _r2), _r2), _multiply(climb_3, sine_4, _r3), _r3), _multiply(climb_4, sine_3, _r2), _r2), _multiply(climb_5, sine_2, _r3), _r3)
     _s15 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_7, _r2), _multiply(climb_1, cosine_6, _r4), _r4), _multiply(climb_2, cosine_5, _r2), _r2), _multiply(climb_3, cosine_4, _r4), _r4), _multiply(climb_4, cosine_3, _r2), _r2), _multiply(climb_5, cosine_2, _r4), _r4)
     _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r2), _multiply(omega_1, tilted_6, _r5), _r5), _multiply(omega_2, tilted_5, _r2), _r2), _multiply(omega_3, tilted_4, _r5), _r5), _multiply(omega_4, tilted_3, _r2), _r2), _multiply(omega_5, tilted_2, _r5), _r5)
-    _s17 = _divide(_multiply(_k32, _add(_multiply(_multiply(_k122, cosine_7, _r2), p_gravity, _r2), _add(_add(_s16, _multiply(omega_6, tilted_1, _r6), _r6), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5), _s0, _r5)
+    _s17 = _divide(_multiply(_k70, _add(_multiply(_multiply(_k209, cosine_7, _r2), p_gravity, _r2), _add(_add(_s16, _multiply(omega_6, tilted_1, _r6), _r6), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5), _s0, _r5)
     _s18 = _add(_add(_add(_add(_add(_multiply(around_0, sine_7, _r2), _multiply(around_1, sine_6, _r6), _r6), _multiply(around_2, sine_5, _r2), _r2), _multiply(around_3, sine_4, _r6), _r6), _multiply(around_4, sine_3, _r2), _r2), _multiply(around_5, sine_2, _r6), _r6)
     _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_7, _r2), _multiply(climb_1, turn_rate_6, _r7), _r7), _multiply(climb_2, turn_rate_5, _r2), _r2), _multiply(climb_3, turn_rate_4, _r7), _r7), _multiply(climb_4, turn_rate_3, _r2), _r2), _multiply(climb_5, turn_rate_2, _r7), _r7)
-    _s20 = _k32 * _subtract(_multiply(_s0, _add(_add(_s18, _multiply(around_6, sine_1, _r2), _r2), _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k23, _add(_add(_s19, _multiply(climb_6, turn_rate_1, _r2), _r2), _multiply(climb_7, turn_rate_0, _r7), _r7), _r7), _r7)
+    _s20 = _k70 * _subtract(_multiply(_s0, _add(_add(_s18, _multiply(around_6, sine_1, _r2), _r2), _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k56, _add(_add(_s19, _multiply(climb_6, turn_rate_1, _r2), _r2), _multiply(climb_7, turn_rate_0, _r7), _r7), _r7), _r7)
     _s21 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_7, _r7), _multiply(omega_1, sin_6, _r6), _r6), _multiply(omega_2, sin_5, _r7), _r7), _multiply(omega_3, sin_4, _r6), _r6), _multiply(omega_4, sin_3, _r7), _r7), _multiply(omega_5, sin_2, _r6), _r6)
     _s22 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r7), _multiply(cos_1, omega_6, _r2), _r2), _multiply(cos_2, omega_5, _r7), _r7), _multiply(cos_3, omega_4, _r2), _r2), _multiply(cos_4, omega_3, _r7), _r7), _multiply(cos_5, omega_2, _r2), _r2)
-    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_7, _r7), _s12, _r1) - _add(_add(_s13, _multiply(omega_6, pressed_1, _r7), _r7), _multiply(pressed_0, _s4, _r0), _r0), -_multiply(_k32, _add(_add(_s14, _multiply(climb_6, sine_1, _r0), _r0), _multiply(climb_7, sine_0, _r3), _r3), _r3), _k32 * _add(_add(_s15, _multiply(climb_6, cosine_1, _r3), _r3), _multiply(climb_7, cosine_0, _r4), _r4), -_s17, _s20, (0.125 * p_ring_radius) * _s6, -_multiply(_k32, _add(_add(_s21, _multiply(omega_6, sin_1, _r5), _r5), _multiply(sin_0, _s4, _r6), _r6), _r6), _k32 * _add(_add(_s22, _multiply(cos_6, omega_1, _r6), _r6), _multiply(cos_7, omega_0, _r2), _r2)
+    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_7, _r7), _s12, _r1) - _add(_add(_s13, _multiply(omega_6, pressed_1, _r7), _r7), _multiply(pressed_0, _s4, _r0), _r0), -_multiply(_k70, _add(_add(_s14, _multiply(climb_6, sine_1, _r0), _r0), _multiply(climb_7, sine_0, _r3), _r3), _r3), _k70 * _add(_add(_s15, _multiply(climb_6, cosine_1, _r3), _r3), _multiply(climb_7, cosine_0, _r4), _r4), -_s17, _s20, (0.125 * p_ring_radius) * _s6, -_multiply(_k70, _add(_add(_s21, _multiply(omega_6, sin_1, _r5), _r5), _multiply(sin_0, _s4, _r6), _r6), _r6), _k70 * _add(_add(_s22, _multiply(cos_6, omega_1, _r6), _r6), _multiply(cos_7, omega_0, _r2), _r2)
 
 
 def ring_round_8(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4209,23 +4308,23 @@ def ring_round_8(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s6 = _add(_add(_s5, _multiply(climb_6, omega_2, _r0), _r0), _multiply(climb_7, omega_1, _r1), _r1) + _multiply(climb_8, omega_0, _r0)
     _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_8, _r0), _multiply(along_1, sine_7, _r1), _r1), _multiply(along_2, sine_6, _r0), _r0), _multiply(along_3, sine_5, _r1), _r1), _multiply(along_4, sine_4, _r0), _r0), _multiply(along_5, sine_3, _r1), _r1)
     _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_8, _r0), _multiply(cosine_1, turn_rate_7, _r2), _r2), _multiply(cosine_2, turn_rate_6, _r0), _r0), _multiply(cosine_3, turn_rate_5, _r2), _r2), _multiply(cosine_4, turn_rate_4, _r0), _r0), _multiply(cosine_5, turn_rate_3, _r2), _r2)
-    _s9 = _add(_add(_add(_s7, _multiply(along_6, sine_2, _r0), _r0), _multiply(along_7, sine_1, _r1), _r1), _multiply(along_8, sine_0, _r0), _r0) - _multiply(_k23, _add(_add(_add(_s8, _multiply(cosine_6, turn_rate_2, _r1), _r1), _multiply(cosine_7, turn_rate_1, _r2), _r2), _multiply(cosine_8, turn_rate_0, _r1), _r1), _r1)
+    _s9 = _add(_add(_add(_s7, _multiply(along_6, sine_2, _r0), _r0), _multiply(along_7, sine_1, _r1), _r1), _multiply(along_8, sine_0, _r0), _r0) - _multiply(_k56, _add(_add(_add(_s8, _multiply(cosine_6, turn_rate_2, _r1), _r1), _multiply(cosine_7, turn_rate_1, _r2), _r2), _multiply(cosine_8, turn_rate_0, _r1), _r1), _r1)
     _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_8, _r1), _multiply(along_1, cosine_7, _r0), _r0), _multiply(along_2, cosine_6, _r1), _r1), _multiply(along_3, cosine_5, _r0), _r0), _multiply(along_4, cosine_4, _r1), _r1), _multiply(along_5, cosine_3, _r0), _r0)
     _s11 = _add(_add(_s10, _multiply(along_6, cosine_2, _r1), _r1), _multiply(along_7, cosine_1, _r0), _r0) + _multiply(along_8, cosine_0, _r1)
-    _s12 = _add(_add(_add(_add(_multiply(climb_4, climb_4, _r1), _multiply(_multiply(_k9, climb_0, _r0), climb_8, _r0), _r0), _multiply(_multiply(_k9, climb_1, _r1), climb_7, _r1), _r1), _multiply(_multiply(_k9, climb_2, _r0), climb_6, _r0), _r0), _multiply(_multiply(_k9, climb_3, _r1), climb_5, _r1), _r1)
+    _s12 = _add(_add(_add(_add(_multiply(climb_4, climb_4, _r1), _multiply(_multiply(_k23, climb_0, _r0), climb_8, _r0), _r0), _multiply(_multiply(_k23, climb_1, _r1), climb_7, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r0), climb_6, _r0), _r0), _multiply(_multiply(_k23, climb_3, _r1), climb_5, _r1), _r1)
     _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s11, _r0), _multiply(omega_1, pressed_7, _r2), _r2), _multiply(omega_2, pressed_6, _r0), _r0), _multiply(omega_3, pressed_5, _r2), _r2), _multiply(omega_4, pressed_4, _r0), _r0), _multiply(omega_5, pressed_3, _r2), _r2)
     _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_8, _r0), _multiply(climb_1, sine_7, _r3), _r3), _multiply(climb_2, sine_6, _r0), _r0), _multiply(climb_3, sine_5, _r3), _r3), _multiply(climb_4, sine_4, _r0), _r0), _multiply(climb_5, sine_3, _r3), _r3)
-    _s15 = -_multiply(_k33, _add(_add(_add(_s14, _multiply(climb_6, sine_2, _r0), _r0), _multiply(climb_7, sine_1, _r3), _r3), _multiply(climb_8, sine_0, _r0), _r0), _r0)
+    _s15 = -_multiply(_k73, _add(_add(_add(_s14, _multiply(climb_6, sine_2, _r0), _r0), _multiply(climb_7, sine_1, _r3), _r3), _multiply(climb_8, sine_0, _r0), _r0), _r0)
     _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_8, _r0), _multiply(climb_1, cosine_7, _r3), _r3), _multiply(climb_2, cosine_6, _r0), _r0), _multiply(climb_3, cosine_5, _r3), _r3), _multiply(climb_4, cosine_4, _r0), _r0), _multiply(climb_5, cosine_3, _r3), _r3)
     _s17 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r0), _multiply(omega_1, tilted_7, _r4), _r4), _multiply(omega_2, tilted_6, _r0), _r0), _multiply(omega_3, tilted_5, _r4), _r4), _multiply(omega_4, tilted_4, _r0), _r0), _multiply(omega_5, tilted_3, _r4), _r4)
-    _s18 = _multiply(_k33, _add(_multiply(_multiply(_k122, cosine_8, _r0), p_gravity, _r0), _add(_add(_add(_s17, _multiply(omega_6, tilted_2, _r5), _r5), _multiply(omega_7, tilted_1, _r4), _r4), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5)
+    _s18 = _multiply(_k73, _add(_multiply(_multiply(_k209, cosine_8, _r0), p_gravity, _r0), _add(_add(_add(_s17, _multiply(omega_6, tilted_2, _r5), _r5), _multiply(omega_7, tilted_1, _r4), _r4), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5)
     _s19 = _add(_add(_add(_add(_add(_multiply(around_0, sine_8, _r0), _multiply(around_1, sine_7, _r4), _r4), _multiply(around_2, sine_6, _r0), _r0), _multiply(around_3, sine_5, _r4), _r4), _multiply(around_4, sine_4, _r0), _r0), _multiply(around_5, sine_3, _r4), _r4)
     _s20 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_8, _r0), _multiply(climb_1, turn_rate_7, _r6), _r6), _multiply(climb_2, turn_rate_6, _r0), _r0), _multiply(climb_3, turn_rate_5, _r6), _r6), _multiply(climb_4, turn_rate_4, _r0), _r0), _multiply(climb_5, turn_rate_3, _r6), _r6)
-    _s21 = _subtract(_multiply(_s0, _add(_add(_add(_s19, _multiply(around_6, sine_2, _r0), _r0), _multiply(around_7, sine_1, _r4), _r4), _multiply(sine_0, _s6, _r0), _r0), _r0), _multiply(_k23, _add(_add(_add(_s20, _multiply(climb_6, turn_rate_2, _r4), _r4), _multiply(climb_7, turn_rate_1, _r6), _r6), _multiply(climb_8, turn_rate_0, _r4), _r4), _r4), _r4)
+    _s21 = _subtract(_multiply(_s0, _add(_add(_add(_s19, _multiply(around_6, sine_2, _r0), _r0), _multiply(around_7, sine_1, _r4), _r4), _multiply(sine_0, _s6, _r0), _r0), _r0), _multiply(_k56, _add(_add(_add(_s20, _multiply(climb_6, turn_rate_2, _r4), _r4), _multiply(climb_7, turn_rate_1, _r6), _r6), _multiply(climb_8, turn_rate_0, _r4), _r4), _r4), _r4)
     _s22 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_8, _r0), _multiply(omega_1, sin_7, _r6), _r6), _multiply(omega_2, sin_6, _r0), _r0), _multiply(omega_3, sin_5, _r6), _r6), _multiply(omega_4, sin_4, _r0), _r0), _multiply(omega_5, sin_3, _r6), _r6)
-    _s23 = -_multiply(_k33, _add(_add(_add(_s22, _multiply(omega_6, sin_2, _r0), _r0), _multiply(omega_7, sin_1, _r6), _r6), _multiply(sin_0, _s4, _r0), _r0), _r0)
+    _s23 = -_multiply(_k73, _add(_add(_add(_s22, _multiply(omega_6, sin_2, _r0), _r0), _multiply(omega_7, sin_1, _r6), _r6), _multiply(sin_0, _s4, _r0), _r0), _r0)
     _s24 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r0), _multiply(cos_1, omega_7, _r6), _r6), _multiply(cos_2, omega_6, _r0), _r0), _multiply(cos_3, omega_5, _r6), _r6), _multiply(cos_4, omega_4, _r0), _r0), _multiply(cos_5, omega_3, _r6), _r6)
-    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_8, _r0), _multiply(_s0, _s12, _r1), _r1) - _add(_add(_add(_s13, _multiply(omega_6, pressed_2, _r0), _r0), _multiply(omega_7, pressed_1, _r2), _r2), _multiply(pressed_0, _s4, _r0), _r0), _s15, _k33 * _add(_add(_add(_s16, _multiply(climb_6, cosine_2, _r0), _r0), _multiply(climb_7, cosine_1, _r3), _r3), _multiply(climb_8, cosine_0, _r0), _r0), -_divide(_s18, _s0, _r5), _k33 * _s21, (0.1111111111111111 * p_ring_radius) * _s6, _s23, _k33 * _add(_add(_add(_s24, _multiply(cos_6, omega_2, _r4), _r4), _multiply(cos_7, omega_1, _r6), _r6), _multiply(cos_8, omega_0, _r4), _r4)
+    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_8, _r0), _multiply(_s0, _s12, _r1), _r1) - _add(_add(_add(_s13, _multiply(omega_6, pressed_2, _r0), _r0), _multiply(omega_7, pressed_1, _r2), _r2), _multiply(pressed_0, _s4, _r0), _r0), _s15, _k73 * _add(_add(_add(_s16, _multiply(climb_6, cosine_2, _r0), _r0), _multiply(climb_7, cosine_1, _r3), _r3), _multiply(climb_8, cosine_0, _r0), _r0), -_divide(_s18, _s0, _r5), _k73 * _s21, (0.1111111111111111 * p_ring_radius) * _s6, _s23, _k73 * _add(_add(_add(_s24, _multiply(cos_6, omega_2, _r4), _r4), _multiply(cos_7, omega_1, _r6), _r6), _multiply(cos_8, omega_0, _r4), _r4)
 
 
 def ring_round_9(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4244,28 +4343,28 @@ def ring_round_9(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s6 = _add(_add(_add(_s5, _multiply(climb_6, omega_3, _r2), _r2), _multiply(climb_7, omega_2, _r0), _r0), _multiply(climb_8, omega_1, _r2), _r2) + _multiply(climb_9, omega_0, _r0)
     _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_9, _r0), _multiply(along_1, sine_8, _r2), _r2), _multiply(along_2, sine_7, _r0), _r0), _multiply(along_3, sine_6, _r2), _r2), _multiply(along_4, sine_5, _r0), _r0), _multiply(along_5, sine_4, _r2), _r2)
     _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_9, _r0), _multiply(cosine_1, turn_rate_8, _r1), _r1), _multiply(cosine_2, turn_rate_7, _r0), _r0), _multiply(cosine_3, turn_rate_6, _r1), _r1), _multiply(cosine_4, turn_rate_5, _r0), _r0), _multiply(cosine_5, turn_rate_4, _r1), _r1)
-    _s9 = _multiply(_k23, _add(_add(_add(_add(_s8, _multiply(cosine_6, turn_rate_3, _r0), _r0), _multiply(cosine_7, turn_rate_2, _r1), _r1), _multiply(cosine_8, turn_rate_1, _r0), _r0), _multiply(cosine_9, turn_rate_0, _r1), _r1), _r1)
+    _s9 = _multiply(_k56, _add(_add(_add(_add(_s8, _multiply(cosine_6, turn_rate_3, _r0), _r0), _multiply(cosine_7, turn_rate_2, _r1), _r1), _multiply(cosine_8, turn_rate_1, _r0), _r0), _multiply(cosine_9, turn_rate_0, _r1), _r1), _r1)
     _s10 = _add(_add(_add(_add(_s7, _multiply(along_6, sine_3, _r0), _r0), _multiply(along_7, sine_2, _r2), _r2), _multiply(along_8, sine_1, _r0), _r0), _multiply(along_9, sine_0, _r2), _r2) - _s9
     _s11 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_9, _r1), _multiply(along_1, cosine_8, _r2), _r2), _multiply(along_2, cosine_7, _r1), _r1), _multiply(along_3, cosine_6, _r2), _r2), _multiply(along_4, cosine_5, _r1), _r1), _multiply(along_5, cosine_4, _r2), _r2)
     _s12 = _add(_add(_add(_s11, _multiply(along_6, cosine_3, _r1), _r1), _multiply(along_7, cosine_2, _r2), _r2), _multiply(along_8, cosine_1, _r1), _r1) + _multiply(along_9, cosine_0, _r2)
-    _s13 = _add(_add(_add(_add(_multiply(_multiply(_k9, climb_0, _r2), climb_9, _r2), _multiply(_multiply(_k9, climb_1, _r1), climb_8, _r1), _r1), _multiply(_multiply(_k9, climb_2, _r2), climb_7, _r2), _r2), _multiply(_multiply(_k9, climb_3, _r1), climb_6, _r1), _r1), _multiply(_multiply(_k9, climb_4, _r2), climb_5, _r2), _r2)
+    _s13 = _add(_add(_add(_add(_multiply(_multiply(_k23, climb_0, _r2), climb_9, _r2), _multiply(_multiply(_k23, climb_1, _r1), climb_8, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r2), climb_7, _r2), _r2), _multiply(_multiply(_k23, climb_3, _r1), climb_6, _r1), _r1), _multiply(_multiply(_k23, climb_4, _r2), climb_5, _r2), _r2)
     _s14 = _add(_add(_add(_add(_add(_multiply(omega_0, _s12, _r1), _multiply(omega_1, pressed_8, _r0), _r0), _multiply(omega_2, pressed_7, _r1), _r1), _multiply(omega_3, pressed_6, _r0), _r0), _multiply(omega_4, pressed_5, _r1), _r1), _multiply(omega_5, pressed_4, _r0), _r0)
     _s15 = _subtract(_multiply(p_gravity, sine_9, _r1), _multiply(_s0, _s13, _r2), _r2) - _add(_add(_add(_add(_s14, _multiply(omega_6, pressed_3, _r1), _r1), _multiply(omega_7, pressed_2, _r0), _r0), _multiply(omega_8, pressed_1, _r1), _r1), _multiply(pressed_0, _s4, _r0), _r0)
     _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r0), _multiply(climb_1, sine_8, _r2), _r2), _multiply(climb_2, sine_7, _r0), _r0), _multiply(climb_3, sine_6, _r2), _r2), _multiply(climb_4, sine_5, _r0), _r0), _multiply(climb_5, sine_4, _r2), _r2)
-    _s17 = _multiply(_k123, _add(_add(_add(_add(_s16, _multiply(climb_6, sine_3, _r0), _r0), _multiply(climb_7, sine_2, _r2), _r2), _multiply(climb_8, sine_1, _r0), _r0), _multiply(climb_9, sine_0, _r2), _r2), _r2)
+    _s17 = _multiply(_k210, _add(_add(_add(_add(_s16, _multiply(climb_6, sine_3, _r0), _r0), _multiply(climb_7, sine_2, _r2), _r2), _multiply(climb_8, sine_1, _r0), _r0), _multiply(climb_9, sine_0, _r2), _r2), _r2)
     _s18 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r0), _multiply(climb_1, cosine_8, _r1), _r1), _multiply(climb_2, cosine_7, _r0), _r0), _multiply(climb_3, cosine_6, _r1), _r1), _multiply(climb_4, cosine_5, _r0), _r0), _multiply(climb_5, cosine_4, _r1), _r1)
-    _s19 = _k123 * _add(_add(_add(_add(_s18, _multiply(climb_6, cosine_3, _r0), _r0), _multiply(climb_7, cosine_2, _r1), _r1), _multiply(climb_8, cosine_1, _r0), _r0), _multiply(climb_9, cosine_0, _r1), _r1)
+    _s19 = _k210 * _add(_add(_add(_add(_s18, _multiply(climb_6, cosine_3, _r0), _r0), _multiply(climb_7, cosine_2, _r1), _r1), _multiply(climb_8, cosine_1, _r0), _r0), _multiply(climb_9, cosine_0, _r1), _r1)
     _s20 = _add(_add(_add(_add(_add(_multiply(omega_0, _s10, _r1), _multiply(omega_1, tilted_8, _r0), _r0), _multiply(omega_2, tilted_7, _r1), _r1), _multiply(omega_3, tilted_6, _r0), _r0), _multiply(omega_4, tilted_5, _r1), _r1), _multiply(omega_5, tilted_4, _r0), _r0)
-    _s21 = _add(_multiply(_multiply(_k122, cosine_9, _r1), p_gravity, _r1), _add(_add(_add(_add(_s20, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r0), _r0), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s4, _r0), _r0), _r0)
+    _s21 = _add(_multiply(_multiply(_k209, cosine_9, _r1), p_gravity, _r1), _add(_add(_add(_add(_s20, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r0), _r0), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s4, _r0), _r0), _r0)
     _s22 = _add(_add(_add(_add(_add(_multiply(around_0, sine_9, _r1), _multiply(around_1, sine_8, _r3), _r3), _multiply(around_2, sine_7, _r1), _r1), _multiply(around_3, sine_6, _r3), _r3), _multiply(around_4, sine_5, _r1), _r1), _multiply(around_5, sine_4, _r3), _r3)
     _s23 = _multiply(_s0, _add(_add(_add(_add(_s22, _multiply(around_6, sine_3, _r1), _r1), _multiply(around_7, sine_2, _r3), _r3), _multiply(around_8, sine_1, _r1), _r1), _multiply(sine_0, _s6, _r3), _r3), _r3)
     _s24 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_9, _r1), _multiply(climb_1, turn_rate_8, _r4), _r4), _multiply(climb_2, turn_rate_7, _r1), _r1), _multiply(climb_3, turn_rate_6, _r4), _r4), _multiply(climb_4, turn_rate_5, _r1), _r1), _multiply(climb_5, turn_rate_4, _r4), _r4)
-    _s25 = _multiply(_k23, _add(_add(_add(_add(_s24, _multiply(climb_6, turn_rate_3, _r1), _r1), _multiply(climb_7, turn_rate_2, _r4), _r4), _multiply(climb_8, turn_rate_1, _r1), _r1), _multiply(climb_9, turn_rate_0, _r4), _r4), _r4)
+    _s25 = _multiply(_k56, _add(_add(_add(_add(_s24, _multiply(climb_6, turn_rate_3, _r1), _r1), _multiply(climb_7, turn_rate_2, _r4), _r4), _multiply(climb_8, turn_rate_1, _r1), _r1), _multiply(climb_9, turn_rate_0, _r4), _r4), _r4)
     _s26 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_9, _r1), _multiply(omega_1, sin_8, _r5), _r5), _multiply(omega_2, sin_7, _r1), _r1), _multiply(omega_3, sin_6, _r5), _r5), _multiply(omega_4, sin_5, _r1), _r1), _multiply(omega_5, sin_4, _r5), _r5)
-    _s27 = _multiply(_k123, _add(_add(_add(_add(_s26, _multiply(omega_6, sin_3, _r1), _r1), _multiply(omega_7, sin_2, _r5), _r5), _multiply(omega_8, sin_1, _r1), _r1), _multiply(sin_0, _s4, _r5), _r5), _r5)
+    _s27 = _multiply(_k210, _add(_add(_add(_add(_s26, _multiply(omega_6, sin_3, _r1), _r1), _multiply(omega_7, sin_2, _r5), _r5), _multiply(omega_8, sin_1, _r1), _r1), _multiply(sin_0, _s4, _r5), _r5), _r5)
     _s28 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r1), _multiply(cos_1, omega_8, _r6), _r6), _multiply(cos_2, omega_7, _r1), _r1), _multiply(cos_3, omega_6, _r6), _r6), _multiply(cos_4, omega_5, _r1), _r1), _multiply(cos_5, omega_4, _r6), _r6)
-    _s29 = _k123 * _add(_add(_add(_add(_s28, _multiply(cos_6, omega_3, _r1), _r1), _multiply(cos_7, omega_2, _r6), _r6), _multiply(cos_8, omega_1, _r1), _r1), _multiply(cos_9, omega_0, _r6), _r6)
-    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -_divide(_multiply(_k123, _s21, _r0), _s0, _r0), _k123 * _subtract(_s23, _s25, _r4), (0.1 * p_ring_radius) * _s6, -_s27, _s29
+    _s29 = _k210 * _add(_add(_add(_add(_s28, _multiply(cos_6, omega_3, _r1), _r1), _multiply(cos_7, omega_2, _r6), _r6), _multiply(cos_8, omega_1, _r1), _r1), _multiply(cos_9, omega_0, _r6), _r6)
+    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -_divide(_multiply(_k210, _s21, _r0), _s0, _r0), _k210 * _subtract(_s23, _s25, _r4), (0.1 * p_ring_radius) * _s6, -_s27, _s29
 
 
 def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4287,20 +4386,20 @@ def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along
     _s9 = _add(_add(_add(_add(_add(_s8, _multiply(along_5, sine_5, _r0), _r0), _multiply(along_6, sine_4, _r1), _r1), _multiply(along_7, sine_3, _r0), _r0), _multiply(along_8, sine_2, _r1), _r1), _multiply(along_9, sine_1, _r0), _r0)
     _s10 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_10, _r1), _multiply(cosine_1, turn_rate_9, _r2), _r2), _multiply(cosine_10, turn_rate_0, _r1), _r1), _multiply(cosine_2, turn_rate_8, _r2), _r2), _multiply(cosine_3, turn_rate_7, _r1), _r1), _multiply(cosine_4, turn_rate_6, _r2), _r2)
     _s11 = _add(_add(_add(_add(_add(_s10, _multiply(cosine_5, turn_rate_5, _r1), _r1), _multiply(cosine_6, turn_rate_4, _r2), _r2), _multiply(cosine_7, turn_rate_3, _r1), _r1), _multiply(cosine_8, turn_rate_2, _r2), _r2), _multiply(cosine_9, turn_rate_1, _r1), _r1)
-    _s12 = _s9 - _multiply(_k23, _s11, _r1)
+    _s12 = _s9 - _multiply(_k56, _s11, _r1)
     _s13 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_10, _r1), _multiply(along_1, cosine_9, _r0), _r0), _multiply(along_10, cosine_0, _r1), _r1), _multiply(along_2, cosine_8, _r0), _r0), _multiply(along_3, cosine_7, _r1), _r1), _multiply(along_4, cosine_6, _r0), _r0)
     _s14 = _add(_add(_add(_add(_s13, _multiply(along_5, cosine_5, _r1), _r1), _multiply(along_6, cosine_4, _r0), _r0), _multiply(along_7, cosine_3, _r1), _r1), _multiply(along_8, cosine_2, _r0), _r0) + _multiply(along_9, cosine_1, _r1)
-    _s15 = _add(_add(_add(_add(_multiply(climb_5, climb_5, _r1), _multiply(_multiply(_k9, climb_0, _r0), climb_10, _r0), _r0), _multiply(_multiply(_k9, climb_1, _r1), climb_9, _r1), _r1), _multiply(_multiply(_k9, climb_2, _r0), climb_8, _r0), _r0), _multiply(_multiply(_k9, climb_3, _r1), climb_7, _r1), _r1)
+    _s15 = _add(_add(_add(_add(_multiply(climb_5, climb_5, _r1), _multiply(_multiply(_k23, climb_0, _r0), climb_10, _r0), _r0), _multiply(_multiply(_k23, climb_1, _r1), climb_9, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r0), climb_8, _r0), _r0), _multiply(_multiply(_k23, climb_3, _r1), climb_7, _r1), _r1)
     _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s14, _r0), _multiply(omega_1, pressed_9, _r2), _r2), _multiply(omega_2, pressed_8, _r0), _r0), _multiply(omega_3, pressed_7, _r2), _r2), _multiply(omega_4, pressed_6, _r0), _r0), _multiply(omega_5, pressed_5, _r2), _r2)
     _s17 = _add(_add(_add(_add(_add(_s16, _multiply(omega_6, pressed_4, _r0), _r0), _multiply(omega_7, pressed_3, _r2), _r2), _multiply(omega_8, pressed_2, _r0), _r0), _multiply(omega_9, pressed_1, _r2), _r2), _multiply(pressed_0, _s5, _r0), _r0)
-    _s18 = _subtract(_multiply(p_gravity, sine_10, _r2), _multiply(_s0, _add(_s15, _multiply(_multiply(_k9, climb_4, _r3), climb_6, _r3), _r3), _r3), _r3) - _s17
+    _s18 = _subtract(_multiply(p_gravity, sine_10, _r2), _multiply(_s0, _add(_s15, _multiply(_multiply(_k23, climb_4, _r3), climb_6, _r3), _r3), _r3), _r3) - _s17
     _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_10, _r0), _multiply(climb_1, sine_9, _r3), _r3), _multiply(climb_10, sine_0, _r0), _r0), _multiply(climb_2, sine_8, _r3), _r3), _multiply(climb_3, sine_7, _r0), _r0), _multiply(climb_4, sine_6, _r3), _r3)
     _s20 = _add(_add(_add(_add(_add(_s19, _multiply(climb_5, sine_5, _r0), _r0), _multiply(climb_6, sine_4, _r3), _r3), _multiply(climb_7, sine_3, _r0), _r0), _multiply(climb_8, sine_2, _r3), _r3), _multiply(climb_9, sine_1, _r0), _r0)
     _s21 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_10, _r3), _multiply(climb_1, cosine_9, _r2), _r2), _multiply(climb_10, cosine_0, _r3), _r3), _multiply(climb_2, cosine_8, _r2), _r2), _multiply(climb_3, cosine_7, _r3), _r3), _multiply(climb_4, cosine_6, _r2), _r2)
     _s22 = _add(_add(_add(_add(_add(_s21, _multiply(climb_5, cosine_5, _r3), _r3), _multiply(climb_6, cosine_4, _r2), _r2), _multiply(climb_7, cosine_3, _r3), _r3), _multiply(climb_8, cosine_2, _r2), _r2), _multiply(climb_9, cosine_1, _r3), _r3)
     _s23 = _add(_add(_add(_add(_add(_multiply(omega_0, _s12, _r2), _multiply(omega_1, tilted_9, _r1), _r1), _multiply(omega_2, tilted_8, _r2), _r2), _multiply(omega_3, tilted_7, _r1), _r1), _multiply(omega_4, tilted_6, _r2), _r2), _multiply(omega_5, tilted_5, _r1), _r1)
     _s24 = _add(_add(_add(_add(_add(_s23, _multiply(omega_6, tilted_4, _r2), _r2), _multiply(omega_7, tilted_3, _r1), _r1), _multiply(omega_8, tilted_2, _r2), _r2), _multiply(omega_9, tilted_1, _r1), _r1), _multiply(tilted_0, _s5, _r2), _r2)
-    _s25 = -_divide(_multiply(_k124, _add(_multiply(_multiply(_k122, cosine_10, _r1), p_gravity, _r1), _s24, _r2), _r2), _s0, _r2)
+    _s25 = -_divide(_multiply(_k212, _add(_multiply(_multiply(_k209, cosine_10, _r1), p_gravity, _r1), _s24, _r2), _r2), _s0, _r2)
     _s26 = _add(_add(_add(_add(_add(_multiply(around_0, sine_10, _r2), _multiply(around_1, sine_9, _r1), _r1), _multiply(around_2, sine_8, _r2), _r2), _multiply(around_3, sine_7, _r1), _r1), _multiply(around_4, sine_6, _r2), _r2), _multiply(around_5, sine_5, _r1), _r1)
     _s27 = _add(_add(_add(_add(_add(_s26, _multiply(around_6, sine_4, _r2), _r2), _multiply(around_7, sine_3, _r1), _r1), _multiply(around_8, sine_2, _r2), _r2), _multiply(around_9, sine_1, _r1), _r1), _multiply(sine_0, _s7, _r2), _r2)
     _s28 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_10, _r1), _multiply(climb_1, turn_rate_9, _r4), _r4), _multiply(climb_10, turn_rate_0, _r1), _r1), _multiply(climb_2, turn_rate_8, _r4), _r4), _multiply(climb_3, turn_rate_7, _r1), _r1), _multiply(climb_4, turn_rate_6, _r4), _r4)
@@ -4309,7 +4408,7 @@ def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along
     _s31 = _add(_add(_add(_add(_add(_s30, _multiply(omega_6, sin_4, _r4), _r4), _multiply(omega_7, sin_3, _r5), _r5), _multiply(omega_8, sin_2, _r4), _r4), _multiply(omega_9, sin_1, _r5), _r5), _multiply(sin_0, _s5, _r4), _r4)
     _s32 = _add(_add(_add(_add(_add(_multiply(cos_0, _s5, _r5), _multiply(cos_1, omega_9, _r6), _r6), _multiply(cos_10, omega_0, _r5), _r5), _multiply(cos_2, omega_8, _r6), _r6), _multiply(cos_3, omega_7, _r5), _r5), _multiply(cos_4, omega_6, _r6), _r6)
     _s33 = _add(_add(_add(_add(_add(_s32, _multiply(cos_5, omega_5, _r5), _r5), _multiply(cos_6, omega_4, _r6), _r6), _multiply(cos_7, omega_3, _r5), _r5), _multiply(cos_8, omega_2, _r6), _r6), _multiply(cos_9, omega_1, _r5), _r5)
-    return _s3, _s5, _s7, _s12, _s14, _s18, -_multiply(_k124, _s20, _r0), _k124 * _s22, _s25, _k124 * _subtract(_multiply(_s0, _s27, _r2), _multiply(_k23, _s29, _r1), _r1), (0.09090909090909091 * p_ring_radius) * _s7, -_multiply(_k124, _s31, _r4), _k124 * _s33
+    return _s3, _s5, _s7, _s12, _s14, _s18, -_multiply(_k212, _s20, _r0), _k212 * _s22, _s25, _k212 * _subtract(_multiply(_s0, _s27, _r2), _multiply(_k56, _s29, _r1), _r1), (0.09090909090909091 * p_ring_radius) * _s7, -_multiply(_k212, _s31, _r4), _k212 * _s33
 
 
 def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_10: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_10: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4333,21 +4432,21 @@ def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, alon
     _s11 = _add(_add(_add(_add(_add(_s10, _multiply(along_4, sine_7, _r1), _r1), _multiply(along_5, sine_6, _r0), _r0), _multiply(along_6, sine_5, _r1), _r1), _multiply(along_7, sine_4, _r0), _r0), _multiply(along_8, sine_3, _r1), _r1)
     _s12 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_11, _r0), _multiply(cosine_1, turn_rate_10, _r2), _r2), _multiply(cosine_10, turn_rate_1, _r0), _r0), _multiply(cosine_11, turn_rate_0, _r2), _r2), _multiply(cosine_2, turn_rate_9, _r0), _r0), _multiply(cosine_3, turn_rate_8, _r2), _r2)
     _s13 = _add(_add(_add(_add(_add(_s12, _multiply(cosine_4, turn_rate_7, _r0), _r0), _multiply(cosine_5, turn_rate_6, _r2), _r2), _multiply(cosine_6, turn_rate_5, _r0), _r0), _multiply(cosine_7, turn_rate_4, _r2), _r2), _multiply(cosine_8, turn_rate_3, _r0), _r0)
-    _s14 = _add(_s11, _multiply(along_9, sine_2, _r2), _r2) - _multiply(_k23, _add(_s13, _multiply(cosine_9, turn_rate_2, _r1), _r1), _r1)
+    _s14 = _add(_s11, _multiply(along_9, sine_2, _r2), _r2) - _multiply(_k56, _add(_s13, _multiply(cosine_9, turn_rate_2, _r1), _r1), _r1)
     _s15 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_11, _r1), _multiply(along_1, cosine_10, _r2), _r2), _multiply(along_10, cosine_1, _r1), _r1), _multiply(along_11, cosine_0, _r2), _r2), _multiply(along_2, cosine_9, _r1), _r1), _multiply(along_3, cosine_8, _r2), _r2)
     _s16 = _add(_add(_add(_add(_add(_s15, _multiply(along_4, cosine_7, _r1), _r1), _multiply(along_5, cosine_6, _r2), _r2), _multiply(along_6, cosine_5, _r1), _r1), _multiply(along_7, cosine_4, _r2), _r2), _multiply(along_8, cosine_3, _r1), _r1)
     _s17 = _s16 + _multiply(along_9, cosine_2, _r2)
-    _s18 = _add(_add(_add(_add(_multiply(_multiply(_k9, climb_0, _r2), climb_11, _r2), _multiply(_multiply(_k9, climb_1, _r1), climb_10, _r1), _r1), _multiply(_multiply(_k9, climb_2, _r2), climb_9, _r2), _r2), _multiply(_multiply(_k9, climb_3, _r1), climb_8, _r1), _r1), _multiply(_multiply(_k9, climb_4, _r2), climb_7, _r2), _r2)
+    _s18 = _add(_add(_add(_add(_multiply(_multiply(_k23, climb_0, _r2), climb_11, _r2), _multiply(_multiply(_k23, climb_1, _r1), climb_10, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r2), climb_9, _r2), _r2), _multiply(_multiply(_k23, climb_3, _r1), climb_8, _r1), _r1), _multiply(_multiply(_k23, climb_4, _r2), climb_7, _r2), _r2)
     _s19 = _add(_add(_add(_add(_add(_multiply(omega_0, _s17, _r1), _multiply(omega_1, pressed_10, _r0), _r0), _multiply(omega_10, pressed_1, _r1), _r1), _multiply(omega_2, pressed_9, _r0), _r0), _multiply(omega_3, pressed_8, _r1), _r1), _multiply(omega_4, pressed_7, _r0), _r0)
     _s20 = _add(_add(_add(_add(_add(_s19, _multiply(omega_5, pressed_6, _r1), _r1), _multiply(omega_6, pressed_5, _r0), _r0), _multiply(omega_7, pressed_4, _r1), _r1), _multiply(omega_8, pressed_3, _r0), _r0), _multiply(omega_9, pressed_2, _r1), _r1)
-    _s21 = _subtract(_multiply(p_gravity, sine_11, _r0), _multiply(_s0, _add(_s18, _multiply(_multiply(_k9, climb_5, _r3), climb_6, _r3), _r3), _r3), _r3) - _add(_s20, _multiply(pressed_0, _s6, _r0), _r0)
+    _s21 = _subtract(_multiply(p_gravity, sine_11, _r0), _multiply(_s0, _add(_s18, _multiply(_multiply(_k23, climb_5, _r3), climb_6, _r3), _r3), _r3), _r3) - _add(_s20, _multiply(pressed_0, _s6, _r0), _r0)
     _s22 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_11, _r0), _multiply(climb_1, sine_10, _r3), _r3), _multiply(climb_10, sine_1, _r0), _r0), _multiply(climb_11, sine_0, _r3), _r3), _multiply(climb_2, sine_9, _r0), _r0), _multiply(climb_3, sine_8, _r3), _r3)
     _s23 = _add(_add(_add(_add(_add(_s22, _multiply(climb_4, sine_7, _r0), _r0), _multiply(climb_5, sine_6, _r3), _r3), _multiply(climb_6, sine_5, _r0), _r0), _multiply(climb_7, sine_4, _r3), _r3), _multiply(climb_8, sine_3, _r0), _r0)
     _s24 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_11, _r3), _multiply(climb_1, cosine_10, _r1), _r1), _multiply(climb_10, cosine_1, _r3), _r3), _multiply(climb_11, cosine_0, _r1), _r1), _multiply(climb_2, cosine_9, _r3), _r3), _multiply(climb_3, cosine_8, _r1), _r1)
     _s25 = _add(_add(_add(_add(_add(_s24, _multiply(climb_4, cosine_7, _r3), _r3), _multiply(climb_5, cosine_6, _r1), _r1), _multiply(climb_6, cosine_5, _r3), _r3), _multiply(climb_7, cosine_4, _r1), _r1), _multiply(climb_8, cosine_3, _r3), _r3)
     _s26 = _add(_add(_add(_add(_add(_multiply(omega_0, _s14, _r1), _multiply(omega_1, tilted_10, _r2), _r2), _multiply(omega_10, tilted_1, _r1), _r1), _multiply(omega_2, tilted_9, _r2), _r2), _multiply(omega_3, tilted_8, _r1), _r1), _multiply(omega_4, tilted_7, _r2), _r2)
     _s27 = _add(_add(_add(_add(_add(_s26, _multiply(omega_5, tilted_6, _r1), _r1), _multiply(omega_6, tilted_5, _r2), _r2), _multiply(omega_7, tilted_4, _r1), _r1), _multiply(omega_8, tilted_3, _r2), _r2), _multiply(omega_9, tilted_2, _r1), _r1)
-    _s28 = -_divide(_multiply(_k125, _add(_multiply(_multiply(_k122, cosine_11, _r2), p_gravity, _r2), _add(_s27, _multiply(tilted_0, _s6, _r4), _r4), _r4), _r4), _s0, _r4)
+    _s28 = -_divide(_multiply(_k214, _add(_multiply(_multiply(_k209, cosine_11, _r2), p_gravity, _r2), _add(_s27, _multiply(tilted_0, _s6, _r4), _r4), _r4), _r4), _s0, _r4)
     _s29 = _add(_add(_add(_add(_add(_multiply(around_0, sine_11, _r4), _multiply(around_1, sine_10, _r2), _r2), _multiply(around_10, sine_1, _r4), _r4), _multiply(around_2, sine_9, _r2), _r2), _multiply(around_3, sine_8, _r4), _r4), _multiply(around_4, sine_7, _r2), _r2)
     _s30 = _add(_add(_add(_add(_add(_s29, _multiply(around_5, sine_6, _r4), _r4), _multiply(around_6, sine_5, _r2), _r2), _multiply(around_7, sine_4, _r4), _r4), _multiply(around_8, sine_3, _r2), _r2), _multiply(around_9, sine_2, _r4), _r4)
     _s31 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_11, _r2), _multiply(climb_1, turn_rate_10, _r1), _r1), _multiply(climb_10, turn_rate_1, _r2), _r2), _multiply(climb_11, turn_rate_0, _r1), _r1), _multiply(climb_2, turn_rate_9, _r2), _r2), _multiply(climb_3, turn_rate_8, _r1), _r1)
@@ -4356,7 +4455,7 @@ def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, alon
     _s34 = _add(_add(_add(_add(_add(_s33, _multiply(omega_5, sin_6, _r1), _r1), _multiply(omega_6, sin_5, _r5), _r5), _multiply(omega_7, sin_4, _r1), _r1), _multiply(omega_8, sin_3, _r5), _r5), _multiply(omega_9, sin_2, _r1), _r1)
     _s35 = _add(_add(_add(_add(_add(_multiply(cos_0, _s6, _r5), _multiply(cos_1, omega_10, _r6), _r6), _multiply(cos_10, omega_1, _r5), _r5), _multiply(cos_11, omega_0, _r6), _r6), _multiply(cos_2, omega_9, _r5), _r5), _multiply(cos_3, omega_8, _r6), _r6)
     _s36 = _add(_add(_add(_add(_add(_s35, _multiply(cos_4, omega_7, _r5), _r5), _multiply(cos_5, omega_6, _r6), _r6), _multiply(cos_6, omega_5, _r5), _r5), _multiply(cos_7, omega_4, _r6), _r6), _multiply(cos_8, omega_3, _r5), _r5)
-    return _s3, _s6, _s9, _s14, _s17, _s21, -_multiply(_k125, _add(_s23, _multiply(climb_9, sine_2, _r6), _r6), _r6), _k125 * _add(_s25, _multiply(climb_9, cosine_2, _r6), _r6), _s28, _k125 * _subtract(_multiply(_s0, _add(_s30, _multiply(sine_0, _s9, _r6), _r6), _r6), _multiply(_k23, _add(_s32, _multiply(climb_9, turn_rate_2, _r4), _r4), _r4), _r4), (0.08333333333333333 * p_ring_radius) * _s9, -_multiply(_k125, _add(_s34, _multiply(sin_0, _s6, _r4), _r4), _r4), _k125 * _add(_s36, _multiply(cos_9, omega_2, _r4), _r4)
+    return _s3, _s6, _s9, _s14, _s17, _s21, -_multiply(_k214, _add(_s23, _multiply(climb_9, sine_2, _r6), _r6), _r6), _k214 * _add(_s25, _multiply(climb_9, cosine_2, _r6), _r6), _s28, _k214 * _subtract(_multiply(_s0, _add(_s30, _multiply(sine_0, _s9, _r6), _r6), _r6), _multiply(_k56, _add(_s32, _multiply(climb_9, turn_rate_2, _r4), _r4), _r4), _r4), (0.08333333333333333 * p_ring_radius) * _s9, -_multiply(_k214, _add(_s34, _multiply(sin_0, _s6, _r4), _r4), _r4), _k214 * _add(_s36, _multiply(cos_9, omega_2, _r4), _r4)
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4389,7 +4488,7 @@ def backboard_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_board_distanc
     _s4 = _negative(_add(p_board_half_width, y, _r3), _r3)
     _s5 = _subtract(z, p_board_top, _r4)
     _s6 = _subtract(p_board_bottom, z, _r5)
-    return _s0 * _subtract(_select(_s1 < _k0, _k0, _s1, _r6), _select(_s2 < _k0, _k0, _s2, _r7), _r7), _s0 * _subtract(_select(_s3 < _k0, _k0, _s3, _r7), _select(_s4 < _k0, _k0, _s4, _r1), _r1), _s0 * _subtract(_select(_s5 < _k0, _k0, _s5, _r1), _select(_s6 < _k0, _k0, _s6, _r3), _r3)
+    return _s0 * _subtract(_select(_s1 < _k6, _k6, _s1, _r6), _select(_s2 < _k6, _k6, _s2, _r7), _r7), _s0 * _subtract(_select(_s3 < _k6, _k6, _s3, _r7), _select(_s4 < _k6, _k6, _s4, _r1), _r1), _s0 * _subtract(_select(_s5 < _k6, _k6, _s5, _r1), _select(_s6 < _k6, _k6, _s6, _r3), _r3)
 
 
 def backboard_curvature(p_ball_radius: Any) -> tuple[Any, ...]:
@@ -4409,9 +4508,9 @@ def backboard_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, sh
     """
     _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = 1.0 / p_ball_radius
-    _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < _k0, _k0, dx, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < _k0, _k0, _negative(dx, _r1), _r2), _r2)
-    _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < _k0, _k0, dy, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < _k0, _k0, _negative(dy, _r0), _r3), _r3)
-    return _s0 * _s1, _s2, _s0 * _subtract(_select(_subtract(z, p_board_top, _r2) < _k0, _k0, dz, _r2), _select(_subtract(p_board_bottom, z, _r3) < _k0, _k0, _negative(dz, _r3), _r0), _r0), shift * _s0
+    _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < _k6, _k6, dx, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < _k6, _k6, _negative(dx, _r1), _r2), _r2)
+    _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < _k6, _k6, dy, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < _k6, _k6, _negative(dy, _r0), _r3), _r3)
+    return _s0 * _s1, _s2, _s0 * _subtract(_select(_subtract(z, p_board_top, _r2) < _k6, _k6, dz, _r2), _select(_subtract(p_board_bottom, z, _r3) < _k6, _k6, _negative(dz, _r3), _r0), _r0), shift * _s0
 
 
 def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4435,12 +4534,12 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _add(_s12, x, _r1)
-    _s14 = _select(vx < _k0, _negative(_s13, _r2), _s13, _r3)
+    _s14 = _select(vx < _k6, _negative(_s13, _r2), _s13, _r3)
     _s15 = _divide(_negative(_add(_s11, _s14, _r4), _r4), _s0, _r4)
-    _s16 = _select(_k0 < _s15, _s15, _k0, _r5)
+    _s16 = _select(_k6 < _s15, _s15, _k6, _r5)
     _s17 = _absolute(vy, _r6)
     _s18 = _s7 + _s10
-    _s19 = _select(vy < _k0, _negative(y, _r7), y, _r8)
+    _s19 = _select(vy < _k6, _negative(y, _r7), y, _r8)
     _s20 = _divide(_negative(_add(_s18, _s19, _r9), _r9), _s17, _r9)
     _s21 = _select(_s16 < _s20, _s20, _s16, _r10)
     _s22 = _multiply(vz, vz, _r11)
@@ -4450,32 +4549,32 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s26 = _add(_s22, _multiply(_s25, _add(_s23, _s24, _r13), _r13), _r13)
     _s27 = 1.0 / p_gravity
     _s28 = _sqrt(_s26, _r14)
-    _s29 = _k0 <= _s26
-    _s30 = _select(_s29, _multiply(_s27, _subtract(vz, _s28, _r13), _r13), _k2, _r15)
+    _s29 = _k6 <= _s26
+    _s30 = _select(_s29, _multiply(_s27, _subtract(vz, _s28, _r13), _r13), _k8, _r15)
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s23, _s24, _r12), _r12), _r12)
-    _s33 = _sqrt(_select(_s32 < _k0, _k0, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k52, _r17)
-    _s35 = _k0 < _s32
+    _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r11), _r11)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k122, _r17)
+    _s35 = _k6 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
     _s38 = _divide(_subtract(_s11, _s14, _r3), _s0, _r3)
-    _s39 = _select(_s38 < _k2, _s38, _k2, _r0)
+    _s39 = _select(_s38 < _k8, _s38, _k8, _r0)
     _s40 = _select(_s37 < _s39, _s37, _s39, _r2)
     _s41 = _select(_s36 < _s40, _s36, _s40, _r1)
-    _s42 = _select(_s35, _multiply(_s27, _add(vz, _s33, _r11), _r11), _k2, _r6)
+    _s42 = _select(_s35, _multiply(_s27, _add(vz, _s33, _r11), _r11), _k8, _r6)
     _s43 = _select(_s21 < _s42, _s42, _s21, _r7)
     _s44 = _select(_s34 < _s40, _s34, _s40, _r19)
-    _s45 = _select(_k0 < _s41, _s41, _k0, _r20)
+    _s45 = _select(_k6 < _s41, _s41, _k6, _r20)
     _s46 = _select(_s45 < _s44, _s44, _s45, _r21)
     _s47 = _result(_s46 < horizon, _s46, horizon, _r0)
     _s48 = _add(speed, _multiply(p_gravity, _s47, _r21), _r21)
-    _s49 = _k9 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k25, _multiply(_s48, _s48, _r21), _r21), _r21)
+    _s49 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k59, _multiply(_s48, _s48, _r21), _r21), _r21)
     _s50 = _where(_s2 < _s7, _s7, _s2)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s5 + _s3)), _r21), _where(_s50 < _s6, _s6, _s50), _r21)
-    _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k9, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k53, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
-    return _result(_k0 < _s31, _s31, _k0, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k0 < _s43, _s43, _k0, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
+    _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k23, speed, _r22), _s27, _r22), _r22)
+    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k124, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    return _result(_k6 < _s31, _s31, _k6, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k6 < _s43, _s43, _k6, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
 
 
 def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4492,17 +4591,17 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s4 = p_ball_radius + (0.0001220703125 * _where(_s0 < _s3, _s0, _s3))
     _s5 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s6 = _add(extent, _multiply(horizon, _s5, _r1), _r1)
-    _s7 = _multiply(_k14, _s6, _r2)
-    _s8 = _multiply(_k9, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k7, _s6, _r4), _r4), _r4)
+    _s7 = _multiply(_k33, _s6, _r2)
+    _s8 = _multiply(_k23, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k17, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k126, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k218, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k127, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k128, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k126, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k129, _s5, _r6)
-    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k14, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k219, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k220, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k218, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k221, _s5, _r6)
+    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k33, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
 
@@ -4517,31 +4616,31 @@ def backboard_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s1 = _add(p_board_distance, _s0, _r1)
     _s2 = p_board_distance + p_board_thickness
     _s3 = _negative(_add(_s2, _s0, _r0), _r0)
-    _s4 = _subtract(_select(_s1 < _k0, _k0, _s1, _r2), _select(_s3 < _k0, _k0, _s3, _r3), _r3)
+    _s4 = _subtract(_select(_s1 < _k6, _k6, _s1, _r2), _select(_s3 < _k6, _k6, _s3, _r3), _r3)
     _s5 = _add(y, _multiply(t, vy, _r0), _r0)
     _s6 = _subtract(_s5, p_board_half_width, _r2)
     _s7 = _negative(_add(p_board_half_width, _s5, _r0), _r0)
-    _s8 = _subtract(_select(_s6 < _k0, _k0, _s6, _r1), _select(_s7 < _k0, _k0, _s7, _r4), _r4)
+    _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r1), _select(_s7 < _k6, _k6, _s7, _r4), _r4)
     _s9 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0)
     _s10 = _add(z, _multiply(t, _s9, _r1), _r1)
     _s11 = _subtract(_s10, p_board_top, _r2)
     _s12 = _subtract(p_board_bottom, _s10, _r1)
-    _s13 = _subtract(_select(_s11 < _k0, _k0, _s11, _r5), _select(_s12 < _k0, _k0, _s12, _r6), _r6)
-    _s14 = _k9 * _add(_add(_multiply(vx, _s4, _r1), _multiply(vy, _s8, _r5), _r5), _multiply(_subtract(vz, _multiply(p_gravity, t, _r1), _r1), _s13, _r1), _r1)
+    _s13 = _subtract(_select(_s11 < _k6, _k6, _s11, _r5), _select(_s12 < _k6, _k6, _s12, _r6), _r6)
+    _s14 = _k23 * _add(_add(_multiply(vx, _s4, _r1), _multiply(vy, _s8, _r5), _r5), _multiply(_subtract(vz, _multiply(p_gravity, t, _r1), _r1), _s13, _r1), _r1)
     _s15 = _subtract(z, p_board_top, _r1)
     _s16 = _subtract(p_board_bottom, z, _r5)
-    _s17 = _subtract(_select(_s15 < _k0, _k0, _s15, _r2), _select(_s16 < _k0, _k0, _s16, _r7), _r7)
+    _s17 = _subtract(_select(_s15 < _k6, _k6, _s15, _r2), _select(_s16 < _k6, _k6, _s16, _r7), _r7)
     _s18 = _multiply(_s13, _s13, _r5)
     _s19 = _add(p_board_distance, x, _r2)
     _s20 = _negative(_add(_s2, x, _r1), _r1)
-    _s21 = _subtract(_select(_s19 < _k0, _k0, _s19, _r8), _select(_s20 < _k0, _k0, _s20, _r9), _r9)
+    _s21 = _subtract(_select(_s19 < _k6, _k6, _s19, _r8), _select(_s20 < _k6, _k6, _s20, _r9), _r9)
     _s22 = _multiply(_s4, _s4, _r1)
     _s23 = _subtract(y, p_board_half_width, _r8)
     _s24 = _negative(_add(p_board_half_width, y, _r2), _r2)
-    _s25 = _subtract(_select(_s23 < _k0, _k0, _s23, _r10), _select(_s24 < _k0, _k0, _s24, _r11), _r11)
+    _s25 = _subtract(_select(_s23 < _k6, _k6, _s23, _r10), _select(_s24 < _k6, _k6, _s24, _r11), _r11)
     _s26 = _multiply(_s8, _s8, _r2)
-    _s27 = _add(_add(_select(_k0 < _multiply(_s17, _s13, _r10), _multiply(t, _multiply(_s9, _add(_s17, _s13, _r6), _r6), _r6), _subtract(_s18, _multiply(_s17, _s17, _r7), _r7), _r0), _select(_k0 < _multiply(_s21, _s4, _r10), _multiply(t, _multiply(vx, _add(_s21, _s4, _r3), _r3), _r3), _subtract(_s22, _multiply(_s21, _s21, _r9), _r9), _r10), _r10), _select(_k0 < _multiply(_s25, _s8, _r9), _multiply(t, _multiply(vy, _add(_s25, _s8, _r4), _r4), _r4), _subtract(_s26, _multiply(_s25, _s25, _r11), _r11), _r9), _r9)
-    _s28 = _result(_k0 < leaving, _s27, _subtract(_add(_add(_s18, _s22, _r1), _s26, _r1), p_ball_radius * p_ball_radius, _r1), _r0)
+    _s27 = _add(_add(_select(_k6 < _multiply(_s17, _s13, _r10), _multiply(t, _multiply(_s9, _add(_s17, _s13, _r6), _r6), _r6), _subtract(_s18, _multiply(_s17, _s17, _r7), _r7), _r0), _select(_k6 < _multiply(_s21, _s4, _r10), _multiply(t, _multiply(vx, _add(_s21, _s4, _r3), _r3), _r3), _subtract(_s22, _multiply(_s21, _s21, _r9), _r9), _r10), _r10), _select(_k6 < _multiply(_s25, _s8, _r9), _multiply(t, _multiply(vy, _add(_s25, _s8, _r4), _r4), _r4), _subtract(_s26, _multiply(_s25, _s25, _r11), _r11), _r9), _r9)
+    _s28 = _result(_k6 < leaving, _s27, _subtract(_add(_add(_s18, _s22, _r1), _s26, _r1), p_ball_radius * p_ball_radius, _r1), _r0)
     return t - _divide(_s28, _s14, _r1), _s28, _s14
 
 
@@ -4554,36 +4653,36 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
-    _s2 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s1 < _k0, _k0, _s1, _r3), _r3)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s1 < _k6, _k6, _s1, _r3), _r3)
     _s3 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r1), _r1)
     _s4 = _add(z, _multiply(t, _s3, _r2), _r2)
     _s5 = _subtract(_s4, p_board_top, _r0)
     _s6 = _subtract(p_board_bottom, _s4, _r2)
-    _s7 = _subtract(_select(_s5 < _k0, _k0, _s5, _r4), _select(_s6 < _k0, _k0, _s6, _r5), _r5)
+    _s7 = _subtract(_select(_s5 < _k6, _k6, _s5, _r4), _select(_s6 < _k6, _k6, _s6, _r5), _r5)
     _s8 = _multiply(_s7, _s7, _r2)
     _s9 = _add(p_board_distance, x, _r4)
     _s10 = p_board_distance + p_board_thickness
     _s11 = _negative(_add(_s10, x, _r0), _r0)
-    _s12 = _subtract(_select(_s9 < _k0, _k0, _s9, _r6), _select(_s11 < _k0, _k0, _s11, _r7), _r7)
+    _s12 = _subtract(_select(_s9 < _k6, _k6, _s9, _r6), _select(_s11 < _k6, _k6, _s11, _r7), _r7)
     _s13 = _add(x, _multiply(t, vx, _r0), _r0)
     _s14 = _add(p_board_distance, _s13, _r6)
     _s15 = _negative(_add(_s10, _s13, _r0), _r0)
-    _s16 = _subtract(_select(_s14 < _k0, _k0, _s14, _r4), _select(_s15 < _k0, _k0, _s15, _r8), _r8)
+    _s16 = _subtract(_select(_s14 < _k6, _k6, _s14, _r4), _select(_s15 < _k6, _k6, _s15, _r8), _r8)
     _s17 = _multiply(_s16, _s16, _r0)
     _s18 = _subtract(y, p_board_half_width, _r4)
     _s19 = _negative(_add(p_board_half_width, y, _r6), _r6)
-    _s20 = _subtract(_select(_s18 < _k0, _k0, _s18, _r9), _select(_s19 < _k0, _k0, _s19, _r10), _r10)
+    _s20 = _subtract(_select(_s18 < _k6, _k6, _s18, _r9), _select(_s19 < _k6, _k6, _s19, _r10), _r10)
     _s21 = _add(y, _multiply(t, vy, _r6), _r6)
     _s22 = _subtract(_s21, p_board_half_width, _r9)
     _s23 = _negative(_add(p_board_half_width, _s21, _r6), _r6)
-    _s24 = _subtract(_select(_s22 < _k0, _k0, _s22, _r4), _select(_s23 < _k0, _k0, _s23, _r11), _r11)
+    _s24 = _subtract(_select(_s22 < _k6, _k6, _s22, _r4), _select(_s23 < _k6, _k6, _s23, _r11), _r11)
     _s25 = _multiply(_s24, _s24, _r6)
-    _s26 = _add(_add(_select(_k0 < _multiply(_s2, _s7, _r4), _multiply(t, _multiply(_s3, _add(_s2, _s7, _r4), _r4), _r4), _subtract(_s8, _multiply(_s2, _s2, _r3), _r3), _r1), _select(_k0 < _multiply(_s12, _s16, _r9), _multiply(t, _multiply(vx, _add(_s12, _s16, _r9), _r9), _r9), _subtract(_s17, _multiply(_s12, _s12, _r7), _r7), _r12), _r12), _select(_k0 < _multiply(_s20, _s24, _r7), _multiply(t, _multiply(vy, _add(_s20, _s24, _r7), _r7), _r7), _subtract(_s25, _multiply(_s20, _s20, _r10), _r10), _r9), _r9)
-    _s27 = _result(_k0 < leaving, _s26, _subtract(_add(_add(_s8, _s17, _r0), _s25, _r0), p_ball_radius * p_ball_radius, _r0), _r0)
+    _s26 = _add(_add(_select(_k6 < _multiply(_s2, _s7, _r4), _multiply(t, _multiply(_s3, _add(_s2, _s7, _r4), _r4), _r4), _subtract(_s8, _multiply(_s2, _s2, _r3), _r3), _r1), _select(_k6 < _multiply(_s12, _s16, _r9), _multiply(t, _multiply(vx, _add(_s12, _s16, _r9), _r9), _r9), _subtract(_s17, _multiply(_s12, _s12, _r7), _r7), _r12), _r12), _select(_k6 < _multiply(_s20, _s24, _r7), _multiply(t, _multiply(vy, _add(_s20, _s24, _r7), _r7), _r7), _subtract(_s25, _multiply(_s20, _s20, _r10), _r10), _r9), _r9)
+    _s27 = _result(_k6 < leaving, _s26, _subtract(_add(_add(_s8, _s17, _r0), _s25, _r0), p_ball_radius * p_ball_radius, _r0), _r0)
     _s28 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
-    _s29 = _k9 * _add(_add(_multiply(vx, _s16, _r2), _multiply(vy, _s24, _r10), _r10), _multiply(_s28, _s7, _r2), _r2)
+    _s29 = _k23 * _add(_add(_multiply(vx, _s16, _r2), _multiply(vy, _s24, _r10), _r10), _multiply(_s28, _s7, _r2), _r2)
     _s30 = _absolute(_s7, _r2)
-    _s31 = _k9 * _add(_add(_select(_k0 < _s30, _subtract(_multiply(_s28, _s28, _r10), _multiply(p_gravity, _s7, _r5), _r5), _k0, _r10), _select(_k0 < _absolute(_s16, _r8), _multiply(vx, vx, _r8), _k0, _r7), _r7), _select(_k0 < _absolute(_s24, _r11), _multiply(vy, vy, _r11), _k0, _r8), _r8)
+    _s31 = _k23 * _add(_add(_select(_k6 < _s30, _subtract(_multiply(_s28, _s28, _r10), _multiply(p_gravity, _s7, _r5), _r5), _k6, _r10), _select(_k6 < _absolute(_s16, _r8), _multiply(vx, vx, _r8), _k6, _r7), _r7), _select(_k6 < _absolute(_s24, _r11), _multiply(vy, vy, _r11), _k6, _r8), _r8)
     _s32 = _absolute((-p_gravity))
     _s33 = (p_ball_radius + (0.5 * p_board_top)) - (0.5 * p_board_bottom)
     _s34 = p_ball_radius + p_board_half_width
@@ -4592,21 +4691,21 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     _s37 = p_ball_radius + (0.0001220703125 * _where(_s33 < _s36, _s33, _s36))
     _s38 = _subtract(_s29, rate_margin, _r8)
     _s39 = _subtract(_s27, margin, _r0)
-    _s40 = _select(_s39 < _k0, _k0, _s39, _r9)
+    _s40 = _select(_s39 < _k6, _k6, _s39, _r9)
     _s41 = _negative(_s31, _r11)
-    _s42 = _s38 < _k0
-    _s43 = _multiply(_k9, _s40, _r7)
-    _s44 = _select(_k0 < _select(_k0 <= _s38, _s40, _k0, _r10), _k2, _divide(_select(_s42, _s43, _multiply(_k26, _s38, _r10), _r5), _select(_s42, _negative(_s38, _r12), _select(_k0 < _s41, _s41, _k0, _r1), _r3), _r5), _r10)
+    _s42 = _s38 < _k6
+    _s43 = _multiply(_k23, _s40, _r7)
+    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r10), _k8, _divide(_select(_s42, _s43, _multiply(_k60, _s38, _r10), _r5), _select(_s42, _negative(_s38, _r12), _select(_k6 < _s41, _s41, _k6, _r1), _r3), _r5), _r10)
     _s45 = _subtract(end, t, _r3)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r1)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r6), _r6), _s46, _r6), _s30, _r6)
-    _s48 = _add(_multiply(_k40, ceiling, _r2), _multiply(_k9, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
-    _s49 = _add(_multiply(_multiply(_k9, _s48, _r2), _s40, _r2), _multiply(_s38, _s38, _r9), _r9)
+    _s48 = _add(_multiply(_k89, ceiling, _r2), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s49 = _add(_multiply(_multiply(_k23, _s48, _r2), _s40, _r2), _multiply(_s38, _s38, _r9), _r9)
     _s50 = _sqrt(_s49, _r2)
-    _s51 = _select(_k0 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r9), _r0), _select(_s42, _subtract(_s50, _s38, _r2), _select(_k0 < _s48, _s48, _k0, _r8), _r6), _r0), _k2, _r9)
+    _s51 = _select(_k6 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r9), _r0), _select(_s42, _subtract(_s50, _s38, _r2), _select(_k6 < _s48, _s48, _k6, _r8), _r6), _r0), _k8, _r9)
     _s52 = _result(_s51 < _s46, _s51, _s46, _r0)
     _s53 = _negative(_add(rate_margin, _s29, _r6), _r6)
-    return _s27, _s29, _s31, _s52, t + _s52, _result(_k0 < _s53, _subtract(_multiply(_s53, _s53, _r9), _multiply(_multiply(_k11, ceiling, _r0), _add(margin, _s43, _r7), _r0), _r0), _s53, _r0)
+    return _s27, _s29, _s31, _s52, t + _s52, _result(_k6 < _s53, _subtract(_multiply(_s53, _s53, _r9), _multiply(_multiply(_k25, ceiling, _r0), _add(margin, _s43, _r7), _r0), _r0), _s53, _r0)
 
 
 def backboard_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4621,22 +4720,22 @@ def backboard_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, re
     _s2 = -(p_board_distance + _s1)
     _s3 = 1.0000000009313226 * _s1
     _s4 = _subtract(_absolute(_subtract(_s2, middle_x, _r0), _r0), _add(reach_x, _s3, _r1), _r1)
-    _s5 = _select(_s4 < _k0, _k0, _s4, _r0)
+    _s5 = _select(_s4 < _k6, _k6, _s4, _r0)
     _s6 = 1.0000000009313226 * p_board_half_width
     _s7 = _subtract(_absolute(_negative(middle_y, _r2), _r2), _add(reach_y, _s6, _r3), _r3)
-    _s8 = _select(_s7 < _k0, _k0, _s7, _r2)
+    _s8 = _select(_s7 < _k6, _k6, _s7, _r2)
     _s9 = 0.5 * p_board_bottom
     _s10 = 0.5 * p_board_top
     _s11 = _s9 + _s10
     _s12 = 1.0000000009313226 * (_s10 - _s9)
     _s13 = _subtract(_absolute(_subtract(_s11, middle_z, _r4), _r4), _add(reach_z, _s12, _r5), _r5)
-    _s14 = _select(_s13 < _k0, _k0, _s13, _r4)
+    _s14 = _select(_s13 < _k6, _k6, _s13, _r4)
     _s15 = _subtract(_absolute(_subtract(_s2, later_middle_x, _r6), _r6), _add(later_reach_x, _s3, _r7), _r7)
-    _s16 = _select(_s15 < _k0, _k0, _s15, _r6)
+    _s16 = _select(_s15 < _k6, _k6, _s15, _r6)
     _s17 = _subtract(_absolute(_negative(later_middle_y, _r8), _r8), _add(later_reach_y, _s6, _r9), _r9)
-    _s18 = _select(_s17 < _k0, _k0, _s17, _r8)
+    _s18 = _select(_s17 < _k6, _k6, _s17, _r8)
     _s19 = _subtract(_absolute(_subtract(_s11, later_middle_z, _r10), _r10), _add(later_reach_z, _s12, _r11), _r11)
-    _s20 = _select(_s19 < _k0, _k0, _s19, _r10)
+    _s20 = _select(_s19 < _k6, _k6, _s19, _r10)
     _s21 = _logical_not(_logical_and((_s0 < _add(_add(_multiply(_s5, _s5, _r0), _multiply(_s8, _s8, _r2), _r2), _multiply(_s14, _s14, _r4), _r4)), (_s0 < _add(_add(_multiply(_s16, _s16, _r6), _multiply(_s18, _s18, _r8), _r8), _multiply(_s20, _s20, _r10), _r10))))
     return _s21,
 
@@ -4650,17 +4749,17 @@ def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
-    _s2 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s1 < _k0, _k0, _s1, _r3), _r3)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s1 < _k6, _k6, _s1, _r3), _r3)
     _s3 = _add(p_board_distance, x, _r2)
     _s4 = _negative(_add(p_board_distance + p_board_thickness, x, _r4), _r4)
-    _s5 = _subtract(_select(_s3 < _k0, _k0, _s3, _r5), _select(_s4 < _k0, _k0, _s4, _r6), _r6)
+    _s5 = _subtract(_select(_s3 < _k6, _k6, _s3, _r5), _select(_s4 < _k6, _k6, _s4, _r6), _r6)
     _s6 = _subtract(y, p_board_half_width, _r5)
     _s7 = _negative(_add(p_board_half_width, y, _r7), _r7)
-    _s8 = _subtract(_select(_s6 < _k0, _k0, _s6, _r8), _select(_s7 < _k0, _k0, _s7, _r9), _r9)
+    _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r8), _select(_s7 < _k6, _k6, _s7, _r9), _r9)
     _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
-    _s10 = _add(_multiply(_multiply(_k9, _subtract(_select(_s0 < _k0, _k0, vz, _r0), _select(_s1 < _k0, _k0, _negative(vz, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k9, _subtract(_select(_s3 < _k0, _k0, vx, _r2), _select(_s4 < _k0, _k0, _negative(vx, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
-    _s11 = _add(_s10, _multiply(_multiply(_k9, _subtract(_select(_s6 < _k0, _k0, vy, _r5), _select(_s7 < _k0, _k0, _negative(vy, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
-    return _s9 - p_ball_radius, _multiply(_k17, _s11, _r10) / _s9, 0.0
+    _s10 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k23, _subtract(_select(_s3 < _k6, _k6, vx, _r2), _select(_s4 < _k6, _k6, _negative(vx, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
+    _s11 = _add(_s10, _multiply(_multiply(_k23, _subtract(_select(_s6 < _k6, _k6, vy, _r5), _select(_s7 < _k6, _k6, _negative(vy, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
+    return _s9 - p_ball_radius, _multiply(_k40, _s11, _r10) / _s9, 0.0
 
 
 def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4672,31 +4771,31 @@ def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
-    _s2 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s1 < _k0, _k0, _s1, _r3), _r3)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s1 < _k6, _k6, _s1, _r3), _r3)
     _s3 = _add(p_board_distance, x, _r2)
     _s4 = _negative(_add(p_board_distance + p_board_thickness, x, _r4), _r4)
-    _s5 = _subtract(_select(_s3 < _k0, _k0, _s3, _r5), _select(_s4 < _k0, _k0, _s4, _r6), _r6)
+    _s5 = _subtract(_select(_s3 < _k6, _k6, _s3, _r5), _select(_s4 < _k6, _k6, _s4, _r6), _r6)
     _s6 = _subtract(y, p_board_half_width, _r5)
     _s7 = _negative(_add(p_board_half_width, y, _r7), _r7)
-    _s8 = _subtract(_select(_s6 < _k0, _k0, _s6, _r8), _select(_s7 < _k0, _k0, _s7, _r9), _r9)
+    _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r8), _select(_s7 < _k6, _k6, _s7, _r9), _r9)
     _s9 = _add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8)
     _s10 = _sqrt(_s9, _r10)
-    _s11 = _s0 < _k0
-    _s12 = _s1 < _k0
-    _s13 = _subtract(_select(_s11, _k0, rolled_z, _r1), _select(_s12, _k0, _negative(rolled_z, _r0), _r11), _r11)
-    _s14 = _s3 < _k0
-    _s15 = _s4 < _k0
-    _s16 = _subtract(_select(_s14, _k0, rolled_x, _r4), _select(_s15, _k0, _negative(rolled_x, _r2), _r0), _r0)
-    _s17 = _s6 < _k0
-    _s18 = _s7 < _k0
-    _s19 = _subtract(_select(_s17, _k0, rolled_y, _r7), _select(_s18, _k0, _negative(rolled_y, _r5), _r2), _r2)
-    _s20 = _add(_add(_multiply(_multiply(_k9, _s13, _r5), _s2, _r5), _multiply(_multiply(_k9, _s16, _r7), _s5, _r7), _r7), _multiply(_multiply(_k9, _s19, _r5), _s8, _r5), _r5)
-    _s21 = _add(_multiply(_multiply(_k9, _subtract(_select(_s11, _k0, thrust_z, _r7), _select(_s12, _k0, _negative(thrust_z, _r4), _r1), _r1), _r1), _s2, _r1), _multiply(_k9, _multiply(_s13, _s13, _r11), _r11), _r11)
-    _s22 = _add(_multiply(_multiply(_k9, _subtract(_select(_s14, _k0, thrust_x, _r1), _select(_s15, _k0, _negative(thrust_x, _r4), _r7), _r7), _r7), _s5, _r7), _multiply(_k9, _multiply(_s16, _s16, _r0), _r0), _r0)
-    _s23 = _add(_multiply(_multiply(_k9, _subtract(_select(_s17, _k0, thrust_y, _r7), _select(_s18, _k0, _negative(thrust_y, _r4), _r1), _r1), _r1), _s8, _r1), _multiply(_k9, _multiply(_s19, _s19, _r2), _r2), _r2)
-    _s24 = _add(_multiply(_multiply(_k9, _subtract(_select(_s11, _k0, nz, _r1), _select(_s12, _k0, _negative(nz, _r4), _r7), _r7), _r7), _s2, _r7), _multiply(_multiply(_k9, _subtract(_select(_s14, _k0, nx, _r3), _select(_s15, _k0, _negative(nx, _r4), _r1), _r1), _r1), _s5, _r1), _r1)
-    _s25 = _add(_s24, _multiply(_multiply(_k9, _subtract(_select(_s17, _k0, ny, _r7), _select(_s18, _k0, _negative(ny, _r6), _r4), _r4), _r4), _s8, _r4), _r4)
-    return _s10 - p_ball_radius, _multiply(_k17, _s20, _r1) / _s10, _divide(_multiply(_k17, _add(_add(_s21, _s22, _r0), _s23, _r2), _r2), _s10, _r2) - _divide(_multiply(_k12, _multiply(_s20, _s20, _r5), _r5), _multiply(_s10, _s9, _r8), _r5), _multiply(_k17, _s25, _r4) / _s10
+    _s11 = _s0 < _k6
+    _s12 = _s1 < _k6
+    _s13 = _subtract(_select(_s11, _k6, rolled_z, _r1), _select(_s12, _k6, _negative(rolled_z, _r0), _r11), _r11)
+    _s14 = _s3 < _k6
+    _s15 = _s4 < _k6
+    _s16 = _subtract(_select(_s14, _k6, rolled_x, _r4), _select(_s15, _k6, _negative(rolled_x, _r2), _r0), _r0)
+    _s17 = _s6 < _k6
+    _s18 = _s7 < _k6
+    _s19 = _subtract(_select(_s17, _k6, rolled_y, _r7), _select(_s18, _k6, _negative(rolled_y, _r5), _r2), _r2)
+    _s20 = _add(_add(_multiply(_multiply(_k23, _s13, _r5), _s2, _r5), _multiply(_multiply(_k23, _s16, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s19, _r5), _s8, _r5), _r5)
+    _s21 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, thrust_z, _r7), _select(_s12, _k6, _negative(thrust_z, _r4), _r1), _r1), _r1), _s2, _r1), _multiply(_k23, _multiply(_s13, _s13, _r11), _r11), _r11)
+    _s22 = _add(_multiply(_multiply(_k23, _subtract(_select(_s14, _k6, thrust_x, _r1), _select(_s15, _k6, _negative(thrust_x, _r4), _r7), _r7), _r7), _s5, _r7), _multiply(_k23, _multiply(_s16, _s16, _r0), _r0), _r0)
+    _s23 = _add(_multiply(_multiply(_k23, _subtract(_select(_s17, _k6, thrust_y, _r7), _select(_s18, _k6, _negative(thrust_y, _r4), _r1), _r1), _r1), _s8, _r1), _multiply(_k23, _multiply(_s19, _s19, _r2), _r2), _r2)
+    _s24 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, nz, _r1), _select(_s12, _k6, _negative(nz, _r4), _r7), _r7), _r7), _s2, _r7), _multiply(_multiply(_k23, _subtract(_select(_s14, _k6, nx, _r3), _select(_s15, _k6, _negative(nx, _r4), _r1), _r1), _r1), _s5, _r1), _r1)
+    _s25 = _add(_s24, _multiply(_multiply(_k23, _subtract(_select(_s17, _k6, ny, _r7), _select(_s18, _k6, _negative(ny, _r6), _r4), _r4), _r4), _s8, _r4), _r4)
+    return _s10 - p_ball_radius, _multiply(_k40, _s20, _r1) / _s10, _divide(_multiply(_k40, _add(_add(_s21, _s22, _r0), _s23, _r2), _r2), _s10, _r2) - _divide(_multiply(_k26, _multiply(_s20, _s20, _r5), _r5), _multiply(_s10, _s9, _r8), _r5), _multiply(_k40, _s25, _r4) / _s10
 
 
 def backboard_off(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4708,13 +4807,13 @@ def backboard_off(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any
     _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
-    _s2 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s1 < _k0, _k0, _s1, _r3), _r3)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s1 < _k6, _k6, _s1, _r3), _r3)
     _s3 = _add(p_board_distance, x, _r1)
     _s4 = _negative(_add(p_board_distance + p_board_thickness, x, _r2), _r2)
-    _s5 = _subtract(_select(_s3 < _k0, _k0, _s3, _r0), _select(_s4 < _k0, _k0, _s4, _r4), _r4)
+    _s5 = _subtract(_select(_s3 < _k6, _k6, _s3, _r0), _select(_s4 < _k6, _k6, _s4, _r4), _r4)
     _s6 = _subtract(y, p_board_half_width, _r2)
     _s7 = _negative(_add(p_board_half_width, y, _r0), _r0)
-    _s8 = _subtract(_select(_s6 < _k0, _k0, _s6, _r1), _select(_s7 < _k0, _k0, _s7, _r5), _r5)
+    _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r1), _select(_s7 < _k6, _k6, _s7, _r5), _r5)
     return _sqrt(_add(_add(_multiply(_s2, _s2, _r3), _multiply(_s5, _s5, _r4), _r4), _multiply(_s8, _s8, _r5), _r5), _r5) - p_ball_radius,
 
 
@@ -4730,17 +4829,17 @@ def backboard_tube(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: An
     _s2 = _add(p_board_distance, x, _r0)
     _s3 = -_s1
     _s4 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
-    _s5 = _result(_logical_or(_logical_or((_s1 < _s2), _logical_and((_s3 < _s2), (_k0 < vx))), _logical_or((_s1 < _s4), _logical_and((_s3 < _s4), (_k0 < _negative(vx, _r1))))), _k8, _k0, _r0)
+    _s5 = _result(_logical_or(_logical_or((_s1 < _s2), _logical_and((_s3 < _s2), (_k6 < vx))), _logical_or((_s1 < _s4), _logical_and((_s3 < _s4), (_k6 < _negative(vx, _r1))))), _k22, _k6, _r0)
     _s6 = _s0 + (2.842170943040401e-14 * p_board_half_width)
     _s7 = _subtract(y, p_board_half_width, _r1)
     _s8 = -_s6
     _s9 = _negative(_add(p_board_half_width, y, _r0), _r0)
-    _s10 = _result(_logical_or(_logical_or((_s6 < _s7), _logical_and((_s8 < _s7), (_k0 < vy))), _logical_or((_s6 < _s9), _logical_and((_s8 < _s9), (_k0 < _negative(vy, _r0))))), _k8, _k0, _r0)
+    _s10 = _result(_logical_or(_logical_or((_s6 < _s7), _logical_and((_s8 < _s7), (_k6 < vy))), _logical_or((_s6 < _s9), _logical_and((_s8 < _s9), (_k6 < _negative(vy, _r0))))), _k22, _k6, _r0)
     _s11 = (_s0 + (1.4210854715202004e-14 * _absolute(p_board_bottom))) + (1.4210854715202004e-14 * _absolute(p_board_top))
     _s12 = _subtract(z, p_board_top, _r0)
     _s13 = -_s11
     _s14 = _subtract(p_board_bottom, z, _r1)
-    _s15 = _result(_logical_or(_logical_or((_s11 < _s12), _logical_and((_s13 < _s12), (_k0 < vz))), _logical_or((_s11 < _s14), _logical_and((_s13 < _s14), (_k0 < _negative(vz, _r1))))), _k8, _k0, _r0)
+    _s15 = _result(_logical_or(_logical_or((_s11 < _s12), _logical_and((_s13 < _s12), (_k6 < vz))), _logical_or((_s11 < _s14), _logical_and((_s13 < _s14), (_k6 < _negative(vz, _r1))))), _k22, _k6, _r0)
     return _s5, _s10, _s15, 1.0 / p_ball_radius
 
 
@@ -4752,9 +4851,9 @@ def backboard_turning(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     """
     _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = 1.0 / p_ball_radius
-    _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < _k0, _k0, rolled_x, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < _k0, _k0, _negative(rolled_x, _r1), _r2), _r2)
-    _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < _k0, _k0, rolled_y, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < _k0, _k0, _negative(rolled_y, _r0), _r3), _r3)
-    return _s0 * _s1, _s2, _s0 * _subtract(_select(_subtract(z, p_board_top, _r2) < _k0, _k0, rolled_z, _r2), _select(_subtract(p_board_bottom, z, _r3) < _k0, _k0, _negative(rolled_z, _r3), _r0), _r0)
+    _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < _k6, _k6, rolled_x, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < _k6, _k6, _negative(rolled_x, _r1), _r2), _r2)
+    _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < _k6, _k6, rolled_y, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < _k6, _k6, _negative(rolled_y, _r0), _r3), _r3)
+    return _s0 * _s1, _s2, _s0 * _subtract(_select(_subtract(z, p_board_top, _r2) < _k6, _k6, rolled_z, _r2), _select(_subtract(p_board_bottom, z, _r3) < _k6, _k6, _negative(rolled_z, _r3), _r0), _r0)
 
 
 def backboard_parting(p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, p_gravity: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4765,31 +4864,31 @@ def backboard_parting(p_board_bottom: Any, p_board_distance: Any, p_board_half_w
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(z, p_board_top, _r0)
-    _s1 = _s0 < _k0
+    _s1 = _s0 < _k6
     _s2 = _subtract(p_board_bottom, z, _r1)
-    _s3 = _s2 < _k0
-    _s4 = _subtract(_select(_s1, _k0, -p_gravity, _r2), _select(_s3, _k0, p_gravity, _r3), _r3)
-    _s5 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s2 < _k0, _k0, _s2, _r4), _r4)
-    _s6 = _subtract(_select(_s1, _k0, vz, _r2), _select(_s3, _k0, _negative(vz, _r1), _r0), _r0)
+    _s3 = _s2 < _k6
+    _s4 = _subtract(_select(_s1, _k6, -p_gravity, _r2), _select(_s3, _k6, p_gravity, _r3), _r3)
+    _s5 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s2 < _k6, _k6, _s2, _r4), _r4)
+    _s6 = _subtract(_select(_s1, _k6, vz, _r2), _select(_s3, _k6, _negative(vz, _r1), _r0), _r0)
     _s7 = _add(p_board_distance, x, _r1)
     _s8 = _negative(_add(p_board_distance + p_board_thickness, x, _r2), _r2)
-    _s9 = _subtract(_select(_s7 < _k0, _k0, vx, _r5), _select(_s8 < _k0, _k0, _negative(vx, _r6), _r7), _r7)
+    _s9 = _subtract(_select(_s7 < _k6, _k6, vx, _r5), _select(_s8 < _k6, _k6, _negative(vx, _r6), _r7), _r7)
     _s10 = _subtract(y, p_board_half_width, _r6)
     _s11 = _negative(_add(p_board_half_width, y, _r5), _r5)
-    _s12 = _subtract(_select(_s10 < _k0, _k0, vy, _r8), _select(_s11 < _k0, _k0, _negative(vy, _r9), _r10), _r10)
-    _s13 = _add(_add(_add(_multiply(_multiply(_k9, _s4, _r9), _s5, _r9), _multiply(_k9, _multiply(_s6, _s6, _r8), _r8), _r8), _multiply(_k9, _multiply(_s9, _s9, _r9), _r9), _r9), _multiply(_k9, _multiply(_s12, _s12, _r8), _r8), _r8)
-    _s14 = _subtract(_select(_s7 < _k0, _k0, _s7, _r9), _select(_s8 < _k0, _k0, _s8, _r11), _r11)
-    _s15 = _subtract(_select(_s10 < _k0, _k0, _s10, _r9), _select(_s11 < _k0, _k0, _s11, _r2), _r2)
+    _s12 = _subtract(_select(_s10 < _k6, _k6, vy, _r8), _select(_s11 < _k6, _k6, _negative(vy, _r9), _r10), _r10)
+    _s13 = _add(_add(_add(_multiply(_multiply(_k23, _s4, _r9), _s5, _r9), _multiply(_k23, _multiply(_s6, _s6, _r8), _r8), _r8), _multiply(_k23, _multiply(_s9, _s9, _r9), _r9), _r9), _multiply(_k23, _multiply(_s12, _s12, _r8), _r8), _r8)
+    _s14 = _subtract(_select(_s7 < _k6, _k6, _s7, _r9), _select(_s8 < _k6, _k6, _s8, _r11), _r11)
+    _s15 = _subtract(_select(_s10 < _k6, _k6, _s10, _r9), _select(_s11 < _k6, _k6, _s11, _r2), _r2)
     _s16 = _add(_add(_multiply(_s5, _s5, _r9), _multiply(_s14, _s14, _r5), _r5), _multiply(_s15, _s15, _r9), _r9)
     _s17 = _sqrt(_s16, _r5)
-    _s18 = _add(_add(_multiply(_multiply(_k9, _s6, _r6), _s5, _r6), _multiply(_multiply(_k9, _s9, _r7), _s14, _r7), _r7), _multiply(_multiply(_k9, _s12, _r10), _s15, _r10), _r10)
+    _s18 = _add(_add(_multiply(_multiply(_k23, _s6, _r6), _s5, _r6), _multiply(_multiply(_k23, _s9, _r7), _s14, _r7), _r7), _multiply(_multiply(_k23, _s12, _r10), _s15, _r10), _r10)
     _s19 = _multiply(_s18, _s18, _r7)
     _s20 = _multiply(_s17, _s16, _r2)
-    _s21 = _multiply(_multiply(_k1, _s4, _r6), _s6, _r6)
+    _s21 = _multiply(_multiply(_k7, _s4, _r6), _s6, _r6)
     _s22 = _multiply(_s16, _s16, _r9)
     _s23 = _multiply(_s17, _s22, _r0)
-    _s24 = _subtract(_add(_divide(_multiply(_k17, _multiply(_k1, _multiply(_s4, _s4, _r3), _r3), _r3), _s17, _r3), _divide(_multiply(_multiply(_k111, _s19, _r11), _s13, _r11), _s23, _r11), _r11), _divide(_multiply(_k112, _multiply(_s19, _s19, _r3), _r3), _multiply(_s20, _s22, _r9), _r3), _r3)
-    return _divide(_multiply(_k17, _s13, _r11), _s17, _r11) - _divide(_multiply(_k12, _s19, _r9), _s20, _r9), _add(_divide(_multiply(_k17, _s21, _r9), _s17, _r9), _divide(_multiply(_k109, _multiply(_s18, _s19, _r7), _r7), _s23, _r7), _r7) - _divide(_multiply(_multiply(_k110, _s18, _r9), _s13, _r9), _s20, _r9), _subtract(_s24, _divide(_multiply(_k110, _multiply(_s13, _s13, _r8), _r8), _s20, _r8), _r8) - _divide(_multiply(_s21, _s18, _r6), _s20, _r6)
+    _s24 = _subtract(_add(_divide(_multiply(_k40, _multiply(_k7, _multiply(_s4, _s4, _r3), _r3), _r3), _s17, _r3), _divide(_multiply(_multiply(_k185, _s19, _r11), _s13, _r11), _s23, _r11), _r11), _divide(_multiply(_k186, _multiply(_s19, _s19, _r3), _r3), _multiply(_s20, _s22, _r9), _r3), _r3)
+    return _divide(_multiply(_k40, _s13, _r11), _s17, _r11) - _divide(_multiply(_k26, _s19, _r9), _s20, _r9), _add(_divide(_multiply(_k40, _s21, _r9), _s17, _r9), _divide(_multiply(_k183, _multiply(_s18, _s19, _r7), _r7), _s23, _r7), _r7) - _divide(_multiply(_multiply(_k184, _s18, _r9), _s13, _r9), _s20, _r9), _subtract(_s24, _divide(_multiply(_k184, _multiply(_s13, _s13, _r8), _r8), _s20, _r8), _r8) - _divide(_multiply(_s21, _s18, _r6), _s20, _r6)
 
 
 def backboard_seam0(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
@@ -4855,7 +4954,7 @@ def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _subtract(p_board_bottom, z, _r1)
-    _s2 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s1 < _k0, _k0, _s1, _r3), _r3)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s1 < _k6, _k6, _s1, _r3), _r3)
     _s3 = -p_board_half_width
     _s4 = _where(0.0 < _s3, _s3, 0.0)
     _s5 = _where(_s4 < _s3, _s3, _s4)
@@ -4864,11 +4963,11 @@ def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _s8 = _where(_s7 < p_board_distance, p_board_distance, _s7)
     _s9 = _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r4), _r4), _r4)
     _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
-    _s11 = _select(_k0 < _s10, _s10, _k0, _r5)
+    _s11 = _select(_k6 < _s10, _s10, _k6, _r5)
     _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
-    _s13 = _negative(_divide(_multiply(_k17, _add(_multiply(_multiply(_k9, vx, _r6), x, _r6), _multiply(_multiply(_k9, vy, _r8), y, _r8), _r8), _r8), _s9, _r8), _r8)
-    _s14 = _add(_multiply(_multiply(_k9, _subtract(_select(_s0 < _k0, _k0, vz, _r0), _select(_s1 < _k0, _k0, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k9, _s11, _r5), _select(_k0 < _s10, _s13, _k0, _r2), _r5), _r5)
-    return _s12 - p_ball_radius, _multiply(_k17, _s14, _r5) / _s12
+    _s13 = _negative(_divide(_multiply(_k40, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s14 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k23, _s11, _r5), _select(_k6 < _s10, _s13, _k6, _r2), _r5), _r5)
+    return _s12 - p_ball_radius, _multiply(_k40, _s14, _r5) / _s12
 
 
 def backboard_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -4898,7 +4997,7 @@ def bridge_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any
     _s4 = _negative(_add(p_bridge_half_width, y, _r3), _r3)
     _s5 = _subtract(z, p_wire_radius, _r4)
     _s6 = _subtract(p_wire_radius - p_bridge_depth, z, _r5)
-    return _s0 * _subtract(_select(_s1 < _k0, _k0, _s1, _r6), _select(_s2 < _k0, _k0, _s2, _r7), _r7), _s0 * _subtract(_select(_s3 < _k0, _k0, _s3, _r7), _select(_s4 < _k0, _k0, _s4, _r1), _r1), _s0 * _subtract(_select(_s5 < _k0, _k0, _s5, _r1), _select(_s6 < _k0, _k0, _s6, _r3), _r3)
+    return _s0 * _subtract(_select(_s1 < _k6, _k6, _s1, _r6), _select(_s2 < _k6, _k6, _s2, _r7), _r7), _s0 * _subtract(_select(_s3 < _k6, _k6, _s3, _r7), _select(_s4 < _k6, _k6, _s4, _r1), _r1), _s0 * _subtract(_select(_s5 < _k6, _k6, _s5, _r1), _select(_s6 < _k6, _k6, _s6, _r3), _r3)
 
 
 def bridge_curvature(p_ball_radius: Any) -> tuple[Any, ...]:
@@ -4918,9 +5017,9 @@ def bridge_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = 1.0 / p_ball_radius
-    _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < _k0, _k0, dx, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < _k0, _k0, _negative(dx, _r1), _r2), _r2)
-    _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < _k0, _k0, dy, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < _k0, _k0, _negative(dy, _r1), _r0), _r0)
-    _s3 = _s0 * _subtract(_select(_subtract(z, p_wire_radius, _r0) < _k0, _k0, dz, _r0), _select(_subtract(p_wire_radius - p_bridge_depth, z, _r1) < _k0, _k0, _negative(dz, _r1), _r2), _r2)
+    _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < _k6, _k6, dx, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < _k6, _k6, _negative(dx, _r1), _r2), _r2)
+    _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < _k6, _k6, dy, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < _k6, _k6, _negative(dy, _r1), _r0), _r0)
+    _s3 = _s0 * _subtract(_select(_subtract(z, p_wire_radius, _r0) < _k6, _k6, dz, _r0), _select(_subtract(p_wire_radius - p_bridge_depth, z, _r1) < _k6, _k6, _negative(dz, _r1), _r2), _r2)
     return _s1, _s2, _s3, shift * _s0
 
 
@@ -4944,12 +5043,12 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s10 = 6.103515625e-05 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = _add(_s1 + _s6, x, _r1)
-    _s13 = _select(vx < _k0, _negative(_s12, _r2), _s12, _r3)
+    _s13 = _select(vx < _k6, _negative(_s12, _r2), _s12, _r3)
     _s14 = _divide(_negative(_add(_s11, _s13, _r4), _r4), _s0, _r4)
-    _s15 = _select(_k0 < _s14, _s14, _k0, _r5)
+    _s15 = _select(_k6 < _s14, _s14, _k6, _r5)
     _s16 = _absolute(vy, _r6)
     _s17 = _s5 + _s10
-    _s18 = _select(vy < _k0, _negative(y, _r7), y, _r8)
+    _s18 = _select(vy < _k6, _negative(y, _r7), y, _r8)
     _s19 = _divide(_negative(_add(_s17, _s18, _r9), _r9), _s16, _r9)
     _s20 = _select(_s15 < _s19, _s19, _s15, _r10)
     _s21 = _multiply(vz, vz, _r11)
@@ -4959,32 +5058,32 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s25 = _add(_s21, _multiply(_s24, _add(_s22, _s23, _r13), _r13), _r13)
     _s26 = 1.0 / p_gravity
     _s27 = _sqrt(_s25, _r14)
-    _s28 = _k0 <= _s25
-    _s29 = _select(_s28, _multiply(_s26, _subtract(vz, _s27, _r13), _r13), _k2, _r15)
+    _s28 = _k6 <= _s25
+    _s29 = _select(_s28, _multiply(_s26, _subtract(vz, _s27, _r13), _r13), _k8, _r15)
     _s30 = _select(_s20 < _s29, _s29, _s20, _r16)
     _s31 = _add(_s21, _multiply(_s24, _subtract(_s23, _s22, _r12), _r12), _r12)
-    _s32 = _sqrt(_select(_s31 < _k0, _k0, _s31, _r11), _r11)
-    _s33 = _select(_s28, _multiply(_s26, _add(vz, _s27, _r14), _r14), _k52, _r17)
-    _s34 = _k0 < _s31
+    _s32 = _sqrt(_select(_s31 < _k6, _k6, _s31, _r11), _r11)
+    _s33 = _select(_s28, _multiply(_s26, _add(vz, _s27, _r14), _r14), _k122, _r17)
+    _s34 = _k6 < _s31
     _s35 = _select(_s34, _multiply(_s26, _subtract(vz, _s32, _r12), _r12), _s33, _r18)
     _s36 = _divide(_subtract(_s17, _s18, _r8), _s16, _r8)
     _s37 = _divide(_subtract(_s11, _s13, _r3), _s0, _r3)
-    _s38 = _select(_s37 < _k2, _s37, _k2, _r0)
+    _s38 = _select(_s37 < _k8, _s37, _k8, _r0)
     _s39 = _select(_s36 < _s38, _s36, _s38, _r2)
     _s40 = _select(_s35 < _s39, _s35, _s39, _r1)
-    _s41 = _select(_s34, _multiply(_s26, _add(vz, _s32, _r11), _r11), _k2, _r6)
+    _s41 = _select(_s34, _multiply(_s26, _add(vz, _s32, _r11), _r11), _k8, _r6)
     _s42 = _select(_s20 < _s41, _s41, _s20, _r7)
     _s43 = _select(_s33 < _s39, _s33, _s39, _r19)
-    _s44 = _select(_k0 < _s40, _s40, _k0, _r20)
+    _s44 = _select(_k6 < _s40, _s40, _k6, _r20)
     _s45 = _select(_s44 < _s43, _s43, _s44, _r21)
     _s46 = _result(_s45 < horizon, _s45, horizon, _r0)
     _s47 = _add(speed, _multiply(p_gravity, _s46, _r21), _r21)
-    _s48 = _k9 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k25, _multiply(_s47, _s47, _r21), _r21), _r21)
+    _s48 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k59, _multiply(_s47, _s47, _r21), _r21), _r21)
     _s49 = _where(_s7 < _s5, _s5, _s7)
     _s50 = _add(_add(_add(_add(_s1, extent, _r21), _s6, _r21), _absolute((_s3 - p_wire_radius)), _r21), _where(_s49 < _s4, _s4, _s49), _r21)
-    _s51 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s26, _add(_s50, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k9, speed, _r22), _s26, _r22), _r22)
-    _s52 = _add(_add(position_error, _multiply(velocity_error, _select(_s51 < horizon, _s51, horizon, _r20), _r20), _r20), _multiply(_k53, _add(_multiply(_multiply(speed, speed, _r22), _s26, _r22), _s50, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
-    return _result(_k0 < _s30, _s30, _k0, _r0), _result(_s40 < horizon, _s40, horizon, _r0), _result(_k0 < _s42, _s42, _k0, _r0), _result(_s43 < horizon, _s43, horizon, _r0), _s48, _s46, _s52
+    _s51 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s26, _add(_s50, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k23, speed, _r22), _s26, _r22), _r22)
+    _s52 = _add(_add(position_error, _multiply(velocity_error, _select(_s51 < horizon, _s51, horizon, _r20), _r20), _r20), _multiply(_k124, _add(_multiply(_multiply(speed, speed, _r22), _s26, _r22), _s50, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    return _result(_k6 < _s30, _s30, _k6, _r0), _result(_s40 < horizon, _s40, horizon, _r0), _result(_k6 < _s42, _s42, _k6, _r0), _result(_s43 < horizon, _s43, horizon, _r0), _s48, _s46, _s52
 
 
 def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5001,17 +5100,17 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s4 = p_ball_radius + (0.0001220703125 * _where(_s0 < _s3, _s0, _s3))
     _s5 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s6 = _add(extent, _multiply(horizon, _s5, _r1), _r1)
-    _s7 = _multiply(_k14, _s6, _r2)
-    _s8 = _multiply(_k9, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k7, _s6, _r4), _r4), _r4)
+    _s7 = _multiply(_k33, _s6, _r2)
+    _s8 = _multiply(_k23, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k17, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_board_distance) + (1.1102230246251565e-16 * p_ring_radius), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((2.220446049250313e-16 * p_bridge_depth) + (5.551115123125783e-16 * p_wire_radius), _multiply(_k126, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k127, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k128, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k126, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k129, _s5, _r6)
-    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k14, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
+    _s12 = _add(_add((2.220446049250313e-16 * p_bridge_depth) + (5.551115123125783e-16 * p_wire_radius), _multiply(_k218, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k219, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k220, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k218, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k221, _s5, _r6)
+    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k33, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
 
@@ -5025,32 +5124,32 @@ def bridge_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(p_ring_radius, _s0, _r1)
     _s2 = _negative(_add(p_board_distance, _s0, _r0), _r0)
-    _s3 = _subtract(_select(_s1 < _k0, _k0, _s1, _r2), _select(_s2 < _k0, _k0, _s2, _r3), _r3)
+    _s3 = _subtract(_select(_s1 < _k6, _k6, _s1, _r2), _select(_s2 < _k6, _k6, _s2, _r3), _r3)
     _s4 = _add(y, _multiply(t, vy, _r0), _r0)
     _s5 = _subtract(_s4, p_bridge_half_width, _r2)
     _s6 = _negative(_add(p_bridge_half_width, _s4, _r0), _r0)
-    _s7 = _subtract(_select(_s5 < _k0, _k0, _s5, _r1), _select(_s6 < _k0, _k0, _s6, _r4), _r4)
+    _s7 = _subtract(_select(_s5 < _k6, _k6, _s5, _r1), _select(_s6 < _k6, _k6, _s6, _r4), _r4)
     _s8 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0)
     _s9 = _add(z, _multiply(t, _s8, _r1), _r1)
     _s10 = _subtract(_s9, p_wire_radius, _r2)
     _s11 = p_wire_radius - p_bridge_depth
     _s12 = _subtract(_s11, _s9, _r1)
-    _s13 = _subtract(_select(_s10 < _k0, _k0, _s10, _r5), _select(_s12 < _k0, _k0, _s12, _r6), _r6)
-    _s14 = _k9 * _add(_add(_multiply(vx, _s3, _r1), _multiply(vy, _s7, _r5), _r5), _multiply(_subtract(vz, _multiply(p_gravity, t, _r1), _r1), _s13, _r1), _r1)
+    _s13 = _subtract(_select(_s10 < _k6, _k6, _s10, _r5), _select(_s12 < _k6, _k6, _s12, _r6), _r6)
+    _s14 = _k23 * _add(_add(_multiply(vx, _s3, _r1), _multiply(vy, _s7, _r5), _r5), _multiply(_subtract(vz, _multiply(p_gravity, t, _r1), _r1), _s13, _r1), _r1)
     _s15 = _add(p_ring_radius, x, _r1)
     _s16 = _negative(_add(p_board_distance, x, _r5), _r5)
-    _s17 = _subtract(_select(_s15 < _k0, _k0, _s15, _r2), _select(_s16 < _k0, _k0, _s16, _r7), _r7)
+    _s17 = _subtract(_select(_s15 < _k6, _k6, _s15, _r2), _select(_s16 < _k6, _k6, _s16, _r7), _r7)
     _s18 = _multiply(_s3, _s3, _r5)
     _s19 = _subtract(y, p_bridge_half_width, _r2)
     _s20 = _negative(_add(p_bridge_half_width, y, _r1), _r1)
-    _s21 = _subtract(_select(_s19 < _k0, _k0, _s19, _r8), _select(_s20 < _k0, _k0, _s20, _r9), _r9)
+    _s21 = _subtract(_select(_s19 < _k6, _k6, _s19, _r8), _select(_s20 < _k6, _k6, _s20, _r9), _r9)
     _s22 = _multiply(_s7, _s7, _r1)
     _s23 = _subtract(z, p_wire_radius, _r8)
     _s24 = _subtract(_s11, z, _r2)
-    _s25 = _subtract(_select(_s23 < _k0, _k0, _s23, _r10), _select(_s24 < _k0, _k0, _s24, _r11), _r11)
+    _s25 = _subtract(_select(_s23 < _k6, _k6, _s23, _r10), _select(_s24 < _k6, _k6, _s24, _r11), _r11)
     _s26 = _multiply(_s13, _s13, _r2)
-    _s27 = _add(_add(_select(_k0 < _multiply(_s17, _s3, _r10), _multiply(t, _multiply(vx, _add(_s17, _s3, _r3), _r3), _r3), _subtract(_s18, _multiply(_s17, _s17, _r7), _r7), _r10), _select(_k0 < _multiply(_s21, _s7, _r8), _multiply(t, _multiply(vy, _add(_s21, _s7, _r4), _r4), _r4), _subtract(_s22, _multiply(_s21, _s21, _r9), _r9), _r8), _r8), _select(_k0 < _multiply(_s25, _s13, _r9), _multiply(t, _multiply(_s8, _add(_s25, _s13, _r6), _r6), _r6), _subtract(_s26, _multiply(_s25, _s25, _r11), _r11), _r0), _r0)
-    _s28 = _result(_k0 < leaving, _s27, _subtract(_add(_add(_s18, _s22, _r1), _s26, _r1), p_ball_radius * p_ball_radius, _r1), _r0)
+    _s27 = _add(_add(_select(_k6 < _multiply(_s17, _s3, _r10), _multiply(t, _multiply(vx, _add(_s17, _s3, _r3), _r3), _r3), _subtract(_s18, _multiply(_s17, _s17, _r7), _r7), _r10), _select(_k6 < _multiply(_s21, _s7, _r8), _multiply(t, _multiply(vy, _add(_s21, _s7, _r4), _r4), _r4), _subtract(_s22, _multiply(_s21, _s21, _r9), _r9), _r8), _r8), _select(_k6 < _multiply(_s25, _s13, _r9), _multiply(t, _multiply(_s8, _add(_s25, _s13, _r6), _r6), _r6), _subtract(_s26, _multiply(_s25, _s25, _r11), _r11), _r0), _r0)
+    _s28 = _result(_k6 < leaving, _s27, _subtract(_add(_add(_s18, _s22, _r1), _s26, _r1), p_ball_radius * p_ball_radius, _r1), _r0)
     return t - _divide(_s28, _s14, _r1), _s28, _s14
 
 
@@ -5063,36 +5162,36 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
-    _s2 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s1 < _k0, _k0, _s1, _r3), _r3)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s1 < _k6, _k6, _s1, _r3), _r3)
     _s3 = _add(x, _multiply(t, vx, _r1), _r1)
     _s4 = _add(p_ring_radius, _s3, _r2)
     _s5 = _negative(_add(p_board_distance, _s3, _r1), _r1)
-    _s6 = _subtract(_select(_s4 < _k0, _k0, _s4, _r0), _select(_s5 < _k0, _k0, _s5, _r4), _r4)
+    _s6 = _subtract(_select(_s4 < _k6, _k6, _s4, _r0), _select(_s5 < _k6, _k6, _s5, _r4), _r4)
     _s7 = _multiply(_s6, _s6, _r1)
     _s8 = _subtract(y, p_bridge_half_width, _r0)
     _s9 = _negative(_add(p_bridge_half_width, y, _r2), _r2)
-    _s10 = _subtract(_select(_s8 < _k0, _k0, _s8, _r5), _select(_s9 < _k0, _k0, _s9, _r6), _r6)
+    _s10 = _subtract(_select(_s8 < _k6, _k6, _s8, _r5), _select(_s9 < _k6, _k6, _s9, _r6), _r6)
     _s11 = _add(y, _multiply(t, vy, _r2), _r2)
     _s12 = _subtract(_s11, p_bridge_half_width, _r5)
     _s13 = _negative(_add(p_bridge_half_width, _s11, _r2), _r2)
-    _s14 = _subtract(_select(_s12 < _k0, _k0, _s12, _r0), _select(_s13 < _k0, _k0, _s13, _r7), _r7)
+    _s14 = _subtract(_select(_s12 < _k6, _k6, _s12, _r0), _select(_s13 < _k6, _k6, _s13, _r7), _r7)
     _s15 = _multiply(_s14, _s14, _r2)
     _s16 = _subtract(z, p_wire_radius, _r0)
     _s17 = p_wire_radius - p_bridge_depth
     _s18 = _subtract(_s17, z, _r5)
-    _s19 = _subtract(_select(_s16 < _k0, _k0, _s16, _r8), _select(_s18 < _k0, _k0, _s18, _r9), _r9)
+    _s19 = _subtract(_select(_s16 < _k6, _k6, _s16, _r8), _select(_s18 < _k6, _k6, _s18, _r9), _r9)
     _s20 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r5), _r5)
     _s21 = _add(z, _multiply(t, _s20, _r8), _r8)
     _s22 = _subtract(_s21, p_wire_radius, _r0)
     _s23 = _subtract(_s17, _s21, _r8)
-    _s24 = _subtract(_select(_s22 < _k0, _k0, _s22, _r10), _select(_s23 < _k0, _k0, _s23, _r11), _r11)
+    _s24 = _subtract(_select(_s22 < _k6, _k6, _s22, _r10), _select(_s23 < _k6, _k6, _s23, _r11), _r11)
     _s25 = _multiply(_s24, _s24, _r8)
-    _s26 = _add(_add(_select(_k0 < _multiply(_s2, _s6, _r10), _multiply(t, _multiply(vx, _add(_s2, _s6, _r10), _r10), _r10), _subtract(_s7, _multiply(_s2, _s2, _r3), _r3), _r0), _select(_k0 < _multiply(_s10, _s14, _r12), _multiply(t, _multiply(vy, _add(_s10, _s14, _r12), _r12), _r12), _subtract(_s15, _multiply(_s10, _s10, _r6), _r6), _r13), _r13), _select(_k0 < _multiply(_s19, _s24, _r6), _multiply(t, _multiply(_s20, _add(_s19, _s24, _r6), _r6), _r6), _subtract(_s25, _multiply(_s19, _s19, _r9), _r9), _r5), _r5)
-    _s27 = _result(_k0 < leaving, _s26, _subtract(_add(_add(_s7, _s15, _r2), _s25, _r2), p_ball_radius * p_ball_radius, _r2), _r0)
+    _s26 = _add(_add(_select(_k6 < _multiply(_s2, _s6, _r10), _multiply(t, _multiply(vx, _add(_s2, _s6, _r10), _r10), _r10), _subtract(_s7, _multiply(_s2, _s2, _r3), _r3), _r0), _select(_k6 < _multiply(_s10, _s14, _r12), _multiply(t, _multiply(vy, _add(_s10, _s14, _r12), _r12), _r12), _subtract(_s15, _multiply(_s10, _s10, _r6), _r6), _r13), _r13), _select(_k6 < _multiply(_s19, _s24, _r6), _multiply(t, _multiply(_s20, _add(_s19, _s24, _r6), _r6), _r6), _subtract(_s25, _multiply(_s19, _s19, _r9), _r9), _r5), _r5)
+    _s27 = _result(_k6 < leaving, _s26, _subtract(_add(_add(_s7, _s15, _r2), _s25, _r2), p_ball_radius * p_ball_radius, _r2), _r0)
     _s28 = _subtract(vz, _multiply(p_gravity, t, _r8), _r8)
-    _s29 = _k9 * _add(_add(_multiply(vx, _s6, _r1), _multiply(vy, _s14, _r9), _r9), _multiply(_s28, _s24, _r1), _r1)
+    _s29 = _k23 * _add(_add(_multiply(vx, _s6, _r1), _multiply(vy, _s14, _r9), _r9), _multiply(_s28, _s24, _r1), _r1)
     _s30 = _absolute(_s24, _r1)
-    _s31 = _k9 * _add(_add(_select(_k0 < _absolute(_s6, _r4), _multiply(vx, vx, _r4), _k0, _r9), _select(_k0 < _absolute(_s14, _r7), _multiply(vy, vy, _r7), _k0, _r6), _r6), _select(_k0 < _s30, _subtract(_multiply(_s28, _s28, _r7), _multiply(p_gravity, _s24, _r11), _r11), _k0, _r7), _r7)
+    _s31 = _k23 * _add(_add(_select(_k6 < _absolute(_s6, _r4), _multiply(vx, vx, _r4), _k6, _r9), _select(_k6 < _absolute(_s14, _r7), _multiply(vy, vy, _r7), _k6, _r6), _r6), _select(_k6 < _s30, _subtract(_multiply(_s28, _s28, _r7), _multiply(p_gravity, _s24, _r11), _r11), _k6, _r7), _r7)
     _s32 = _absolute((-p_gravity))
     _s33 = p_ball_radius + (0.5 * p_bridge_depth)
     _s34 = p_ball_radius + p_bridge_half_width
@@ -5101,21 +5200,21 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     _s37 = p_ball_radius + (0.0001220703125 * _where(_s33 < _s36, _s33, _s36))
     _s38 = _subtract(_s29, rate_margin, _r7)
     _s39 = _subtract(_s27, margin, _r2)
-    _s40 = _select(_s39 < _k0, _k0, _s39, _r5)
+    _s40 = _select(_s39 < _k6, _k6, _s39, _r5)
     _s41 = _negative(_s31, _r11)
-    _s42 = _s38 < _k0
-    _s43 = _multiply(_k9, _s40, _r6)
-    _s44 = _select(_k0 < _select(_k0 <= _s38, _s40, _k0, _r9), _k2, _divide(_select(_s42, _s43, _multiply(_k26, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k0 < _s41, _s41, _k0, _r12), _r0), _r4), _r9)
+    _s42 = _s38 < _k6
+    _s43 = _multiply(_k23, _s40, _r6)
+    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r9), _k8, _divide(_select(_s42, _s43, _multiply(_k60, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k6 < _s41, _s41, _k6, _r12), _r0), _r4), _r9)
     _s45 = _subtract(end, t, _r0)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r12)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r8), _r8), _s46, _r8), _s30, _r8)
-    _s48 = _add(_multiply(_k40, ceiling, _r1), _multiply(_k9, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
-    _s49 = _add(_multiply(_multiply(_k9, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r5), _r5)
+    _s48 = _add(_multiply(_k89, ceiling, _r1), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s49 = _add(_multiply(_multiply(_k23, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r5), _r5)
     _s50 = _sqrt(_s49, _r1)
-    _s51 = _select(_k0 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r5), _r2), _select(_s42, _subtract(_s50, _s38, _r1), _select(_k0 < _s48, _s48, _k0, _r7), _r8), _r2), _k2, _r5)
+    _s51 = _select(_k6 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r5), _r2), _select(_s42, _subtract(_s50, _s38, _r1), _select(_k6 < _s48, _s48, _k6, _r7), _r8), _r2), _k8, _r5)
     _s52 = _result(_s51 < _s46, _s51, _s46, _r0)
     _s53 = _negative(_add(rate_margin, _s29, _r8), _r8)
-    return _s27, _s29, _s31, _s52, t + _s52, _result(_k0 < _s53, _subtract(_multiply(_s53, _s53, _r5), _multiply(_multiply(_k11, ceiling, _r2), _add(margin, _s43, _r6), _r2), _r2), _s53, _r0)
+    return _s27, _s29, _s31, _s52, t + _s52, _result(_k6 < _s53, _subtract(_multiply(_s53, _s53, _r5), _multiply(_multiply(_k25, ceiling, _r2), _add(margin, _s43, _r6), _r2), _r2), _s53, _r0)
 
 
 def bridge_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5131,21 +5230,21 @@ def bridge_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach
     _s3 = -(_s1 + _s2)
     _s4 = 1.0000000009313226 * (_s1 - _s2)
     _s5 = _subtract(_absolute(_subtract(_s3, middle_x, _r0), _r0), _add(reach_x, _s4, _r1), _r1)
-    _s6 = _select(_s5 < _k0, _k0, _s5, _r0)
+    _s6 = _select(_s5 < _k6, _k6, _s5, _r0)
     _s7 = 1.0000000009313226 * p_bridge_half_width
     _s8 = _subtract(_absolute(_negative(middle_y, _r2), _r2), _add(reach_y, _s7, _r3), _r3)
-    _s9 = _select(_s8 < _k0, _k0, _s8, _r2)
+    _s9 = _select(_s8 < _k6, _k6, _s8, _r2)
     _s10 = 0.5 * p_bridge_depth
     _s11 = p_wire_radius - _s10
     _s12 = 1.0000000009313226 * _s10
     _s13 = _subtract(_absolute(_subtract(_s11, middle_z, _r4), _r4), _add(reach_z, _s12, _r5), _r5)
-    _s14 = _select(_s13 < _k0, _k0, _s13, _r4)
+    _s14 = _select(_s13 < _k6, _k6, _s13, _r4)
     _s15 = _subtract(_absolute(_subtract(_s3, later_middle_x, _r6), _r6), _add(later_reach_x, _s4, _r7), _r7)
-    _s16 = _select(_s15 < _k0, _k0, _s15, _r6)
+    _s16 = _select(_s15 < _k6, _k6, _s15, _r6)
     _s17 = _subtract(_absolute(_negative(later_middle_y, _r8), _r8), _add(later_reach_y, _s7, _r9), _r9)
-    _s18 = _select(_s17 < _k0, _k0, _s17, _r8)
+    _s18 = _select(_s17 < _k6, _k6, _s17, _r8)
     _s19 = _subtract(_absolute(_subtract(_s11, later_middle_z, _r10), _r10), _add(later_reach_z, _s12, _r11), _r11)
-    _s20 = _select(_s19 < _k0, _k0, _s19, _r10)
+    _s20 = _select(_s19 < _k6, _k6, _s19, _r10)
     _s21 = _logical_not(_logical_and((_s0 < _add(_add(_multiply(_s6, _s6, _r0), _multiply(_s9, _s9, _r2), _r2), _multiply(_s14, _s14, _r4), _r4)), (_s0 < _add(_add(_multiply(_s16, _s16, _r6), _multiply(_s18, _s18, _r8), _r8), _multiply(_s20, _s20, _r10), _r10))))
     return _s21,
 
@@ -5159,17 +5258,17 @@ def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
-    _s2 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s1 < _k0, _k0, _s1, _r3), _r3)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s1 < _k6, _k6, _s1, _r3), _r3)
     _s3 = _subtract(y, p_bridge_half_width, _r2)
     _s4 = _negative(_add(p_bridge_half_width, y, _r4), _r4)
-    _s5 = _subtract(_select(_s3 < _k0, _k0, _s3, _r5), _select(_s4 < _k0, _k0, _s4, _r6), _r6)
+    _s5 = _subtract(_select(_s3 < _k6, _k6, _s3, _r5), _select(_s4 < _k6, _k6, _s4, _r6), _r6)
     _s6 = _subtract(z, p_wire_radius, _r5)
     _s7 = _subtract(p_wire_radius - p_bridge_depth, z, _r7)
-    _s8 = _subtract(_select(_s6 < _k0, _k0, _s6, _r8), _select(_s7 < _k0, _k0, _s7, _r9), _r9)
+    _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r8), _select(_s7 < _k6, _k6, _s7, _r9), _r9)
     _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
-    _s10 = _add(_multiply(_multiply(_k9, _subtract(_select(_s0 < _k0, _k0, vx, _r0), _select(_s1 < _k0, _k0, _negative(vx, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k9, _subtract(_select(_s3 < _k0, _k0, vy, _r2), _select(_s4 < _k0, _k0, _negative(vy, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
-    _s11 = _add(_s10, _multiply(_multiply(_k9, _subtract(_select(_s6 < _k0, _k0, vz, _r5), _select(_s7 < _k0, _k0, _negative(vz, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
-    return _s9 - p_ball_radius, _multiply(_k17, _s11, _r10) / _s9, 0.0
+    _s10 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vx, _r0), _select(_s1 < _k6, _k6, _negative(vx, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k23, _subtract(_select(_s3 < _k6, _k6, vy, _r2), _select(_s4 < _k6, _k6, _negative(vy, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
+    _s11 = _add(_s10, _multiply(_multiply(_k23, _subtract(_select(_s6 < _k6, _k6, vz, _r5), _select(_s7 < _k6, _k6, _negative(vz, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
+    return _s9 - p_ball_radius, _multiply(_k40, _s11, _r10) / _s9, 0.0
 
 
 def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5181,31 +5280,31 @@ def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
-    _s2 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s1 < _k0, _k0, _s1, _r3), _r3)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s1 < _k6, _k6, _s1, _r3), _r3)
     _s3 = _subtract(y, p_bridge_half_width, _r2)
     _s4 = _negative(_add(p_bridge_half_width, y, _r4), _r4)
-    _s5 = _subtract(_select(_s3 < _k0, _k0, _s3, _r5), _select(_s4 < _k0, _k0, _s4, _r6), _r6)
+    _s5 = _subtract(_select(_s3 < _k6, _k6, _s3, _r5), _select(_s4 < _k6, _k6, _s4, _r6), _r6)
     _s6 = _subtract(z, p_wire_radius, _r5)
     _s7 = _subtract(p_wire_radius - p_bridge_depth, z, _r7)
-    _s8 = _subtract(_select(_s6 < _k0, _k0, _s6, _r8), _select(_s7 < _k0, _k0, _s7, _r9), _r9)
+    _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r8), _select(_s7 < _k6, _k6, _s7, _r9), _r9)
     _s9 = _add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8)
     _s10 = _sqrt(_s9, _r10)
-    _s11 = _s0 < _k0
-    _s12 = _s1 < _k0
-    _s13 = _subtract(_select(_s11, _k0, rolled_x, _r1), _select(_s12, _k0, _negative(rolled_x, _r0), _r11), _r11)
-    _s14 = _s3 < _k0
-    _s15 = _s4 < _k0
-    _s16 = _subtract(_select(_s14, _k0, rolled_y, _r4), _select(_s15, _k0, _negative(rolled_y, _r2), _r0), _r0)
-    _s17 = _s6 < _k0
-    _s18 = _s7 < _k0
-    _s19 = _subtract(_select(_s17, _k0, rolled_z, _r7), _select(_s18, _k0, _negative(rolled_z, _r5), _r2), _r2)
-    _s20 = _add(_add(_multiply(_multiply(_k9, _s13, _r5), _s2, _r5), _multiply(_multiply(_k9, _s16, _r7), _s5, _r7), _r7), _multiply(_multiply(_k9, _s19, _r5), _s8, _r5), _r5)
-    _s21 = _add(_multiply(_multiply(_k9, _subtract(_select(_s11, _k0, thrust_x, _r7), _select(_s12, _k0, _negative(thrust_x, _r4), _r1), _r1), _r1), _s2, _r1), _multiply(_k9, _multiply(_s13, _s13, _r11), _r11), _r11)
-    _s22 = _add(_multiply(_multiply(_k9, _subtract(_select(_s14, _k0, thrust_y, _r1), _select(_s15, _k0, _negative(thrust_y, _r4), _r7), _r7), _r7), _s5, _r7), _multiply(_k9, _multiply(_s16, _s16, _r0), _r0), _r0)
-    _s23 = _add(_multiply(_multiply(_k9, _subtract(_select(_s17, _k0, thrust_z, _r7), _select(_s18, _k0, _negative(thrust_z, _r4), _r1), _r1), _r1), _s8, _r1), _multiply(_k9, _multiply(_s19, _s19, _r2), _r2), _r2)
-    _s24 = _add(_multiply(_multiply(_k9, _subtract(_select(_s11, _k0, nx, _r1), _select(_s12, _k0, _negative(nx, _r4), _r7), _r7), _r7), _s2, _r7), _multiply(_multiply(_k9, _subtract(_select(_s14, _k0, ny, _r3), _select(_s15, _k0, _negative(ny, _r4), _r1), _r1), _r1), _s5, _r1), _r1)
-    _s25 = _add(_s24, _multiply(_multiply(_k9, _subtract(_select(_s17, _k0, nz, _r7), _select(_s18, _k0, _negative(nz, _r6), _r4), _r4), _r4), _s8, _r4), _r4)
-    return _s10 - p_ball_radius, _multiply(_k17, _s20, _r1) / _s10, _divide(_multiply(_k17, _add(_add(_s21, _s22, _r0), _s23, _r2), _r2), _s10, _r2) - _divide(_multiply(_k12, _multiply(_s20, _s20, _r5), _r5), _multiply(_s10, _s9, _r8), _r5), _multiply(_k17, _s25, _r4) / _s10
+    _s11 = _s0 < _k6
+    _s12 = _s1 < _k6
+    _s13 = _subtract(_select(_s11, _k6, rolled_x, _r1), _select(_s12, _k6, _negative(rolled_x, _r0), _r11), _r11)
+    _s14 = _s3 < _k6
+    _s15 = _s4 < _k6
+    _s16 = _subtract(_select(_s14, _k6, rolled_y, _r4), _select(_s15, _k6, _negative(rolled_y, _r2), _r0), _r0)
+    _s17 = _s6 < _k6
+    _s18 = _s7 < _k6
+    _s19 = _subtract(_select(_s17, _k6, rolled_z, _r7), _select(_s18, _k6, _negative(rolled_z, _r5), _r2), _r2)
+    _s20 = _add(_add(_multiply(_multiply(_k23, _s13, _r5), _s2, _r5), _multiply(_multiply(_k23, _s16, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s19, _r5), _s8, _r5), _r5)
+    _s21 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, thrust_x, _r7), _select(_s12, _k6, _negative(thrust_x, _r4), _r1), _r1), _r1), _s2, _r1), _multiply(_k23, _multiply(_s13, _s13, _r11), _r11), _r11)
+    _s22 = _add(_multiply(_multiply(_k23, _subtract(_select(_s14, _k6, thrust_y, _r1), _select(_s15, _k6, _negative(thrust_y, _r4), _r7), _r7), _r7), _s5, _r7), _multiply(_k23, _multiply(_s16, _s16, _r0), _r0), _r0)
+    _s23 = _add(_multiply(_multiply(_k23, _subtract(_select(_s17, _k6, thrust_z, _r7), _select(_s18, _k6, _negative(thrust_z, _r4), _r1), _r1), _r1), _s8, _r1), _multiply(_k23, _multiply(_s19, _s19, _r2), _r2), _r2)
+    _s24 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, nx, _r1), _select(_s12, _k6, _negative(nx, _r4), _r7), _r7), _r7), _s2, _r7), _multiply(_multiply(_k23, _subtract(_select(_s14, _k6, ny, _r3), _select(_s15, _k6, _negative(ny, _r4), _r1), _r1), _r1), _s5, _r1), _r1)
+    _s25 = _add(_s24, _multiply(_multiply(_k23, _subtract(_select(_s17, _k6, nz, _r7), _select(_s18, _k6, _negative(nz, _r6), _r4), _r4), _r4), _s8, _r4), _r4)
+    return _s10 - p_ball_radius, _multiply(_k40, _s20, _r1) / _s10, _divide(_multiply(_k40, _add(_add(_s21, _s22, _r0), _s23, _r2), _r2), _s10, _r2) - _divide(_multiply(_k26, _multiply(_s20, _s20, _r5), _r5), _multiply(_s10, _s9, _r8), _r5), _multiply(_k40, _s25, _r4) / _s10
 
 
 def bridge_off(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5217,13 +5316,13 @@ def bridge_off(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p
     _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = _add(p_ring_radius, x, _r0)
     _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
-    _s2 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s1 < _k0, _k0, _s1, _r3), _r3)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s1 < _k6, _k6, _s1, _r3), _r3)
     _s3 = _subtract(y, p_bridge_half_width, _r1)
     _s4 = _negative(_add(p_bridge_half_width, y, _r2), _r2)
-    _s5 = _subtract(_select(_s3 < _k0, _k0, _s3, _r0), _select(_s4 < _k0, _k0, _s4, _r4), _r4)
+    _s5 = _subtract(_select(_s3 < _k6, _k6, _s3, _r0), _select(_s4 < _k6, _k6, _s4, _r4), _r4)
     _s6 = _subtract(z, p_wire_radius, _r2)
     _s7 = _subtract(p_wire_radius - p_bridge_depth, z, _r0)
-    _s8 = _subtract(_select(_s6 < _k0, _k0, _s6, _r1), _select(_s7 < _k0, _k0, _s7, _r5), _r5)
+    _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r1), _select(_s7 < _k6, _k6, _s7, _r5), _r5)
     return _sqrt(_add(_add(_multiply(_s2, _s2, _r3), _multiply(_s5, _s5, _r4), _r4), _multiply(_s8, _s8, _r5), _r5), _r5) - p_ball_radius,
 
 
@@ -5239,17 +5338,17 @@ def bridge_tube(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, 
     _s2 = _add(p_ring_radius, x, _r0)
     _s3 = -_s1
     _s4 = _negative(_add(p_board_distance, x, _r1), _r1)
-    _s5 = _result(_logical_or(_logical_or((_s1 < _s2), _logical_and((_s3 < _s2), (_k0 < vx))), _logical_or((_s1 < _s4), _logical_and((_s3 < _s4), (_k0 < _negative(vx, _r1))))), _k8, _k0, _r0)
+    _s5 = _result(_logical_or(_logical_or((_s1 < _s2), _logical_and((_s3 < _s2), (_k6 < vx))), _logical_or((_s1 < _s4), _logical_and((_s3 < _s4), (_k6 < _negative(vx, _r1))))), _k22, _k6, _r0)
     _s6 = _s0 + (2.842170943040401e-14 * p_bridge_half_width)
     _s7 = _subtract(y, p_bridge_half_width, _r1)
     _s8 = -_s6
     _s9 = _negative(_add(p_bridge_half_width, y, _r0), _r0)
-    _s10 = _result(_logical_or(_logical_or((_s6 < _s7), _logical_and((_s8 < _s7), (_k0 < vy))), _logical_or((_s6 < _s9), _logical_and((_s8 < _s9), (_k0 < _negative(vy, _r0))))), _k8, _k0, _r0)
+    _s10 = _result(_logical_or(_logical_or((_s6 < _s7), _logical_and((_s8 < _s7), (_k6 < vy))), _logical_or((_s6 < _s9), _logical_and((_s8 < _s9), (_k6 < _negative(vy, _r0))))), _k22, _k6, _r0)
     _s11 = (_s0 + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * _absolute((p_bridge_depth - p_wire_radius)))
     _s12 = _subtract(z, p_wire_radius, _r0)
     _s13 = -_s11
     _s14 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
-    _s15 = _result(_logical_or(_logical_or((_s11 < _s12), _logical_and((_s13 < _s12), (_k0 < vz))), _logical_or((_s11 < _s14), _logical_and((_s13 < _s14), (_k0 < _negative(vz, _r1))))), _k8, _k0, _r0)
+    _s15 = _result(_logical_or(_logical_or((_s11 < _s12), _logical_and((_s13 < _s12), (_k6 < vz))), _logical_or((_s11 < _s14), _logical_and((_s13 < _s14), (_k6 < _negative(vz, _r1))))), _k22, _k6, _r0)
     return _s5, _s10, _s15, 1.0 / p_ball_radius
 
 
@@ -5261,9 +5360,9 @@ def bridge_turning(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = 1.0 / p_ball_radius
-    _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < _k0, _k0, rolled_x, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < _k0, _k0, _negative(rolled_x, _r1), _r2), _r2)
-    _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < _k0, _k0, rolled_y, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < _k0, _k0, _negative(rolled_y, _r1), _r0), _r0)
-    _s3 = _s0 * _subtract(_select(_subtract(z, p_wire_radius, _r0) < _k0, _k0, rolled_z, _r0), _select(_subtract(p_wire_radius - p_bridge_depth, z, _r1) < _k0, _k0, _negative(rolled_z, _r1), _r2), _r2)
+    _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < _k6, _k6, rolled_x, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < _k6, _k6, _negative(rolled_x, _r1), _r2), _r2)
+    _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < _k6, _k6, rolled_y, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < _k6, _k6, _negative(rolled_y, _r1), _r0), _r0)
+    _s3 = _s0 * _subtract(_select(_subtract(z, p_wire_radius, _r0) < _k6, _k6, rolled_z, _r0), _select(_subtract(p_wire_radius - p_bridge_depth, z, _r1) < _k6, _k6, _negative(rolled_z, _r1), _r2), _r2)
     return _s1, _s2, _s3
 
 
@@ -5275,31 +5374,31 @@ def bridge_parting(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_wid
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _subtract(z, p_wire_radius, _r0)
-    _s1 = _s0 < _k0
+    _s1 = _s0 < _k6
     _s2 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
-    _s3 = _s2 < _k0
-    _s4 = _subtract(_select(_s1, _k0, -p_gravity, _r2), _select(_s3, _k0, p_gravity, _r3), _r3)
-    _s5 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s2 < _k0, _k0, _s2, _r4), _r4)
-    _s6 = _subtract(_select(_s1, _k0, vz, _r2), _select(_s3, _k0, _negative(vz, _r1), _r0), _r0)
+    _s3 = _s2 < _k6
+    _s4 = _subtract(_select(_s1, _k6, -p_gravity, _r2), _select(_s3, _k6, p_gravity, _r3), _r3)
+    _s5 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s2 < _k6, _k6, _s2, _r4), _r4)
+    _s6 = _subtract(_select(_s1, _k6, vz, _r2), _select(_s3, _k6, _negative(vz, _r1), _r0), _r0)
     _s7 = _add(p_ring_radius, x, _r1)
     _s8 = _negative(_add(p_board_distance, x, _r2), _r2)
-    _s9 = _subtract(_select(_s7 < _k0, _k0, vx, _r5), _select(_s8 < _k0, _k0, _negative(vx, _r6), _r7), _r7)
+    _s9 = _subtract(_select(_s7 < _k6, _k6, vx, _r5), _select(_s8 < _k6, _k6, _negative(vx, _r6), _r7), _r7)
     _s10 = _subtract(y, p_bridge_half_width, _r6)
     _s11 = _negative(_add(p_bridge_half_width, y, _r5), _r5)
-    _s12 = _subtract(_select(_s10 < _k0, _k0, vy, _r8), _select(_s11 < _k0, _k0, _negative(vy, _r9), _r10), _r10)
-    _s13 = _add(_add(_add(_multiply(_multiply(_k9, _s4, _r9), _s5, _r9), _multiply(_k9, _multiply(_s6, _s6, _r8), _r8), _r8), _multiply(_k9, _multiply(_s9, _s9, _r9), _r9), _r9), _multiply(_k9, _multiply(_s12, _s12, _r8), _r8), _r8)
-    _s14 = _subtract(_select(_s7 < _k0, _k0, _s7, _r9), _select(_s8 < _k0, _k0, _s8, _r11), _r11)
-    _s15 = _subtract(_select(_s10 < _k0, _k0, _s10, _r9), _select(_s11 < _k0, _k0, _s11, _r2), _r2)
+    _s12 = _subtract(_select(_s10 < _k6, _k6, vy, _r8), _select(_s11 < _k6, _k6, _negative(vy, _r9), _r10), _r10)
+    _s13 = _add(_add(_add(_multiply(_multiply(_k23, _s4, _r9), _s5, _r9), _multiply(_k23, _multiply(_s6, _s6, _r8), _r8), _r8), _multiply(_k23, _multiply(_s9, _s9, _r9), _r9), _r9), _multiply(_k23, _multiply(_s12, _s12, _r8), _r8), _r8)
+    _s14 = _subtract(_select(_s7 < _k6, _k6, _s7, _r9), _select(_s8 < _k6, _k6, _s8, _r11), _r11)
+    _s15 = _subtract(_select(_s10 < _k6, _k6, _s10, _r9), _select(_s11 < _k6, _k6, _s11, _r2), _r2)
     _s16 = _add(_add(_multiply(_s14, _s14, _r9), _multiply(_s15, _s15, _r5), _r5), _multiply(_s5, _s5, _r9), _r9)
     _s17 = _sqrt(_s16, _r5)
-    _s18 = _add(_add(_multiply(_multiply(_k9, _s9, _r7), _s14, _r7), _multiply(_multiply(_k9, _s12, _r10), _s15, _r10), _r10), _multiply(_multiply(_k9, _s6, _r7), _s5, _r7), _r7)
+    _s18 = _add(_add(_multiply(_multiply(_k23, _s9, _r7), _s14, _r7), _multiply(_multiply(_k23, _s12, _r10), _s15, _r10), _r10), _multiply(_multiply(_k23, _s6, _r7), _s5, _r7), _r7)
     _s19 = _multiply(_s18, _s18, _r10)
     _s20 = _multiply(_s17, _s16, _r4)
-    _s21 = _multiply(_multiply(_k1, _s4, _r2), _s6, _r2)
+    _s21 = _multiply(_multiply(_k7, _s4, _r2), _s6, _r2)
     _s22 = _multiply(_s16, _s16, _r9)
     _s23 = _multiply(_s17, _s22, _r0)
-    _s24 = _subtract(_add(_divide(_multiply(_k17, _multiply(_k1, _multiply(_s4, _s4, _r3), _r3), _r3), _s17, _r3), _divide(_multiply(_multiply(_k111, _s19, _r11), _s13, _r11), _s23, _r11), _r11), _divide(_multiply(_k112, _multiply(_s19, _s19, _r3), _r3), _multiply(_s20, _s22, _r9), _r3), _r3)
-    return _divide(_multiply(_k17, _s13, _r11), _s17, _r11) - _divide(_multiply(_k12, _s19, _r9), _s20, _r9), _add(_divide(_multiply(_k17, _s21, _r9), _s17, _r9), _divide(_multiply(_k109, _multiply(_s18, _s19, _r10), _r10), _s23, _r10), _r10) - _divide(_multiply(_multiply(_k110, _s18, _r9), _s13, _r9), _s20, _r9), _subtract(_s24, _divide(_multiply(_k110, _multiply(_s13, _s13, _r8), _r8), _s20, _r8), _r8) - _divide(_multiply(_s21, _s18, _r2), _s20, _r2)
+    _s24 = _subtract(_add(_divide(_multiply(_k40, _multiply(_k7, _multiply(_s4, _s4, _r3), _r3), _r3), _s17, _r3), _divide(_multiply(_multiply(_k185, _s19, _r11), _s13, _r11), _s23, _r11), _r11), _divide(_multiply(_k186, _multiply(_s19, _s19, _r3), _r3), _multiply(_s20, _s22, _r9), _r3), _r3)
+    return _divide(_multiply(_k40, _s13, _r11), _s17, _r11) - _divide(_multiply(_k26, _s19, _r9), _s20, _r9), _add(_divide(_multiply(_k40, _s21, _r9), _s17, _r9), _divide(_multiply(_k183, _multiply(_s18, _s19, _r10), _r10), _s23, _r10), _r10) - _divide(_multiply(_multiply(_k184, _s18, _r9), _s13, _r9), _s20, _r9), _subtract(_s24, _divide(_multiply(_k184, _multiply(_s13, _s13, _r8), _r8), _s20, _r8), _r8) - _divide(_multiply(_s21, _s18, _r2), _s20, _r2)
 
 
 def bridge_seam0(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
@@ -5365,7 +5464,7 @@ def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = _subtract(z, p_wire_radius, _r0)
     _s1 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
-    _s2 = _subtract(_select(_s0 < _k0, _k0, _s0, _r2), _select(_s1 < _k0, _k0, _s1, _r3), _r3)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s1 < _k6, _k6, _s1, _r3), _r3)
     _s3 = -p_board_distance
     _s4 = _where(0.0 < _s3, _s3, 0.0)
     _s5 = _where(_s4 < p_ring_radius, p_ring_radius, _s4)
@@ -5374,11 +5473,11 @@ def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _s8 = _where(_s7 < _s6, _s6, _s7)
     _s9 = _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r4), _r4), _r4)
     _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
-    _s11 = _select(_k0 < _s10, _s10, _k0, _r5)
+    _s11 = _select(_k6 < _s10, _s10, _k6, _r5)
     _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
-    _s13 = _negative(_divide(_multiply(_k17, _add(_multiply(_multiply(_k9, vx, _r6), x, _r6), _multiply(_multiply(_k9, vy, _r8), y, _r8), _r8), _r8), _s9, _r8), _r8)
-    _s14 = _add(_multiply(_multiply(_k9, _subtract(_select(_s0 < _k0, _k0, vz, _r0), _select(_s1 < _k0, _k0, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k9, _s11, _r5), _select(_k0 < _s10, _s13, _k0, _r2), _r5), _r5)
-    return _s12 - p_ball_radius, _multiply(_k17, _s14, _r5) / _s12
+    _s13 = _negative(_divide(_multiply(_k40, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s14 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k23, _s11, _r5), _select(_k6 < _s10, _s13, _k6, _r2), _r5), _r5)
+    return _s12 - p_ball_radius, _multiply(_k40, _s14, _r5) / _s12
 
 
 def bridge_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -5437,13 +5536,13 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     Returns time, rate, bend, apex, height.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _k0 < leaving
-    _s1 = _select(_s0, _k0, _subtract(z, -p_end_depth, _r0), _r1)
+    _s0 = _k6 < leaving
+    _s1 = _select(_s0, _k6, _subtract(z, -p_end_depth, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
-    _s4 = vz < _k0
+    _s4 = vz < _k6
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k9, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
+    return _select(_s4, _multiply(_k23, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5454,7 +5553,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k130, _s0, _r1), _r1) + _multiply(_k129, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k7, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k232, _s0, _r1), _r1) + _multiply(_k221, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -5809,14 +5908,14 @@ def _one_by_one(body: Any, rows: Any, own: Any, near: Any, far: Any, into: Any, 
 
 def _flight_alone(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `flight` for one shot."""
-    return x + (t * vx), y + (t * vy), z + (t * (vz - ((0.5 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)
+    return x + (t * vx), y + (t * vy), z + (t * (vz - ((_k0 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)
 
 
 def _crossing_alone(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[Any, ...]:
     """Do `crossing` for one shot."""
     _s0 = -(rate + rate_margin)
-    _s1 = 0.0 < _s0
-    return ((_s0 * _s0) - ((6.0 * ceiling) * margin)) if _s1 else _s0, ((6.0 * margin) / _s0) if _s1 else _inf
+    _s1 = _k2 < _s0
+    return ((_s0 * _s0) - ((_k9 * ceiling) * margin)) if _s1 else _s0, ((_k9 * margin) / _s0) if _s1 else _k10
 
 
 def _allowance_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -5831,7 +5930,7 @@ def _allowance_alone(share: Any, horizon: Any, extent: Any, speed: Any, position
 
 def _horizon_alone(t: Any, speed: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `horizon` for one shot."""
-    _s0 = 9.5367431640625e-07 * (t + (speed * (1.0 / p_gravity)))
+    _s0 = _k11 * (t + (speed * (_k1 / p_gravity)))
     return t + _s0, _s0
 
 
@@ -5849,24 +5948,24 @@ def _error_bounds_alone(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, d
     _s9 = abs(dwy)
     _s10 = _s9 if _s8 < _s9 else _s8
     _s11 = abs(dwz)
-    return 16.0 * (_s3 if _s2 < _s3 else _s2), 16.0 * (_s7 if _s6 < _s7 else _s6), 16.0 * (_s11 if _s10 < _s11 else _s10), 16.0 * clock_error
+    return _k36 * (_s3 if _s2 < _s3 else _s2), _k36 * (_s7 if _s6 < _s7 else _s6), _k36 * (_s11 if _s10 < _s11 else _s10), _k36 * clock_error
 
 
 def _passing_from_alone(z: Any) -> tuple[Any, ...]:
     """Do `passing_from` for one shot."""
-    return 0.0 <= z,
+    return _k2 <= z,
 
 
 def _passing_in_contact_alone(over: Any, p_ring_radius: Any, through: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `passing_in_contact` for one shot."""
     _s0 = ((x * x) + (y * y)) < (p_ring_radius * p_ring_radius)
-    _s1 = (0.0 if (through == 1.0) else -1.0) if (((not over) and (0.0 <= z)) and _s0) else through
-    return 1.0 if (((over and (z < 0.0)) and _s0) and (_s1 == 0.0)) else _s1,
+    _s1 = (_k2 if (through == _k1) else _k39) if (((not over) and (_k2 <= z)) and _s0) else through
+    return _k1 if (((over and (z < _k2)) and _s0) and (_s1 == _k2)) else _s1,
 
 
 def _left_alone(index: Any, last: Any) -> tuple[Any, ...]:
     """Do `left` for one shot."""
-    return 1.0 if (last == index) else 0.0,
+    return _k1 if (last == index) else _k2,
 
 
 def _questioned_alone(doubt: Any, time: Any, unsure: Any) -> tuple[Any, ...]:
@@ -5890,24 +5989,24 @@ def _sooner_alone(arrives: Any, index: Any, time: Any, when: Any, which: Any) ->
 
 def _beginning_alone() -> tuple[Any, ...]:
     """Do `beginning` for one shot."""
-    return 2.9802322387695312e-08, _inf, False
+    return _k51, _k10, False
 
 
 def _beyond_alone(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
     """Do `beyond` for one shot."""
-    return 0.0 if (((0.0 < excess) or (0.0 < lost)) or (pad < late)) else doubt,
+    return _k2 if (((_k2 < excess) or (_k2 < lost)) or (pad < late)) else doubt,
 
 
 def _beyond_windows_alone(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any, searching: Any) -> tuple[Any, ...]:
     """Do `beyond_windows` for one shot."""
-    return 0.0 if ((searching and ((0.0 < excess) or (pad < late))) or (0.0 < lost)) else doubt,
+    return _k2 if ((searching and ((_k2 < excess) or (pad < late))) or (_k2 < lost)) else doubt,
 
 
 def _nearby_alone(flat: Any, index: Any, last: Any, t: Any, tilt: Any) -> tuple[Any, ...]:
     """Do `nearby` for one shot."""
     _s0 = t * tilt
     _s1 = (last == index) and (_s0 < flat)
-    return 1.0 if _s1 else 0.0, _s0 if _s1 else flat
+    return _k1 if _s1 else _k2, _s0 if _s1 else flat
 
 
 def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
@@ -5918,32 +6017,32 @@ def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
 def _coarse_alone(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
     """Do `coarse` for one shot."""
     _s0 = (searching and sound) and fits
-    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else 2.9802322387695312e-08
+    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k51
 
 
 def _leapt_alone(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
     """Do `leapt` for one shot."""
     _s0 = lasting + since
-    return _s0 if certain else arrival, _s0 if served else 0.0, (searching and (not certain)) and (lasting < _inf)
+    return _s0 if certain else arrival, _s0 if served else _k2, (searching and (not certain)) and (lasting < _k10)
 
 
 def _struck_alone(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
     """Do `struck` for one shot."""
-    _s0 = (rate < 0.0) or ((rate <= rate_margin) and (bend < 0.0))
-    _s1 = 0.0 < clearance
+    _s0 = (rate < _k2) or ((rate <= rate_margin) and (bend < _k2))
+    _s1 = _k2 < clearance
     _s2 = _s0 and (((gap - margin) <= margin) or _s1)
     _s3 = _s0 and _s1
-    _s4 = (_s2 and (not _s3)) and (0.0 < share)
+    _s4 = (_s2 and (not _s3)) and (_k2 < share)
     return _s2 and (not _s4), _s3, _s4
 
 
 def _struck_or_still_alone(bend: Any, clearance: Any, end: Any, gap: Any, margin: Any, next: Any, rate: Any, rate_margin: Any, share: Any, t: Any) -> tuple[Any, ...]:
     """Do `struck_or_still` for one shot."""
-    _s0 = (rate < 0.0) or ((rate <= rate_margin) and (bend < 0.0))
-    _s1 = 0.0 < clearance
+    _s0 = (rate < _k2) or ((rate <= rate_margin) and (bend < _k2))
+    _s1 = _k2 < clearance
     _s2 = _s0 and (((gap - margin) <= margin) or _s1)
     _s3 = _s0 and _s1
-    _s4 = 0.0 < share
+    _s4 = _k2 < share
     _s5 = (_s2 and (not _s3)) and _s4
     _s6 = _s5 or (((not _s2) and ((t < end) and (not (t < next)))) and _s4)
     return _s2 and (not _s5), _s3, _s6
@@ -5951,12 +6050,12 @@ def _struck_or_still_alone(bend: Any, clearance: Any, end: Any, gap: Any, margin
 
 def _finer_alone(share: Any) -> tuple[Any, ...]:
     """Do `finer` for one shot."""
-    return (0.03125 * share) if (2.842170943040401e-14 < share) else 0.0,
+    return (_k53 * share) if (_k52 < share) else _k2,
 
 
 def _exceeded_alone(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
     """Do `exceeded` for one shot."""
-    return t if ((0.0 < excess) and (t < doubt)) else doubt,
+    return t if ((_k2 < excess) and (t < doubt)) else doubt,
 
 
 def _advanced_alone(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, step: Any, sure: Any, t: Any, vague: Any) -> tuple[Any, ...]:
@@ -5968,29 +6067,29 @@ def _advanced_alone(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, s
 
 def _found_alone(arrival: Any) -> tuple[Any, ...]:
     """Do `found` for one shot."""
-    _s0 = arrival < _inf
-    return _s0, _s0, 0.0
+    _s0 = arrival < _k10
+    return _s0, _s0, _k2
 
 
 def _polished_alone(arrival: Any, ceiling: Any, certain: Any, gap: Any, rate: Any, refined: Any) -> tuple[Any, ...]:
     """Do `polished` for one shot."""
-    return refined if certain else arrival, certain and ((5.960464477539063e-08 * (rate * rate)) < (ceiling * abs(gap)))
+    return refined if certain else arrival, certain and ((_k54 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
     """Do `own_margin` for one shot."""
-    return (arrival * tilt) if (0.0 < leaving) else flat,
+    return (arrival * tilt) if (_k2 < leaving) else flat,
 
 
 def _landed_alone(arrival: Any) -> tuple[Any, ...]:
     """Do `landed` for one shot."""
-    return 0.0 if (arrival < 0.0) else arrival,
+    return _k2 if (arrival < _k2) else arrival,
 
 
 def _landed_surely_alone(arrives: Any, certain: Any, clearance: Any, delay: Any, doubt: Any, time: Any) -> tuple[Any, ...]:
     """Do `landed_surely` for one shot."""
-    _s0 = certain and (0.0 < clearance)
-    return delay if _s0 else 0.0, time if ((arrives and (not _s0)) and (time < doubt)) else doubt
+    _s0 = certain and (_k2 < clearance)
+    return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < doubt)) else doubt
 
 
 def _circles_alone(held: Any, index: Any, rolling: Any) -> tuple[Any, ...]:
@@ -6001,20 +6100,20 @@ def _circles_alone(held: Any, index: Any, rolling: Any) -> tuple[Any, ...]:
 
 def _leaps_alone(stride: Any) -> tuple[Any, ...]:
     """Do `leaps` for one shot."""
-    _s0 = 0.5 * stride
+    _s0 = _k0 * stride
     return _s0, -_s0
 
 
 def _cleared_alone(berth: Any, gap: Any, leap: Any, nearing: Any) -> tuple[Any, ...]:
     """Do `cleared` for one shot."""
     _s0 = leap * nearing
-    _s1 = gap + (_s0 if _s0 < 0.0 else 0.0)
+    _s1 = gap + (_s0 if _s0 < _k2 else _k2)
     return _s1 if _s1 < berth else berth,
 
 
 def _for_ever_alone(endless: Any, which: Any) -> tuple[Any, ...]:
     """Do `for_ever` for one shot."""
-    return 8.0 if endless else which,
+    return _k31 if endless else which,
 
 
 def _rejoined_alone(circling: Any, rolling: Any) -> tuple[Any, ...]:
@@ -6024,7 +6123,7 @@ def _rejoined_alone(circling: Any, rolling: Any) -> tuple[Any, ...]:
 
 def _roll_0_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, nx_0: Any, ny_0: Any, nz_0: Any, per_reach: Any, turn_rate_0: Any, vx_0: Any, vy_0: Any, vz_0: Any) -> tuple[Any, ...]:
     """Do `roll_0` for one shot."""
-    _s0 = 0.6 * p_gravity
+    _s0 = _k4 * p_gravity
     _s1 = (bent_x * per_reach) * vx_0
     _s2 = (bent_y * per_reach) * vy_0
     _s3 = (bent_z * per_reach) * vz_0
@@ -6032,7 +6131,7 @@ def _roll_0_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, nx_0: A
     _s5 = (ny_0 * _s3) - (nz_0 * _s2)
     _s6 = (nz_0 * _s1) - (nx_0 * _s3)
     _s7 = (nx_0 * _s2) - (ny_0 * _s1)
-    return _s4, _s5, _s6, _s7, (nx_0 * _s4) + (0.4 * (turn_rate_0 * _s5)), (ny_0 * _s4) + (0.4 * (turn_rate_0 * _s6)), ((nz_0 * _s4) + (0.4 * (turn_rate_0 * _s7))) - _s0, _s1, _s2, _s3, -(((vx_0 * _s5) + (vy_0 * _s6)) + (vz_0 * _s7))
+    return _s4, _s5, _s6, _s7, (nx_0 * _s4) + (_k3 * (turn_rate_0 * _s5)), (ny_0 * _s4) + (_k3 * (turn_rate_0 * _s6)), ((nz_0 * _s4) + (_k3 * (turn_rate_0 * _s7))) - _s0, _s1, _s2, _s3, -(((vx_0 * _s5) + (vy_0 * _s6)) + (vz_0 * _s7))
 
 
 def _roll_1_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, ty_0: Any, tz_0: Any, vx_0: Any, vx_1: Any, vy_0: Any, vy_1: Any, vz_0: Any, vz_1: Any) -> tuple[Any, ...]:
@@ -6040,119 +6139,119 @@ def _roll_1_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s0 = (bent_x * per_reach) * vx_1
     _s1 = (bent_y * per_reach) * vy_1
     _s2 = (bent_z * per_reach) * vz_1
-    _s3 = ((0.6 * p_gravity) * nz_1) - ((((nx_1 * vx_1) + (vx_0 * _s0)) + ((ny_1 * vy_1) + (vy_0 * _s1))) + ((nz_1 * vz_1) + (vz_0 * _s2)))
+    _s3 = ((_k4 * p_gravity) * nz_1) - ((((nx_1 * vx_1) + (vx_0 * _s0)) + ((ny_1 * vy_1) + (vy_0 * _s1))) + ((nz_1 * vz_1) + (vz_0 * _s2)))
     _s4 = ny_1 * nz_1
     _s5 = ((ny_0 * _s2) + _s4) - (_s4 + (nz_0 * _s1))
     _s6 = nx_1 * nz_1
     _s7 = (_s6 + (nz_0 * _s0)) - ((nx_0 * _s2) + _s6)
     _s8 = nx_1 * ny_1
     _s9 = ((nx_0 * _s1) + _s8) - (_s8 + (ny_0 * _s0))
-    _s10 = -(0.5 * ((((tx_0 * vx_1) + (vx_0 * _s5)) + ((ty_0 * vy_1) + (vy_0 * _s7))) + ((tz_0 * vz_1) + (vz_0 * _s9))))
-    return _s3, _s5, _s7, _s9, 0.5 * (((lift_0 * nx_1) + (nx_0 * _s3)) + (0.4 * ((turn_rate_0 * _s5) + (turn_rate_1 * tx_0)))), 0.5 * (((lift_0 * ny_1) + (ny_0 * _s3)) + (0.4 * ((turn_rate_0 * _s7) + (turn_rate_1 * ty_0)))), 0.5 * (((lift_0 * nz_1) + (nz_0 * _s3)) + (0.4 * ((turn_rate_0 * _s9) + (turn_rate_1 * tz_0)))), 0.5 * _s0, 0.5 * _s1, 0.5 * _s2, _s10
+    _s10 = -(_k0 * ((((tx_0 * vx_1) + (vx_0 * _s5)) + ((ty_0 * vy_1) + (vy_0 * _s7))) + ((tz_0 * vz_1) + (vz_0 * _s9))))
+    return _s3, _s5, _s7, _s9, _k0 * (((lift_0 * nx_1) + (nx_0 * _s3)) + (_k3 * ((turn_rate_0 * _s5) + (turn_rate_1 * tx_0)))), _k0 * (((lift_0 * ny_1) + (ny_0 * _s3)) + (_k3 * ((turn_rate_0 * _s7) + (turn_rate_1 * ty_0)))), _k0 * (((lift_0 * nz_1) + (nz_0 * _s3)) + (_k3 * ((turn_rate_0 * _s9) + (turn_rate_1 * tz_0)))), _k0 * _s0, _k0 * _s1, _k0 * _s2, _s10
 
 
 def _roll_2_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any) -> tuple[Any, ...]:
     """Do `roll_2` for one shot."""
-    _s0 = 2.0 * nx_2
+    _s0 = _k29 * nx_2
     _s1 = (bent_x * per_reach) * vx_2
-    _s2 = 2.0 * ny_2
+    _s2 = _k29 * ny_2
     _s3 = (bent_y * per_reach) * vy_2
     _s4 = (bent_z * per_reach) * vz_2
-    _s5 = ((0.6 * p_gravity) * nz_2) - (((((nx_1 * vx_2) + (_s0 * vx_1)) + (vx_0 * _s1)) + (((ny_1 * vy_2) + (_s2 * vy_1)) + (vy_0 * _s3))) + (((nz_1 * vz_2) + ((2.0 * nz_2) * vz_1)) + (vz_0 * _s4)))
-    _s6 = (((ny_0 * _s4) + ((2.0 * ny_1) * nz_2)) + (ny_2 * nz_1)) - (((ny_1 * nz_2) + (_s2 * nz_1)) + (nz_0 * _s3))
-    _s7 = 2.0 * nx_1
+    _s5 = ((_k4 * p_gravity) * nz_2) - (((((nx_1 * vx_2) + (_s0 * vx_1)) + (vx_0 * _s1)) + (((ny_1 * vy_2) + (_s2 * vy_1)) + (vy_0 * _s3))) + (((nz_1 * vz_2) + ((_k29 * nz_2) * vz_1)) + (vz_0 * _s4)))
+    _s6 = (((ny_0 * _s4) + ((_k29 * ny_1) * nz_2)) + (ny_2 * nz_1)) - (((ny_1 * nz_2) + (_s2 * nz_1)) + (nz_0 * _s3))
+    _s7 = _k29 * nx_1
     _s8 = (((nx_1 * nz_2) + (_s0 * nz_1)) + (nz_0 * _s1)) - (((nx_0 * _s4) + (_s7 * nz_2)) + (nx_2 * nz_1))
     _s9 = (((nx_0 * _s3) + (_s7 * ny_2)) + (nx_2 * ny_1)) - (((nx_1 * ny_2) + (_s0 * ny_1)) + (ny_0 * _s1))
-    _s10 = 0.3333333333333333 * ((((lift_0 * nx_2) + (lift_1 * nx_1)) + (nx_0 * _s5)) + (0.4 * (((turn_rate_0 * _s6) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))))
-    _s11 = 0.3333333333333333 * ((((lift_0 * ny_2) + (lift_1 * ny_1)) + (ny_0 * _s5)) + (0.4 * (((turn_rate_0 * _s8) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))))
-    _s12 = 0.3333333333333333 * ((((lift_0 * nz_2) + (lift_1 * nz_1)) + (nz_0 * _s5)) + (0.4 * (((turn_rate_0 * _s9) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))))
-    _s13 = 0.3333333333333333 * (((((tx_0 * vx_2) + (tx_1 * vx_1)) + (vx_0 * _s6)) + (((ty_0 * vy_2) + (ty_1 * vy_1)) + (vy_0 * _s8))) + (((tz_0 * vz_2) + (tz_1 * vz_1)) + (vz_0 * _s9)))
-    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, 0.3333333333333333 * _s1, 0.3333333333333333 * _s3, 0.3333333333333333 * _s4, -_s13
+    _s10 = _k58 * ((((lift_0 * nx_2) + (lift_1 * nx_1)) + (nx_0 * _s5)) + (_k3 * (((turn_rate_0 * _s6) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))))
+    _s11 = _k58 * ((((lift_0 * ny_2) + (lift_1 * ny_1)) + (ny_0 * _s5)) + (_k3 * (((turn_rate_0 * _s8) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))))
+    _s12 = _k58 * ((((lift_0 * nz_2) + (lift_1 * nz_1)) + (nz_0 * _s5)) + (_k3 * (((turn_rate_0 * _s9) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))))
+    _s13 = _k58 * (((((tx_0 * vx_2) + (tx_1 * vx_1)) + (vx_0 * _s6)) + (((ty_0 * vy_2) + (ty_1 * vy_1)) + (vy_0 * _s8))) + (((tz_0 * vz_2) + (tz_1 * vz_1)) + (vz_0 * _s9)))
+    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k58 * _s1, _k58 * _s3, _k58 * _s4, -_s13
 
 
 def _roll_3_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any) -> tuple[Any, ...]:
     """Do `roll_3` for one shot."""
-    _s0 = 2.0 * nx_2
-    _s1 = 3.0 * nx_3
+    _s0 = _k29 * nx_2
+    _s1 = _k55 * nx_3
     _s2 = (bent_x * per_reach) * vx_3
-    _s3 = 2.0 * ny_2
-    _s4 = 3.0 * ny_3
+    _s3 = _k29 * ny_2
+    _s4 = _k55 * ny_3
     _s5 = (bent_y * per_reach) * vy_3
     _s6 = (bent_z * per_reach) * vz_3
-    _s7 = (((((nx_1 * vx_3) + (_s0 * vx_2)) + (_s1 * vx_1)) + (vx_0 * _s2)) + ((((ny_1 * vy_3) + (_s3 * vy_2)) + (_s4 * vy_1)) + (vy_0 * _s5))) + ((((nz_1 * vz_3) + ((2.0 * nz_2) * vz_2)) + ((3.0 * nz_3) * vz_1)) + (vz_0 * _s6))
-    _s8 = ((0.6 * p_gravity) * nz_3) - _s7
+    _s7 = (((((nx_1 * vx_3) + (_s0 * vx_2)) + (_s1 * vx_1)) + (vx_0 * _s2)) + ((((ny_1 * vy_3) + (_s3 * vy_2)) + (_s4 * vy_1)) + (vy_0 * _s5))) + ((((nz_1 * vz_3) + ((_k29 * nz_2) * vz_2)) + ((_k55 * nz_3) * vz_1)) + (vz_0 * _s6))
+    _s8 = ((_k4 * p_gravity) * nz_3) - _s7
     _s9 = _s3 * nz_2
-    _s10 = ((((ny_0 * _s6) + ((3.0 * ny_1) * nz_3)) + _s9) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s9) + (_s4 * nz_1)) + (nz_0 * _s5))
+    _s10 = ((((ny_0 * _s6) + ((_k55 * ny_1) * nz_3)) + _s9) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s9) + (_s4 * nz_1)) + (nz_0 * _s5))
     _s11 = _s0 * nz_2
-    _s12 = 3.0 * nx_1
+    _s12 = _k55 * nx_1
     _s13 = ((((nx_1 * nz_3) + _s11) + (_s1 * nz_1)) + (nz_0 * _s2)) - ((((nx_0 * _s6) + (_s12 * nz_3)) + _s11) + (nx_3 * nz_1))
     _s14 = _s0 * ny_2
     _s15 = ((((nx_0 * _s5) + (_s12 * ny_3)) + _s14) + (nx_3 * ny_1)) - ((((nx_1 * ny_3) + _s14) + (_s1 * ny_1)) + (ny_0 * _s2))
-    _s16 = ((((lift_0 * nx_3) + (lift_1 * nx_2)) + (lift_2 * nx_1)) + (nx_0 * _s8)) + (0.4 * ((((turn_rate_0 * _s10) + (turn_rate_1 * tx_2)) + (turn_rate_2 * tx_1)) + (turn_rate_3 * tx_0)))
-    _s17 = ((((lift_0 * ny_3) + (lift_1 * ny_2)) + (lift_2 * ny_1)) + (ny_0 * _s8)) + (0.4 * ((((turn_rate_0 * _s13) + (turn_rate_1 * ty_2)) + (turn_rate_2 * ty_1)) + (turn_rate_3 * ty_0)))
-    _s18 = ((((lift_0 * nz_3) + (lift_1 * nz_2)) + (lift_2 * nz_1)) + (nz_0 * _s8)) + (0.4 * ((((turn_rate_0 * _s15) + (turn_rate_1 * tz_2)) + (turn_rate_2 * tz_1)) + (turn_rate_3 * tz_0)))
+    _s16 = ((((lift_0 * nx_3) + (lift_1 * nx_2)) + (lift_2 * nx_1)) + (nx_0 * _s8)) + (_k3 * ((((turn_rate_0 * _s10) + (turn_rate_1 * tx_2)) + (turn_rate_2 * tx_1)) + (turn_rate_3 * tx_0)))
+    _s17 = ((((lift_0 * ny_3) + (lift_1 * ny_2)) + (lift_2 * ny_1)) + (ny_0 * _s8)) + (_k3 * ((((turn_rate_0 * _s13) + (turn_rate_1 * ty_2)) + (turn_rate_2 * ty_1)) + (turn_rate_3 * ty_0)))
+    _s18 = ((((lift_0 * nz_3) + (lift_1 * nz_2)) + (lift_2 * nz_1)) + (nz_0 * _s8)) + (_k3 * ((((turn_rate_0 * _s15) + (turn_rate_1 * tz_2)) + (turn_rate_2 * tz_1)) + (turn_rate_3 * tz_0)))
     _s19 = (((((tx_0 * vx_3) + (tx_1 * vx_2)) + (tx_2 * vx_1)) + (vx_0 * _s10)) + ((((ty_0 * vy_3) + (ty_1 * vy_2)) + (ty_2 * vy_1)) + (vy_0 * _s13))) + ((((tz_0 * vz_3) + (tz_1 * vz_2)) + (tz_2 * vz_1)) + (vz_0 * _s15))
-    return _s8, _s10, _s13, _s15, 0.25 * _s16, 0.25 * _s17, 0.25 * _s18, 0.25 * _s2, 0.25 * _s5, 0.25 * _s6, -(0.25 * _s19)
+    return _s8, _s10, _s13, _s15, _k28 * _s16, _k28 * _s17, _k28 * _s18, _k28 * _s2, _k28 * _s5, _k28 * _s6, -(_k28 * _s19)
 
 
 def _roll_4_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any) -> tuple[Any, ...]:
     """Do `roll_4` for one shot."""
-    _s0 = 2.0 * nx_2
-    _s1 = 3.0 * nx_3
-    _s2 = 4.0 * nx_4
+    _s0 = _k29 * nx_2
+    _s1 = _k55 * nx_3
+    _s2 = _k42 * nx_4
     _s3 = (bent_x * per_reach) * vx_4
-    _s4 = 2.0 * ny_2
-    _s5 = 3.0 * ny_3
-    _s6 = 4.0 * ny_4
+    _s4 = _k29 * ny_2
+    _s5 = _k55 * ny_3
+    _s6 = _k42 * ny_4
     _s7 = (bent_y * per_reach) * vy_4
     _s8 = (((((nx_1 * vx_4) + (_s0 * vx_3)) + (_s1 * vx_2)) + (_s2 * vx_1)) + (vx_0 * _s3)) + (((((ny_1 * vy_4) + (_s4 * vy_3)) + (_s5 * vy_2)) + (_s6 * vy_1)) + (vy_0 * _s7))
     _s9 = (bent_z * per_reach) * vz_4
-    _s10 = ((((nz_1 * vz_4) + ((2.0 * nz_2) * vz_3)) + ((3.0 * nz_3) * vz_2)) + ((4.0 * nz_4) * vz_1)) + (vz_0 * _s9)
-    _s11 = ((0.6 * p_gravity) * nz_4) - (_s8 + _s10)
-    _s12 = ((((ny_0 * _s9) + ((4.0 * ny_1) * nz_4)) + ((3.0 * ny_2) * nz_3)) + ((2.0 * ny_3) * nz_2)) + (ny_4 * nz_1)
+    _s10 = ((((nz_1 * vz_4) + ((_k29 * nz_2) * vz_3)) + ((_k55 * nz_3) * vz_2)) + ((_k42 * nz_4) * vz_1)) + (vz_0 * _s9)
+    _s11 = ((_k4 * p_gravity) * nz_4) - (_s8 + _s10)
+    _s12 = ((((ny_0 * _s9) + ((_k42 * ny_1) * nz_4)) + ((_k55 * ny_2) * nz_3)) + ((_k29 * ny_3) * nz_2)) + (ny_4 * nz_1)
     _s13 = _s12 - (((((ny_1 * nz_4) + (_s4 * nz_3)) + (_s5 * nz_2)) + (_s6 * nz_1)) + (nz_0 * _s7))
-    _s14 = 4.0 * nx_1
-    _s15 = 3.0 * nx_2
-    _s16 = 2.0 * nx_3
+    _s14 = _k42 * nx_1
+    _s15 = _k55 * nx_2
+    _s16 = _k29 * nx_3
     _s17 = (((((nx_1 * nz_4) + (_s0 * nz_3)) + (_s1 * nz_2)) + (_s2 * nz_1)) + (nz_0 * _s3)) - (((((nx_0 * _s9) + (_s14 * nz_4)) + (_s15 * nz_3)) + (_s16 * nz_2)) + (nx_4 * nz_1))
     _s18 = (((((nx_0 * _s7) + (_s14 * ny_4)) + (_s15 * ny_3)) + (_s16 * ny_2)) + (nx_4 * ny_1)) - (((((nx_1 * ny_4) + (_s0 * ny_3)) + (_s1 * ny_2)) + (_s2 * ny_1)) + (ny_0 * _s3))
-    _s19 = 0.4 * (((((turn_rate_0 * _s13) + (turn_rate_1 * tx_3)) + (turn_rate_2 * tx_2)) + (turn_rate_3 * tx_1)) + (turn_rate_4 * tx_0))
+    _s19 = _k3 * (((((turn_rate_0 * _s13) + (turn_rate_1 * tx_3)) + (turn_rate_2 * tx_2)) + (turn_rate_3 * tx_1)) + (turn_rate_4 * tx_0))
     _s20 = (((((lift_0 * nx_4) + (lift_1 * nx_3)) + (lift_2 * nx_2)) + (lift_3 * nx_1)) + (nx_0 * _s11)) + _s19
-    _s21 = 0.4 * (((((turn_rate_0 * _s17) + (turn_rate_1 * ty_3)) + (turn_rate_2 * ty_2)) + (turn_rate_3 * ty_1)) + (turn_rate_4 * ty_0))
+    _s21 = _k3 * (((((turn_rate_0 * _s17) + (turn_rate_1 * ty_3)) + (turn_rate_2 * ty_2)) + (turn_rate_3 * ty_1)) + (turn_rate_4 * ty_0))
     _s22 = (((((lift_0 * ny_4) + (lift_1 * ny_3)) + (lift_2 * ny_2)) + (lift_3 * ny_1)) + (ny_0 * _s11)) + _s21
-    _s23 = 0.4 * (((((turn_rate_0 * _s18) + (turn_rate_1 * tz_3)) + (turn_rate_2 * tz_2)) + (turn_rate_3 * tz_1)) + (turn_rate_4 * tz_0))
+    _s23 = _k3 * (((((turn_rate_0 * _s18) + (turn_rate_1 * tz_3)) + (turn_rate_2 * tz_2)) + (turn_rate_3 * tz_1)) + (turn_rate_4 * tz_0))
     _s24 = (((((lift_0 * nz_4) + (lift_1 * nz_3)) + (lift_2 * nz_2)) + (lift_3 * nz_1)) + (nz_0 * _s11)) + _s23
     _s25 = (((((tx_0 * vx_4) + (tx_1 * vx_3)) + (tx_2 * vx_2)) + (tx_3 * vx_1)) + (vx_0 * _s13)) + (((((ty_0 * vy_4) + (ty_1 * vy_3)) + (ty_2 * vy_2)) + (ty_3 * vy_1)) + (vy_0 * _s17))
     _s26 = _s25 + (((((tz_0 * vz_4) + (tz_1 * vz_3)) + (tz_2 * vz_2)) + (tz_3 * vz_1)) + (vz_0 * _s18))
-    return _s11, _s13, _s17, _s18, 0.2 * _s20, 0.2 * _s22, 0.2 * _s24, 0.2 * _s3, 0.2 * _s7, 0.2 * _s9, -(0.2 * _s26)
+    return _s11, _s13, _s17, _s18, _k62 * _s20, _k62 * _s22, _k62 * _s24, _k62 * _s3, _k62 * _s7, _k62 * _s9, -(_k62 * _s26)
 
 
 def _roll_5_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any) -> tuple[Any, ...]:
     """Do `roll_5` for one shot."""
-    _s0 = 2.0 * nx_2
-    _s1 = 3.0 * nx_3
-    _s2 = 4.0 * nx_4
-    _s3 = 5.0 * nx_5
+    _s0 = _k29 * nx_2
+    _s1 = _k55 * nx_3
+    _s2 = _k42 * nx_4
+    _s3 = _k65 * nx_5
     _s4 = (bent_x * per_reach) * vx_5
     _s5 = (((((nx_1 * vx_5) + (_s0 * vx_4)) + (_s1 * vx_3)) + (_s2 * vx_2)) + (_s3 * vx_1)) + (vx_0 * _s4)
-    _s6 = 2.0 * ny_2
-    _s7 = 3.0 * ny_3
-    _s8 = 4.0 * ny_4
-    _s9 = 5.0 * ny_5
+    _s6 = _k29 * ny_2
+    _s7 = _k55 * ny_3
+    _s8 = _k42 * ny_4
+    _s9 = _k65 * ny_5
     _s10 = (bent_y * per_reach) * vy_5
     _s11 = (((((ny_1 * vy_5) + (_s6 * vy_4)) + (_s7 * vy_3)) + (_s8 * vy_2)) + (_s9 * vy_1)) + (vy_0 * _s10)
-    _s12 = ((((nz_1 * vz_5) + ((2.0 * nz_2) * vz_4)) + ((3.0 * nz_3) * vz_3)) + ((4.0 * nz_4) * vz_2)) + ((5.0 * nz_5) * vz_1)
+    _s12 = ((((nz_1 * vz_5) + ((_k29 * nz_2) * vz_4)) + ((_k55 * nz_3) * vz_3)) + ((_k42 * nz_4) * vz_2)) + ((_k65 * nz_5) * vz_1)
     _s13 = (bent_z * per_reach) * vz_5
-    _s14 = ((0.6 * p_gravity) * nz_5) - ((_s5 + _s11) + (_s12 + (vz_0 * _s13)))
+    _s14 = ((_k4 * p_gravity) * nz_5) - ((_s5 + _s11) + (_s12 + (vz_0 * _s13)))
     _s15 = _s7 * nz_3
-    _s16 = ((((ny_0 * _s13) + ((5.0 * ny_1) * nz_5)) + ((4.0 * ny_2) * nz_4)) + _s15) + ((2.0 * ny_4) * nz_2)
+    _s16 = ((((ny_0 * _s13) + ((_k65 * ny_1) * nz_5)) + ((_k42 * ny_2) * nz_4)) + _s15) + ((_k29 * ny_4) * nz_2)
     _s17 = (((((ny_1 * nz_5) + (_s6 * nz_4)) + _s15) + (_s8 * nz_2)) + (_s9 * nz_1)) + (nz_0 * _s10)
     _s18 = (_s16 + (ny_5 * nz_1)) - _s17
     _s19 = _s1 * nz_3
     _s20 = (((((nx_1 * nz_5) + (_s0 * nz_4)) + _s19) + (_s2 * nz_2)) + (_s3 * nz_1)) + (nz_0 * _s4)
-    _s21 = 5.0 * nx_1
-    _s22 = 4.0 * nx_2
-    _s23 = 2.0 * nx_4
+    _s21 = _k65 * nx_1
+    _s22 = _k42 * nx_2
+    _s23 = _k29 * nx_4
     _s24 = (((((nx_0 * _s13) + (_s21 * nz_5)) + (_s22 * nz_4)) + _s19) + (_s23 * nz_2)) + (nx_5 * nz_1)
     _s25 = _s20 - _s24
     _s26 = _s1 * ny_3
@@ -6168,37 +6267,37 @@ def _roll_5_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s36 = (((((tx_0 * vx_5) + (tx_1 * vx_4)) + (tx_2 * vx_3)) + (tx_3 * vx_2)) + (tx_4 * vx_1)) + (vx_0 * _s18)
     _s37 = (((((ty_0 * vy_5) + (ty_1 * vy_4)) + (ty_2 * vy_3)) + (ty_3 * vy_2)) + (ty_4 * vy_1)) + (vy_0 * _s25)
     _s38 = (((((tz_0 * vz_5) + (tz_1 * vz_4)) + (tz_2 * vz_3)) + (tz_3 * vz_2)) + (tz_4 * vz_1)) + (vz_0 * _s29)
-    return _s14, _s18, _s25, _s29, 0.16666666666666666 * (_s30 + (0.4 * _s31)), 0.16666666666666666 * (_s32 + (0.4 * _s33)), 0.16666666666666666 * (_s34 + (0.4 * _s35)), 0.16666666666666666 * _s4, 0.16666666666666666 * _s10, 0.16666666666666666 * _s13, -(0.16666666666666666 * ((_s36 + _s37) + _s38))
+    return _s14, _s18, _s25, _s29, _k66 * (_s30 + (_k3 * _s31)), _k66 * (_s32 + (_k3 * _s33)), _k66 * (_s34 + (_k3 * _s35)), _k66 * _s4, _k66 * _s10, _k66 * _s13, -(_k66 * ((_s36 + _s37) + _s38))
 
 
 def _roll_6_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any) -> tuple[Any, ...]:
     """Do `roll_6` for one shot."""
-    _s0 = 2.0 * nx_2
-    _s1 = 3.0 * nx_3
-    _s2 = 4.0 * nx_4
-    _s3 = 5.0 * nx_5
-    _s4 = 6.0 * nx_6
+    _s0 = _k29 * nx_2
+    _s1 = _k55 * nx_3
+    _s2 = _k42 * nx_4
+    _s3 = _k65 * nx_5
+    _s4 = _k9 * nx_6
     _s5 = (((((nx_1 * vx_6) + (_s0 * vx_5)) + (_s1 * vx_4)) + (_s2 * vx_3)) + (_s3 * vx_2)) + (_s4 * vx_1)
     _s6 = (bent_x * per_reach) * vx_6
-    _s7 = 2.0 * ny_2
-    _s8 = 3.0 * ny_3
-    _s9 = 4.0 * ny_4
-    _s10 = 5.0 * ny_5
-    _s11 = 6.0 * ny_6
+    _s7 = _k29 * ny_2
+    _s8 = _k55 * ny_3
+    _s9 = _k42 * ny_4
+    _s10 = _k65 * ny_5
+    _s11 = _k9 * ny_6
     _s12 = (((((ny_1 * vy_6) + (_s7 * vy_5)) + (_s8 * vy_4)) + (_s9 * vy_3)) + (_s10 * vy_2)) + (_s11 * vy_1)
     _s13 = (bent_y * per_reach) * vy_6
-    _s14 = ((((nz_1 * vz_6) + ((2.0 * nz_2) * vz_5)) + ((3.0 * nz_3) * vz_4)) + ((4.0 * nz_4) * vz_3)) + ((5.0 * nz_5) * vz_2)
+    _s14 = ((((nz_1 * vz_6) + ((_k29 * nz_2) * vz_5)) + ((_k55 * nz_3) * vz_4)) + ((_k42 * nz_4) * vz_3)) + ((_k65 * nz_5) * vz_2)
     _s15 = (bent_z * per_reach) * vz_6
-    _s16 = ((0.6 * p_gravity) * nz_6) - (((_s5 + (vx_0 * _s6)) + (_s12 + (vy_0 * _s13))) + ((_s14 + ((6.0 * nz_6) * vz_1)) + (vz_0 * _s15)))
-    _s17 = ((((ny_0 * _s15) + ((6.0 * ny_1) * nz_6)) + ((5.0 * ny_2) * nz_5)) + ((4.0 * ny_3) * nz_4)) + ((3.0 * ny_4) * nz_3)
+    _s16 = ((_k4 * p_gravity) * nz_6) - (((_s5 + (vx_0 * _s6)) + (_s12 + (vy_0 * _s13))) + ((_s14 + ((_k9 * nz_6) * vz_1)) + (vz_0 * _s15)))
+    _s17 = ((((ny_0 * _s15) + ((_k9 * ny_1) * nz_6)) + ((_k65 * ny_2) * nz_5)) + ((_k42 * ny_3) * nz_4)) + ((_k55 * ny_4) * nz_3)
     _s18 = (((((ny_1 * nz_6) + (_s7 * nz_5)) + (_s8 * nz_4)) + (_s9 * nz_3)) + (_s10 * nz_2)) + (_s11 * nz_1)
-    _s19 = ((_s17 + ((2.0 * ny_5) * nz_2)) + (ny_6 * nz_1)) - (_s18 + (nz_0 * _s13))
+    _s19 = ((_s17 + ((_k29 * ny_5) * nz_2)) + (ny_6 * nz_1)) - (_s18 + (nz_0 * _s13))
     _s20 = (((((nx_1 * nz_6) + (_s0 * nz_5)) + (_s1 * nz_4)) + (_s2 * nz_3)) + (_s3 * nz_2)) + (_s4 * nz_1)
-    _s21 = 6.0 * nx_1
-    _s22 = 5.0 * nx_2
-    _s23 = 4.0 * nx_3
-    _s24 = 3.0 * nx_4
-    _s25 = 2.0 * nx_5
+    _s21 = _k9 * nx_1
+    _s22 = _k65 * nx_2
+    _s23 = _k42 * nx_3
+    _s24 = _k55 * nx_4
+    _s25 = _k29 * nx_5
     _s26 = (((((nx_0 * _s15) + (_s21 * nz_6)) + (_s22 * nz_5)) + (_s23 * nz_4)) + (_s24 * nz_3)) + (_s25 * nz_2)
     _s27 = (_s20 + (nz_0 * _s6)) - (_s26 + (nx_6 * nz_1))
     _s28 = (((((nx_0 * _s13) + (_s21 * ny_6)) + (_s22 * ny_5)) + (_s23 * ny_4)) + (_s24 * ny_3)) + (_s25 * ny_2)
@@ -6213,44 +6312,44 @@ def _roll_6_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s37 = (((((tx_0 * vx_6) + (tx_1 * vx_5)) + (tx_2 * vx_4)) + (tx_3 * vx_3)) + (tx_4 * vx_2)) + (tx_5 * vx_1)
     _s38 = (((((ty_0 * vy_6) + (ty_1 * vy_5)) + (ty_2 * vy_4)) + (ty_3 * vy_3)) + (ty_4 * vy_2)) + (ty_5 * vy_1)
     _s39 = (((((tz_0 * vz_6) + (tz_1 * vz_5)) + (tz_2 * vz_4)) + (tz_3 * vz_3)) + (tz_4 * vz_2)) + (tz_5 * vz_1)
-    _s40 = -(0.14285714285714285 * (((_s37 + (vx_0 * _s19)) + (_s38 + (vy_0 * _s27))) + (_s39 + (vz_0 * _s30))))
-    return _s16, _s19, _s27, _s30, 0.14285714285714285 * ((_s31 + (nx_0 * _s16)) + (0.4 * (_s32 + (turn_rate_6 * tx_0)))), 0.14285714285714285 * ((_s33 + (ny_0 * _s16)) + (0.4 * (_s34 + (turn_rate_6 * ty_0)))), 0.14285714285714285 * ((_s35 + (nz_0 * _s16)) + (0.4 * (_s36 + (turn_rate_6 * tz_0)))), 0.14285714285714285 * _s6, 0.14285714285714285 * _s13, 0.14285714285714285 * _s15, _s40
+    _s40 = -(_k68 * (((_s37 + (vx_0 * _s19)) + (_s38 + (vy_0 * _s27))) + (_s39 + (vz_0 * _s30))))
+    return _s16, _s19, _s27, _s30, _k68 * ((_s31 + (nx_0 * _s16)) + (_k3 * (_s32 + (turn_rate_6 * tx_0)))), _k68 * ((_s33 + (ny_0 * _s16)) + (_k3 * (_s34 + (turn_rate_6 * ty_0)))), _k68 * ((_s35 + (nz_0 * _s16)) + (_k3 * (_s36 + (turn_rate_6 * tz_0)))), _k68 * _s6, _k68 * _s13, _k68 * _s15, _s40
 
 
 def _roll_7_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any) -> tuple[Any, ...]:
     """Do `roll_7` for one shot."""
-    _s0 = 2.0 * nx_2
-    _s1 = 3.0 * nx_3
-    _s2 = 4.0 * nx_4
-    _s3 = 5.0 * nx_5
-    _s4 = 6.0 * nx_6
+    _s0 = _k29 * nx_2
+    _s1 = _k55 * nx_3
+    _s2 = _k42 * nx_4
+    _s3 = _k65 * nx_5
+    _s4 = _k9 * nx_6
     _s5 = (((((nx_1 * vx_7) + (_s0 * vx_6)) + (_s1 * vx_5)) + (_s2 * vx_4)) + (_s3 * vx_3)) + (_s4 * vx_2)
-    _s6 = 7.0 * nx_7
+    _s6 = _k71 * nx_7
     _s7 = (bent_x * per_reach) * vx_7
-    _s8 = 2.0 * ny_2
-    _s9 = 3.0 * ny_3
-    _s10 = 4.0 * ny_4
-    _s11 = 5.0 * ny_5
-    _s12 = 6.0 * ny_6
+    _s8 = _k29 * ny_2
+    _s9 = _k55 * ny_3
+    _s10 = _k42 * ny_4
+    _s11 = _k65 * ny_5
+    _s12 = _k9 * ny_6
     _s13 = (((((ny_1 * vy_7) + (_s8 * vy_6)) + (_s9 * vy_5)) + (_s10 * vy_4)) + (_s11 * vy_3)) + (_s12 * vy_2)
-    _s14 = 7.0 * ny_7
+    _s14 = _k71 * ny_7
     _s15 = (bent_y * per_reach) * vy_7
-    _s16 = ((((nz_1 * vz_7) + ((2.0 * nz_2) * vz_6)) + ((3.0 * nz_3) * vz_5)) + ((4.0 * nz_4) * vz_4)) + ((5.0 * nz_5) * vz_3)
+    _s16 = ((((nz_1 * vz_7) + ((_k29 * nz_2) * vz_6)) + ((_k55 * nz_3) * vz_5)) + ((_k42 * nz_4) * vz_4)) + ((_k65 * nz_5) * vz_3)
     _s17 = (bent_z * per_reach) * vz_7
-    _s18 = (((_s5 + (_s6 * vx_1)) + (vx_0 * _s7)) + ((_s13 + (_s14 * vy_1)) + (vy_0 * _s15))) + (((_s16 + ((6.0 * nz_6) * vz_2)) + ((7.0 * nz_7) * vz_1)) + (vz_0 * _s17))
-    _s19 = ((0.6 * p_gravity) * nz_7) - _s18
+    _s18 = (((_s5 + (_s6 * vx_1)) + (vx_0 * _s7)) + ((_s13 + (_s14 * vy_1)) + (vy_0 * _s15))) + (((_s16 + ((_k9 * nz_6) * vz_2)) + ((_k71 * nz_7) * vz_1)) + (vz_0 * _s17))
+    _s19 = ((_k4 * p_gravity) * nz_7) - _s18
     _s20 = _s10 * nz_4
-    _s21 = ((((ny_0 * _s17) + ((7.0 * ny_1) * nz_7)) + ((6.0 * ny_2) * nz_6)) + ((5.0 * ny_3) * nz_5)) + _s20
+    _s21 = ((((ny_0 * _s17) + ((_k71 * ny_1) * nz_7)) + ((_k9 * ny_2) * nz_6)) + ((_k65 * ny_3) * nz_5)) + _s20
     _s22 = (((((ny_1 * nz_7) + (_s8 * nz_6)) + (_s9 * nz_5)) + _s20) + (_s11 * nz_3)) + (_s12 * nz_2)
-    _s23 = (((_s21 + ((3.0 * ny_5) * nz_3)) + ((2.0 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s22 + (_s14 * nz_1)) + (nz_0 * _s15))
+    _s23 = (((_s21 + ((_k55 * ny_5) * nz_3)) + ((_k29 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s22 + (_s14 * nz_1)) + (nz_0 * _s15))
     _s24 = _s2 * nz_4
     _s25 = (((((nx_1 * nz_7) + (_s0 * nz_6)) + (_s1 * nz_5)) + _s24) + (_s3 * nz_3)) + (_s4 * nz_2)
-    _s26 = 7.0 * nx_1
-    _s27 = 6.0 * nx_2
-    _s28 = 5.0 * nx_3
-    _s29 = 3.0 * nx_5
+    _s26 = _k71 * nx_1
+    _s27 = _k9 * nx_2
+    _s28 = _k65 * nx_3
+    _s29 = _k55 * nx_5
     _s30 = (((((nx_0 * _s17) + (_s26 * nz_7)) + (_s27 * nz_6)) + (_s28 * nz_5)) + _s24) + (_s29 * nz_3)
-    _s31 = 2.0 * nx_6
+    _s31 = _k29 * nx_6
     _s32 = ((_s25 + (_s6 * nz_1)) + (nz_0 * _s7)) - ((_s30 + (_s31 * nz_2)) + (nx_7 * nz_1))
     _s33 = _s2 * ny_4
     _s34 = (((((nx_0 * _s15) + (_s26 * ny_7)) + (_s27 * ny_6)) + (_s28 * ny_5)) + _s33) + (_s29 * ny_3)
@@ -6258,18 +6357,18 @@ def _roll_7_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s36 = ((_s34 + (_s31 * ny_2)) + (nx_7 * ny_1)) - ((_s35 + (_s6 * ny_1)) + (ny_0 * _s7))
     _s37 = (((((lift_0 * nx_7) + (lift_1 * nx_6)) + (lift_2 * nx_5)) + (lift_3 * nx_4)) + (lift_4 * nx_3)) + (lift_5 * nx_2)
     _s38 = (((((turn_rate_0 * _s23) + (turn_rate_1 * tx_6)) + (turn_rate_2 * tx_5)) + (turn_rate_3 * tx_4)) + (turn_rate_4 * tx_3)) + (turn_rate_5 * tx_2)
-    _s39 = 0.125 * (((_s37 + (lift_6 * nx_1)) + (nx_0 * _s19)) + (0.4 * ((_s38 + (turn_rate_6 * tx_1)) + (turn_rate_7 * tx_0))))
+    _s39 = _k72 * (((_s37 + (lift_6 * nx_1)) + (nx_0 * _s19)) + (_k3 * ((_s38 + (turn_rate_6 * tx_1)) + (turn_rate_7 * tx_0))))
     _s40 = (((((lift_0 * ny_7) + (lift_1 * ny_6)) + (lift_2 * ny_5)) + (lift_3 * ny_4)) + (lift_4 * ny_3)) + (lift_5 * ny_2)
     _s41 = (((((turn_rate_0 * _s32) + (turn_rate_1 * ty_6)) + (turn_rate_2 * ty_5)) + (turn_rate_3 * ty_4)) + (turn_rate_4 * ty_3)) + (turn_rate_5 * ty_2)
-    _s42 = 0.125 * (((_s40 + (lift_6 * ny_1)) + (ny_0 * _s19)) + (0.4 * ((_s41 + (turn_rate_6 * ty_1)) + (turn_rate_7 * ty_0))))
+    _s42 = _k72 * (((_s40 + (lift_6 * ny_1)) + (ny_0 * _s19)) + (_k3 * ((_s41 + (turn_rate_6 * ty_1)) + (turn_rate_7 * ty_0))))
     _s43 = (((((lift_0 * nz_7) + (lift_1 * nz_6)) + (lift_2 * nz_5)) + (lift_3 * nz_4)) + (lift_4 * nz_3)) + (lift_5 * nz_2)
     _s44 = (((((turn_rate_0 * _s36) + (turn_rate_1 * tz_6)) + (turn_rate_2 * tz_5)) + (turn_rate_3 * tz_4)) + (turn_rate_4 * tz_3)) + (turn_rate_5 * tz_2)
-    _s45 = 0.125 * (((_s43 + (lift_6 * nz_1)) + (nz_0 * _s19)) + (0.4 * ((_s44 + (turn_rate_6 * tz_1)) + (turn_rate_7 * tz_0))))
+    _s45 = _k72 * (((_s43 + (lift_6 * nz_1)) + (nz_0 * _s19)) + (_k3 * ((_s44 + (turn_rate_6 * tz_1)) + (turn_rate_7 * tz_0))))
     _s46 = (((((tx_0 * vx_7) + (tx_1 * vx_6)) + (tx_2 * vx_5)) + (tx_3 * vx_4)) + (tx_4 * vx_3)) + (tx_5 * vx_2)
     _s47 = (((((ty_0 * vy_7) + (ty_1 * vy_6)) + (ty_2 * vy_5)) + (ty_3 * vy_4)) + (ty_4 * vy_3)) + (ty_5 * vy_2)
     _s48 = (((((tz_0 * vz_7) + (tz_1 * vz_6)) + (tz_2 * vz_5)) + (tz_3 * vz_4)) + (tz_4 * vz_3)) + (tz_5 * vz_2)
-    _s49 = 0.125 * ((((_s46 + (tx_6 * vx_1)) + (vx_0 * _s23)) + ((_s47 + (ty_6 * vy_1)) + (vy_0 * _s32))) + ((_s48 + (tz_6 * vz_1)) + (vz_0 * _s36)))
-    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, 0.125 * _s7, 0.125 * _s15, 0.125 * _s17, -_s49
+    _s49 = _k72 * ((((_s46 + (tx_6 * vx_1)) + (vx_0 * _s23)) + ((_s47 + (ty_6 * vy_1)) + (vy_0 * _s32))) + ((_s48 + (tz_6 * vz_1)) + (vz_0 * _s36)))
+    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k72 * _s7, _k72 * _s15, _k72 * _s17, -_s49
 
 
 def _roll_start_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -6279,20 +6378,20 @@ def _roll_start_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy
 
 def _roll_moved_alone(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `roll_moved` for one shot."""
-    _s0 = 0.1111111111111111 * t
-    _s1 = (0.16666666666666666 * vx_5) + (t * ((0.14285714285714285 * vx_6) + (t * ((0.125 * vx_7) + (_s0 * vx_8)))))
-    _s2 = (0.3333333333333333 * vx_2) + (t * ((0.25 * vx_3) + (t * ((0.2 * vx_4) + (t * _s1)))))
-    _s3 = x + (t * (vx_0 + (t * ((0.5 * vx_1) + (t * _s2)))))
+    _s0 = _k74 * t
+    _s1 = (_k66 * vx_5) + (t * ((_k68 * vx_6) + (t * ((_k72 * vx_7) + (_s0 * vx_8)))))
+    _s2 = (_k58 * vx_2) + (t * ((_k28 * vx_3) + (t * ((_k62 * vx_4) + (t * _s1)))))
+    _s3 = x + (t * (vx_0 + (t * ((_k0 * vx_1) + (t * _s2)))))
     _s4 = vx_5 + (t * (vx_6 + (t * (vx_7 + (t * vx_8)))))
     _s5 = vx_2 + (t * (vx_3 + (t * (vx_4 + (t * _s4)))))
-    _s6 = (0.16666666666666666 * vy_5) + (t * ((0.14285714285714285 * vy_6) + (t * ((0.125 * vy_7) + (_s0 * vy_8)))))
-    _s7 = (0.3333333333333333 * vy_2) + (t * ((0.25 * vy_3) + (t * ((0.2 * vy_4) + (t * _s6)))))
-    _s8 = y + (t * (vy_0 + (t * ((0.5 * vy_1) + (t * _s7)))))
+    _s6 = (_k66 * vy_5) + (t * ((_k68 * vy_6) + (t * ((_k72 * vy_7) + (_s0 * vy_8)))))
+    _s7 = (_k58 * vy_2) + (t * ((_k28 * vy_3) + (t * ((_k62 * vy_4) + (t * _s6)))))
+    _s8 = y + (t * (vy_0 + (t * ((_k0 * vy_1) + (t * _s7)))))
     _s9 = vy_5 + (t * (vy_6 + (t * (vy_7 + (t * vy_8)))))
     _s10 = vy_2 + (t * (vy_3 + (t * (vy_4 + (t * _s9)))))
-    _s11 = (0.16666666666666666 * vz_5) + (t * ((0.14285714285714285 * vz_6) + (t * ((0.125 * vz_7) + (_s0 * vz_8)))))
-    _s12 = (0.3333333333333333 * vz_2) + (t * ((0.25 * vz_3) + (t * ((0.2 * vz_4) + (t * _s11)))))
-    _s13 = z + (t * (vz_0 + (t * ((0.5 * vz_1) + (t * _s12)))))
+    _s11 = (_k66 * vz_5) + (t * ((_k68 * vz_6) + (t * ((_k72 * vz_7) + (_s0 * vz_8)))))
+    _s12 = (_k58 * vz_2) + (t * ((_k28 * vz_3) + (t * ((_k62 * vz_4) + (t * _s11)))))
+    _s13 = z + (t * (vz_0 + (t * ((_k0 * vz_1) + (t * _s12)))))
     _s14 = vz_5 + (t * (vz_6 + (t * (vz_7 + (t * vz_8)))))
     _s15 = vz_2 + (t * (vz_3 + (t * (vz_4 + (t * _s14)))))
     _s16 = turn_rate_5 + (t * (turn_rate_6 + (t * (turn_rate_7 + (t * turn_rate_8)))))
@@ -6306,38 +6405,38 @@ def _roll_placed_alone(p_ball_radius: Any, gap: Any, nx: Any, ny: Any, nz: Any, 
     _s1 = vx - (nx * _s0)
     _s2 = vy - (ny * _s0)
     _s3 = vz - (nz * _s0)
-    _s4 = 1.0 / p_ball_radius
+    _s4 = _k1 / p_ball_radius
     return x - (gap * nx), y - (gap * ny), z - (gap * nz), _s1, _s2, _s3, _s4 * (((nx * turn_rate) + (ny * _s3)) - (nz * _s2)), _s4 * (((ny * turn_rate) + (nz * _s1)) - (nx * _s3)), _s4 * (((nx * _s2) + (nz * turn_rate)) - (ny * _s1))
 
 
 def _roll_pace_alone(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, lift_7: Any, nx_8: Any, ny_8: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, nz_8: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any) -> tuple[Any, ...]:
     """Do `roll_pace` for one shot."""
     _s0 = ((abs(turn_rate_0) + abs(vx_0)) + abs(vy_0)) + abs(vz_0)
-    _s1 = (0.015625 * p_gravity) + _s0
+    _s1 = (_k80 * p_gravity) + _s0
     _s2 = abs(per_reach)
     _s3 = ((abs(turn_rate_7) + abs(vx_7)) + abs(vy_7)) + abs(vz_7)
     _s4 = ((abs(turn_rate_8) + abs(vx_8)) + abs(vy_8)) + abs(vz_8)
     _s5 = (((_s2 * _s0) + _root((p_gravity * _s2))) * _s3) + _s4
     _s6 = _s1 * ((abs(nx_8) + abs(ny_8)) + abs(nz_8))
-    _s7 = _root(_root(_root(((1.1102230246251565e-16 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
-    _s8 = _s7 if _s7 < 1.0 else 1.0
-    _s9 = (2.0 * (((abs(turn_rate_2) + abs(vx_2)) + abs(vy_2)) + abs(vz_2))) * _s8
+    _s7 = _root(_root(_root(((_k30 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
+    _s8 = _s7 if _s7 < _k1 else _k1
+    _s9 = (_k29 * (((abs(turn_rate_2) + abs(vx_2)) + abs(vy_2)) + abs(vz_2))) * _s8
     _s10 = _s8 * _s8
-    _s11 = (3.0 * (((abs(turn_rate_3) + abs(vx_3)) + abs(vy_3)) + abs(vz_3))) * _s10
+    _s11 = (_k55 * (((abs(turn_rate_3) + abs(vx_3)) + abs(vy_3)) + abs(vz_3))) * _s10
     _s12 = _s8 * _s10
-    _s13 = (4.0 * (((abs(turn_rate_4) + abs(vx_4)) + abs(vy_4)) + abs(vz_4))) * _s12
+    _s13 = (_k42 * (((abs(turn_rate_4) + abs(vx_4)) + abs(vy_4)) + abs(vz_4))) * _s12
     _s14 = _s10 * _s10
-    _s15 = (5.0 * (((abs(turn_rate_5) + abs(vx_5)) + abs(vy_5)) + abs(vz_5))) * _s14
+    _s15 = (_k65 * (((abs(turn_rate_5) + abs(vx_5)) + abs(vy_5)) + abs(vz_5))) * _s14
     _s16 = _s8 * _s14
-    _s17 = (6.0 * (((abs(turn_rate_6) + abs(vx_6)) + abs(vy_6)) + abs(vz_6))) * _s16
-    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((7.0 * _s3) * (_s10 * _s14))) + ((8.0 * _s4) * (_s12 * _s14))
+    _s17 = (_k9 * (((abs(turn_rate_6) + abs(vx_6)) + abs(vy_6)) + abs(vz_6))) * _s16
+    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k71 * _s3) * (_s10 * _s14))) + ((_k31 * _s4) * (_s12 * _s14))
     _s19 = _s18 + (((abs(turn_rate_1) + abs(vx_1)) + abs(vy_1)) + abs(vz_1))
-    _s20 = 0.4 * p_gravity
-    _s21 = ((6.0 * abs((lift_3 + (_s20 * nz_3)))) * _s8) + ((12.0 * abs((lift_4 + (_s20 * nz_4)))) * _s10)
-    _s22 = _s21 + ((20.0 * abs((lift_5 + (_s20 * nz_5)))) * _s12)
-    _s23 = _s22 + ((30.0 * abs((lift_6 + (_s20 * nz_6)))) * _s14)
-    _s24 = _s23 + ((42.0 * abs((lift_7 + (_s20 * nz_7)))) * _s16)
-    return _s8, _s19, (_s19 * _s8) + _s0, lift_0 + (_s20 * nz_0), lift_1 + (_s20 * nz_1), _s24 + (2.0 * abs((lift_2 + (_s20 * nz_2)))), -(0.8 * (-(p_gravity * nz_1)))
+    _s20 = _k3 * p_gravity
+    _s21 = ((_k9 * abs((lift_3 + (_s20 * nz_3)))) * _s8) + ((_k81 * abs((lift_4 + (_s20 * nz_4)))) * _s10)
+    _s22 = _s21 + ((_k82 * abs((lift_5 + (_s20 * nz_5)))) * _s12)
+    _s23 = _s22 + ((_k83 * abs((lift_6 + (_s20 * nz_6)))) * _s14)
+    _s24 = _s23 + ((_k84 * abs((lift_7 + (_s20 * nz_7)))) * _s16)
+    return _s8, _s19, (_s19 * _s8) + _s0, lift_0 + (_s20 * nz_0), lift_1 + (_s20 * nz_1), _s24 + (_k29 * abs((lift_2 + (_s20 * nz_2)))), -(_k85 * (-(p_gravity * nz_1)))
 
 
 def _roll_turn_rate_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -6354,95 +6453,95 @@ def _gripped_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: A
     _s4 = _s3 - (p_ball_radius * ((nx * wz) - (nz * wx)))
     _s5 = vz - (nz * _s0)
     _s6 = _s5 - (p_ball_radius * ((ny * wx) - (nx * wy)))
-    return _s1 - (0.4 * _s2), _s3 - (0.4 * _s4), _s5 - (0.4 * _s6), _root((((_s6 * _s6) + (_s4 * _s4)) + (_s2 * _s2))), _s0 if 0.0 < _s0 else 0.0
+    return _s1 - (_k3 * _s2), _s3 - (_k3 * _s4), _s5 - (_k3 * _s6), _root((((_s6 * _s6) + (_s4 * _s4)) + (_s2 * _s2))), _s0 if _k2 < _s0 else _k2
 
 
 def _alone_alone() -> tuple[Any, ...]:
     """Do `alone` for one shot."""
-    return _inf, _inf
+    return _k10, _k10
 
 
 def _begun_errors_alone(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `begun_errors` for one shot."""
-    _s0 = 3.637978807091713e-12 * p_ball_radius
+    _s0 = _k93 * p_ball_radius
     _s1 = -_s0
-    _s2 = (1.4551915228366852e-11 * p_ball_radius) * (1.0 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
+    _s2 = (_k94 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
     _s3 = -_s2
     _s4 = _s2 / p_ball_radius
     _s5 = -_s4
-    return dx + (_s1 if (dx < 0.0) else _s0), dy + (_s1 if (dy < 0.0) else _s0), dz + (_s1 if (dz < 0.0) else _s0), dvx + (_s3 if (dvx < 0.0) else _s2), dvy + (_s3 if (dvy < 0.0) else _s2), dvz + (_s3 if (dvz < 0.0) else _s2), dwx + (_s5 if (dwx < 0.0) else _s4), dwy + (_s5 if (dwy < 0.0) else _s4), dwz + (_s5 if (dwz < 0.0) else _s4)
+    return dx + (_s1 if (dx < _k2) else _s0), dy + (_s1 if (dy < _k2) else _s0), dz + (_s1 if (dz < _k2) else _s0), dvx + (_s3 if (dvx < _k2) else _s2), dvy + (_s3 if (dvy < _k2) else _s2), dvz + (_s3 if (dvz < _k2) else _s2), dwx + (_s5 if (dwx < _k2) else _s4), dwy + (_s5 if (dwy < _k2) else _s4), dwz + (_s5 if (dwz < _k2) else _s4)
 
 
 def _leaving_force_alone(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, force: Any, force_bend: Any, force_rate: Any, p_gravity: Any, per_reach: Any, position_error: Any, stride: Any, velocity_error: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any) -> tuple[Any, ...]:
     """Do `leaving_force` for one shot."""
     _s0 = abs(per_reach)
     _s1 = p_gravity + ((fastest * fastest) * _s0)
-    _s2 = 5.684341886080802e-14 * _s1
-    _s3 = force_rate < 0.0
+    _s2 = _k96 * _s1
+    _s3 = force_rate < _k2
     _s4 = (force < (-_s2)) or ((force <= _s2) and _s3)
     _s5 = -(brace + force_rate)
-    _s6 = force + (((_s5 * _s5) / (p_gravity * (_s0 * _s1))) if (_s5 < 0.0) else 0.0)
+    _s6 = force + (((_s5 * _s5) / (p_gravity * (_s0 * _s1))) if (_s5 < _k2) else _k2)
     _s7 = _s4 and (_s2 < _s6)
     _s8 = _s4 and (not _s7)
-    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (5.684341886080802e-14 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (5.684341886080802e-14 * p_gravity))
+    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k96 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k96 * p_gravity))
     _s10 = force_rate * force_rate
-    _s11 = force_bend + (9.094947017729282e-13 * _s1)
-    _s12 = _s6 if _s7 else (0.0 if force < 0.0 else force)
-    _s13 = _s10 + ((2.0 * _s11) * _s12)
+    _s11 = force_bend + (_k91 * _s1)
+    _s12 = _s6 if _s7 else (_k2 if force < _k2 else force)
+    _s13 = _s10 + ((_k29 * _s11) * _s12)
     _s14 = _root(_s13)
-    _s15 = (((2.0 * _s12) if _s3 else (force_rate + _s14)) / ((_s14 - force_rate) if _s3 else (_s11 if 0.0 < _s11 else 0.0))) if (0.0 <= _s13) else _inf
-    _s16 = ((8.0 * _s0) * ((fastest * velocity_error) + (position_error * _s1))) + _s2
-    _s17 = _s7 or ((abs(force) <= _s16) and (not (((8.0 * _s11) * _s16) < _s10)))
-    return 0.0 if (_s8 or _s9) else (_s15 if _s15 < stride else stride), 6.0 if (_s8 and (which == -1.0)) else which, _s9 and (not _s8), 0.0 if _s17 else doubt
+    _s15 = (((_k29 * _s12) if _s3 else (force_rate + _s14)) / ((_s14 - force_rate) if _s3 else (_s11 if _k2 < _s11 else _k2))) if (_k2 <= _s13) else _k10
+    _s16 = ((_k31 * _s0) * ((fastest * velocity_error) + (position_error * _s1))) + _s2
+    _s17 = _s7 or ((abs(force) <= _s16) and (not (((_k31 * _s11) * _s16) < _s10)))
+    return _k2 if (_s8 or _s9) else (_s15 if _s15 < stride else stride), _k9 if (_s8 and (which == _k39)) else which, _s9 and (not _s8), _k2 if _s17 else doubt
 
 
 def _beside_body_alone(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `beside_body` for one shot."""
-    _s0 = 7.105427357601002e-15 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k98 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = gap <= _s0
-    _s2 = nearing < 0.0
+    _s2 = nearing < _k2
     _s3 = _s1 and _s2
     _s4 = nearing * nearing
     _s5 = strongest + (dent * (fastest * fastest))
-    _s6 = (3.637978807091713e-12 * p_ball_radius) if _s1 else gap
-    _s7 = _s4 + ((2.0 * _s5) * _s6)
+    _s6 = (_k93 * p_ball_radius) if _s1 else gap
+    _s7 = _s4 + ((_k29 * _s5) * _s6)
     _s8 = _root(_s7)
-    _s9 = (((2.0 * _s6) if _s2 else (nearing + _s8)) / ((_s8 - nearing) if _s2 else (_s5 if 0.0 < _s5 else 0.0))) if (0.0 <= _s7) else _inf
-    _s10 = which == -1.0
+    _s9 = (((_k29 * _s6) if _s2 else (nearing + _s8)) / ((_s8 - nearing) if _s2 else (_s5 if _k2 < _s5 else _k2))) if (_k2 <= _s7) else _k10
+    _s10 = which == _k39
     _s11 = _s3 and _s10
-    _s12 = (2.0 * position_error) + _s0
-    _s13 = (((gap <= _s12) and ((-_s12) <= gap)) and (not (((8.0 * _s12) * _s5) < _s4))) or (_s3 and (not _s10))
-    return 0.0 if _s3 else (_s9 if _s9 < stride else stride), index if _s11 else which, 0.0 if _s13 else doubt, ((2.0 * _s12) / abs(nearing)) if _s11 else late
+    _s12 = (_k29 * position_error) + _s0
+    _s13 = (((gap <= _s12) and ((-_s12) <= gap)) and (not (((_k31 * _s12) * _s5) < _s4))) or (_s3 and (not _s10))
+    return _k2 if _s3 else (_s9 if _s9 < stride else stride), index if _s11 else which, _k2 if _s13 else doubt, ((_k29 * _s12) / abs(nearing)) if _s11 else late
 
 
 def _beside_gate_alone(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `beside_gate` for one shot."""
-    _s0 = 7.105427357601002e-15 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
-    _s1 = nearing < 0.0
+    _s0 = _k98 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s1 = nearing < _k2
     _s2 = ((gap <= _s0) and _s1) and ((-_s0) <= gap)
     _s3 = nearing * nearing
     _s4 = strongest + (dent * (fastest * fastest))
-    _s5 = 0.0 if gap < 0.0 else gap
-    _s6 = _s3 + ((2.0 * _s4) * _s5)
+    _s5 = _k2 if gap < _k2 else gap
+    _s6 = _s3 + ((_k29 * _s4) * _s5)
     _s7 = _root(_s6)
-    _s8 = ((((2.0 * _s5) if _s1 else (nearing + _s7)) / ((_s7 - nearing) if _s1 else (_s4 if 0.0 < _s4 else 0.0))) if (0.0 <= _s6) else _inf) if (0.0 < gap) else _inf
-    _s9 = which == -1.0
+    _s8 = ((((_k29 * _s5) if _s1 else (nearing + _s7)) / ((_s7 - nearing) if _s1 else (_s4 if _k2 < _s4 else _k2))) if (_k2 <= _s6) else _k10) if (_k2 < gap) else _k10
+    _s9 = which == _k39
     _s10 = _s2 and _s9
-    _s11 = (2.0 * position_error) + _s0
-    _s12 = (((gap <= _s11) and ((-_s11) <= gap)) and (not (((8.0 * _s11) * _s4) < _s3))) or (_s2 and (not _s9))
-    return 0.0 if _s2 else (_s8 if _s8 < stride else stride), index if _s10 else which, 0.0 if _s12 else doubt, ((2.0 * _s11) / abs(nearing)) if _s10 else late
+    _s11 = (_k29 * position_error) + _s0
+    _s12 = (((gap <= _s11) and ((-_s11) <= gap)) and (not (((_k31 * _s11) * _s4) < _s3))) or (_s2 and (not _s9))
+    return _k2 if _s2 else (_s8 if _s8 < stride else stride), index if _s10 else which, _k2 if _s12 else doubt, ((_k29 * _s11) / abs(nearing)) if _s10 else late
 
 
 def _beside_seam_alone(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any) -> tuple[Any, ...]:
     """Do `beside_seam` for one shot."""
     _s0 = abs(gap)
     _s1 = _s0 <= near
-    _s2 = 0.0 if _s1 else _s0
-    _s3 = ((9.5367431640625e-07 * fastest) + abs(nearing)) if _s1 else (nearing if (0.0 < gap) else (-nearing))
-    _s4 = ((2.0 * strongest) * _s2) + (_s3 * _s3)
+    _s2 = _k2 if _s1 else _s0
+    _s3 = ((_k11 * fastest) + abs(nearing)) if _s1 else (nearing if (_k2 < gap) else (-nearing))
+    _s4 = ((_k29 * strongest) * _s2) + (_s3 * _s3)
     _s5 = _root(_s4)
-    _s6 = _s3 < 0.0
-    _s7 = (((2.0 * _s2) if _s6 else (_s3 + _s5)) / ((_s5 - _s3) if _s6 else (strongest if 0.0 < strongest else 0.0))) if (0.0 <= _s4) else _inf
+    _s6 = _s3 < _k2
+    _s7 = (((_k29 * _s2) if _s6 else (_s3 + _s5)) / ((_s5 - _s3) if _s6 else (strongest if _k2 < strongest else _k2))) if (_k2 <= _s4) else _k10
     return _s7 if _s7 < stride else stride,
 
 
@@ -6450,65 +6549,65 @@ def _beside_time_alone(clock: Any, stride: Any, time_limit: Any, which: Any) -> 
     """Do `beside_time` for one shot."""
     _s0 = time_limit - clock
     _s1 = _s0 if _s0 < stride else stride
-    return _s1 if 0.0 < _s1 else 0.0, 4.0 if ((not (clock < time_limit)) and (which == -1.0)) else which
+    return _s1 if _k2 < _s1 else _k2, _k42 if ((not (clock < time_limit)) and (which == _k39)) else which
 
 
 def _rolled_on_alone(clock: Any, rests: Any, stride: Any, which: Any) -> tuple[Any, ...]:
     """Do `rolled_on` for one shot."""
-    return clock + stride, (which == -1.0) and (not rests)
+    return clock + stride, (which == _k39) and (not rests)
 
 
 def _unmet_alone() -> tuple[Any, ...]:
     """Do `unmet` for one shot."""
-    return _inf,
+    return _k10,
 
 
 def _spared_alone(dent: Any, gap: Any, p_gravity: Any, nearing: Any, spare: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `spared` for one shot."""
-    _s0 = (((0.0078125 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s0 = (((_k99 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s1 = p_gravity + (dent * (_s0 * _s0))
-    _s2 = 0.0 if gap < 0.0 else gap
-    _s3 = (nearing * nearing) + ((2.0 * _s1) * _s2)
+    _s2 = _k2 if gap < _k2 else gap
+    _s3 = (nearing * nearing) + ((_k29 * _s1) * _s2)
     _s4 = _root(_s3)
-    _s5 = nearing < 0.0
-    _s6 = (((2.0 * _s2) if _s5 else (nearing + _s4)) / ((_s4 - nearing) if _s5 else (_s1 if 0.0 < _s1 else 0.0))) if (0.0 <= _s3) else _inf
+    _s5 = nearing < _k2
+    _s6 = (((_k29 * _s2) if _s5 else (nearing + _s4)) / ((_s4 - nearing) if _s5 else (_s1 if _k2 < _s1 else _k2))) if (_k2 <= _s3) else _k10
     return _s6 if _s6 < spare else spare,
 
 
 def _spared_seam_alone(gap: Any, p_gravity: Any, near: Any, nearing: Any, spare: Any) -> tuple[Any, ...]:
     """Do `spared_seam` for one shot."""
     _s0 = abs(gap)
-    _s1 = nearing if (0.0 < gap) else (-nearing)
-    _s2 = ((2.0 * p_gravity) * _s0) + (_s1 * _s1)
+    _s1 = nearing if (_k2 < gap) else (-nearing)
+    _s2 = ((_k29 * p_gravity) * _s0) + (_s1 * _s1)
     _s3 = _root(_s2)
-    _s4 = _s1 < 0.0
-    _s5 = (((2.0 * _s0) if _s4 else (_s1 + _s3)) / ((_s3 - _s1) if _s4 else (p_gravity if 0.0 < p_gravity else 0.0))) if (0.0 <= _s2) else _inf
+    _s4 = _s1 < _k2
+    _s5 = (((_k29 * _s0) if _s4 else (_s1 + _s3)) / ((_s3 - _s1) if _s4 else (p_gravity if _k2 < p_gravity else _k2))) if (_k2 <= _s2) else _k10
     return spare if (_s0 <= near) else (_s5 if _s5 < spare else spare),
 
 
 def _parted_alone(doubt: Any, p_gravity: Any, lift: Any, per_reach: Any, position_error: Any, snap: Any, spare: Any, surge: Any, velocity_error: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `parted` for one shot."""
-    _s0 = 0.25 * spare
-    _s1 = (((0.0078125 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s0 = _k28 * spare
+    _s1 = (((_k99 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s2 = abs(per_reach)
     _s3 = p_gravity + ((_s1 * _s1) * _s2)
-    _s4 = (1.0 + (_s1 * _s2)) + _root((p_gravity * _s2))
-    _s5 = (64.0 * _s3) * (_s4 * (_s4 * _s4))
-    _s6 = 0.5 * surge
+    _s4 = (_k1 + (_s1 * _s2)) + _root((p_gravity * _s2))
+    _s5 = (_k38 * _s3) * (_s4 * (_s4 * _s4))
+    _s6 = _k0 * surge
     _s7 = _root((_s6 / _s5))
-    _s8 = 9.313225746154785e-10 * _s5
+    _s8 = _k50 * _s5
     _s9 = abs(snap) + _s8
     _s10 = _s6 / _s9
-    _s11 = lift if 0.0 < lift else 0.0
-    _s12 = _root(((128.0 * _s11) / _s5))
-    _s13 = _root(((0.5 * _s11) / _s9))
-    _s14 = _s11 / ((4.0 * abs(surge)) + _s8)
+    _s11 = lift if _k2 < lift else _k2
+    _s12 = _root(((_k102 * _s11) / _s5))
+    _s13 = _root(((_k0 * _s11) / _s9))
+    _s14 = _s11 / ((_k42 * abs(surge)) + _s8)
     _s15 = _s13 if _s13 < _s14 else _s14
-    _s16 = (_s7 if _s7 < _s10 else _s10) if (0.0 < surge) else (_s12 if _s12 < _s15 else _s15)
-    _s17 = _s16 if _s16 < 0.0078125 else 0.0078125
+    _s16 = (_s7 if _s7 < _s10 else _s10) if (_k2 < surge) else (_s12 if _s12 < _s15 else _s15)
+    _s17 = _s16 if _s16 < _k99 else _k99
     _s18 = _s0 if _s0 < _s17 else _s17
-    _s19 = (5.684341886080802e-14 * p_gravity) + ((16.0 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
-    return _s18 if 0.0 < _s18 else 0.0, doubt if (((_s19 * _s4) < surge) or (_s19 < lift)) else 0.0
+    _s19 = (_k96 * p_gravity) + ((_k36 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
+    return _s18 if _k2 < _s18 else _k2, doubt if (((_s19 * _s4) < surge) or (_s19 < lift)) else _k2
 
 
 def _apart_alone(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any) -> tuple[Any, ...]:
@@ -6525,25 +6624,25 @@ def _apart_alone(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy
     _s9 = abs(dy)
     _s10 = _s9 if _s8 < _s9 else _s8
     _s11 = abs(dz)
-    _s12 = ((1.1102230246251565e-16 * p_ball_radius) + (0.125 * ((p_ball_radius * (_s3 if _s2 < _s3 else _s2)) + (_s7 if _s6 < _s7 else _s6)))) + (_s11 if _s10 < _s11 else _s10)
-    return (2.384185791015625e-07 * p_ball_radius) / _s12,
+    _s12 = ((_k30 * p_ball_radius) + (_k72 * ((p_ball_radius * (_s3 if _s2 < _s3 else _s2)) + (_s7 if _s6 < _s7 else _s6)))) + (_s11 if _s10 < _s11 else _s10)
+    return (_k103 * p_ball_radius) / _s12,
 
 
 def _neighbour_alone(apart: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `neighbour` for one shot."""
-    return x + (apart * dx), y + (apart * dy), z + (apart * dz), vx + (apart * dvx), vy + (apart * dvy), vz + (apart * dvz), wx + (apart * dwx), wy + (apart * dwy), wz + (apart * dwz), 0.0, 0.0, 0.0, 0.0
+    return x + (apart * dx), y + (apart * dy), z + (apart * dz), vx + (apart * dvx), vy + (apart * dvy), vz + (apart * dvz), wx + (apart * dwx), wy + (apart * dwy), wz + (apart * dwz), _k2, _k2, _k2, _k2
 
 
 def _compared_alone(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: Any, far_wx: Any, far_wy: Any, far_wz: Any, far_x: Any, far_y: Any, far_z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `compared` for one shot."""
     _s0 = (far_x - x) / apart
-    _s1 = 4.440892098500626e-16 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s1 = _k21 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s2 = -_s1
     _s3 = (far_y - y) / apart
     _s4 = (far_z - z) / apart
     _s5 = (far_vx - vx) / apart
     _s6 = ((p_ball_radius * ((abs(wx) + abs(wy)) + abs(wz))) + abs(vx)) + abs(vy)
-    _s7 = 4.440892098500626e-16 * (_s6 + abs(vz))
+    _s7 = _k21 * (_s6 + abs(vz))
     _s8 = -_s7
     _s9 = (far_vy - vy) / apart
     _s10 = (far_vz - vz) / apart
@@ -6552,12 +6651,12 @@ def _compared_alone(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, fa
     _s13 = -_s12
     _s14 = (far_wy - wy) / apart
     _s15 = (far_wz - wz) / apart
-    return _s0 + (_s2 if (_s0 < 0.0) else _s1), _s3 + (_s2 if (_s3 < 0.0) else _s1), _s4 + (_s2 if (_s4 < 0.0) else _s1), _s5 + (_s8 if (_s5 < 0.0) else _s7), _s9 + (_s8 if (_s9 < 0.0) else _s7), _s10 + (_s8 if (_s10 < 0.0) else _s7), _s11 + (_s13 if (_s11 < 0.0) else _s12), _s14 + (_s13 if (_s14 < 0.0) else _s12), _s15 + (_s13 if (_s15 < 0.0) else _s12)
+    return _s0 + (_s2 if (_s0 < _k2) else _s1), _s3 + (_s2 if (_s3 < _k2) else _s1), _s4 + (_s2 if (_s4 < _k2) else _s1), _s5 + (_s8 if (_s5 < _k2) else _s7), _s9 + (_s8 if (_s9 < _k2) else _s7), _s10 + (_s8 if (_s10 < _k2) else _s7), _s11 + (_s13 if (_s11 < _k2) else _s12), _s14 + (_s13 if (_s14 < _k2) else _s12), _s15 + (_s13 if (_s15 < _k2) else _s12)
 
 
 def _resumed_alone(clock: Any, mode: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
     """Do `resumed` for one shot."""
-    return -1.0, 0.0, clock, _inf if ((position_error < _inf) and (velocity_error < _inf)) else 0.0, mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    return _k39, _k2, clock, _k10 if ((position_error < _k10) and (velocity_error < _k10)) else _k2, mode == _k1, mode == _k29, mode == _k55, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
 
 
 def _holding_alone(held: Any, index: Any) -> tuple[Any, ...]:
@@ -6572,40 +6671,40 @@ def _beside_alone(held: Any, index: Any) -> tuple[Any, ...]:
 
 def _beginning_contact_alone() -> tuple[Any, ...]:
     """Do `beginning_contact` for one shot."""
-    return 5.0, 0.0
+    return _k65, _k2
 
 
 def _hopping_alone() -> tuple[Any, ...]:
     """Do `hopping` for one shot."""
-    return 7.0,
+    return _k71,
 
 
 def _pulled_alone(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any) -> tuple[Any, ...]:
     """Do `pulled` for one shot."""
     _s0 = -(p_gravity * nz_0)
-    _s1 = 0.4 * nx_0
-    _s2 = 0.4 * turn_rate_0
+    _s1 = _k3 * nx_0
+    _s2 = _k3 * turn_rate_0
     _s3 = (_s1 * _s0) + (_s2 * tx_0)
-    _s4 = 0.4 * ny_0
+    _s4 = _k3 * ny_0
     _s5 = (_s4 * _s0) + (_s2 * ty_0)
-    _s6 = 0.4 * nz_0
-    _s7 = ((0.4 * p_gravity) + (_s6 * _s0)) + (_s2 * tz_0)
+    _s6 = _k3 * nz_0
+    _s7 = ((_k3 * p_gravity) + (_s6 * _s0)) + (_s2 * tz_0)
     _s8 = -(p_gravity * nz_1)
-    _s9 = 0.4 * turn_rate_1
-    _s10 = (2.0 * _s3) * ((((_s1 * _s8) + ((0.4 * nx_1) * _s0)) + (_s2 * tx_1)) + (_s9 * tx_0))
-    _s11 = (2.0 * _s5) * ((((_s4 * _s8) + ((0.4 * ny_1) * _s0)) + (_s2 * ty_1)) + (_s9 * ty_0))
-    _s12 = (2.0 * _s7) * ((((_s6 * _s8) + ((0.4 * nz_1) * _s0)) + (_s2 * tz_1)) + (_s9 * tz_0))
-    return ((_s3 * _s3) + (_s5 * _s5)) + (_s7 * _s7), (_s10 + _s11) + _s12, -_inf, 0.0
+    _s9 = _k3 * turn_rate_1
+    _s10 = (_k29 * _s3) * ((((_s1 * _s8) + ((_k3 * nx_1) * _s0)) + (_s2 * tx_1)) + (_s9 * tx_0))
+    _s11 = (_k29 * _s5) * ((((_s4 * _s8) + ((_k3 * ny_1) * _s0)) + (_s2 * ty_1)) + (_s9 * ty_0))
+    _s12 = (_k29 * _s7) * ((((_s6 * _s8) + ((_k3 * nz_1) * _s0)) + (_s2 * tz_1)) + (_s9 * tz_0))
+    return ((_s3 * _s3) + (_s5 * _s5)) + (_s7 * _s7), (_s10 + _s11) + _s12, _k105, _k2
 
 
 def _untaut_alone() -> tuple[Any, ...]:
     """Do `untaut` for one shot."""
-    return _inf,
+    return _k10,
 
 
 def _losing_alone(grip_lost: Any, strain: Any) -> tuple[Any, ...]:
     """Do `losing` for one shot."""
-    return (0.0 < strain) and (grip_lost == _inf),
+    return (_k2 < strain) and (grip_lost == _k10),
 
 
 def _lost_grip_alone(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_clock: Any, taut_rate: Any) -> tuple[Any, ...]:
@@ -6613,34 +6712,34 @@ def _lost_grip_alone(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_
     _s0 = clock - taut_clock
     _s1 = strain - taut
     _s2 = -(taut / _s1)
-    _s3 = _s2 if _s2 < 1.0 else 1.0
-    _s4 = _s3 if 0.0 < _s3 else 0.0
+    _s3 = _s2 if _s2 < _k1 else _k1
+    _s4 = _s3 if _k2 < _s3 else _k2
     _s5 = strain_rate * _s0
     _s6 = taut_rate * _s0
-    _s7 = (_s5 + _s6) - (2.0 * _s1)
-    _s8 = 3.0 * _s7
-    _s9 = ((3.0 * _s1) - _s5) - (2.0 * _s6)
-    _s10 = 2.0 * _s9
+    _s7 = (_s5 + _s6) - (_k29 * _s1)
+    _s8 = _k55 * _s7
+    _s9 = ((_k55 * _s1) - _s5) - (_k29 * _s6)
+    _s10 = _k29 * _s9
     _s11 = (((_s8 * _s4) + _s10) * _s4) + _s6
     _s12 = taut + (((((_s7 * _s4) + _s9) * _s4) + _s6) * _s4)
-    _s13 = _s4 - (_s12 / (_s11 if (0.0 < _s11) else _s1))
-    _s14 = _s13 if _s13 < 1.0 else 1.0
-    _s15 = _s14 if 0.0 < _s14 else 0.0
+    _s13 = _s4 - (_s12 / (_s11 if (_k2 < _s11) else _s1))
+    _s14 = _s13 if _s13 < _k1 else _k1
+    _s15 = _s14 if _k2 < _s14 else _k2
     _s16 = (((_s8 * _s15) + _s10) * _s15) + _s6
     _s17 = taut + (((((_s7 * _s15) + _s9) * _s15) + _s6) * _s15)
-    _s18 = _s15 - (_s17 / (_s16 if (0.0 < _s16) else _s1))
-    _s19 = _s18 if _s18 < 1.0 else 1.0
-    _s20 = _s19 if 0.0 < _s19 else 0.0
+    _s18 = _s15 - (_s17 / (_s16 if (_k2 < _s16) else _s1))
+    _s19 = _s18 if _s18 < _k1 else _k1
+    _s20 = _s19 if _k2 < _s19 else _k2
     _s21 = (((_s8 * _s20) + _s10) * _s20) + _s6
     _s22 = taut + (((((_s7 * _s20) + _s9) * _s20) + _s6) * _s20)
-    _s23 = _s20 - (_s22 / (_s21 if (0.0 < _s21) else _s1))
-    _s24 = _s23 if _s23 < 1.0 else 1.0
-    _s25 = _s24 if 0.0 < _s24 else 0.0
+    _s23 = _s20 - (_s22 / (_s21 if (_k2 < _s21) else _s1))
+    _s24 = _s23 if _s23 < _k1 else _k1
+    _s25 = _s24 if _k2 < _s24 else _k2
     _s26 = (((_s8 * _s25) + _s10) * _s25) + _s6
     _s27 = taut + (((((_s7 * _s25) + _s9) * _s25) + _s6) * _s25)
-    _s28 = _s25 - (_s27 / (_s26 if (0.0 < _s26) else _s1))
-    _s29 = _s28 if _s28 < 1.0 else 1.0
-    return (taut_clock + (_s0 * (_s29 if 0.0 < _s29 else 0.0))) if ((taut < _inf) and (taut < strain)) else clock,
+    _s28 = _s25 - (_s27 / (_s26 if (_k2 < _s26) else _s1))
+    _s29 = _s28 if _s28 < _k1 else _k1
+    return (taut_clock + (_s0 * (_s29 if _k2 < _s29 else _k2))) if ((taut < _k10) and (taut < strain)) else clock,
 
 
 def _tightened_alone(clock: Any, strain: Any, strain_rate: Any) -> tuple[Any, ...]:
@@ -6651,14 +6750,14 @@ def _tightened_alone(clock: Any, strain: Any, strain_rate: Any) -> tuple[Any, ..
 def _ring_impact_strained_alone(drag: Any, drag_rate: Any, force: Any, force_rate: Any, p_ring_friction: Any) -> tuple[Any, ...]:
     """Do `ring_impact_strained` for one shot."""
     _s0 = p_ring_friction * p_ring_friction
-    return drag - ((force * force) * _s0), drag_rate - (_s0 * (2.0 * (force * force_rate)))
+    return drag - ((force * force) * _s0), drag_rate - (_s0 * (_k29 * (force * force_rate)))
 
 
 def _ring_normal_alone(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_normal` for one shot."""
-    _s0 = 1.0 / (p_ball_radius + p_wire_radius)
+    _s0 = _k1 / (p_ball_radius + p_wire_radius)
     _s1 = _root(((x * x) + (y * y)))
-    _s2 = (_s0 * (_s1 - p_ring_radius)) * (1.0 / _s1)
+    _s2 = (_s0 * (_s1 - p_ring_radius)) * (_k1 / _s1)
     return x * _s2, y * _s2, z * _s0
 
 
@@ -6666,85 +6765,85 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     """Do `ring_prepare` for one shot."""
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((2.0 * _s0) + ((4.0 * p_gravity) * z)) + (2.0 * _s1)
+    _s2 = ((_k29 * _s0) + ((_k42 * p_gravity) * z)) + (_k29 * _s1)
     _s3 = (vy * x) - (vx * y)
     _s4 = _s3 * _s3
-    _s5 = (2.0 * p_ring_radius) * _s4
+    _s5 = (_k29 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = 1.00006103515625 * _s7
-    _s9 = 2.0 * p_gravity
-    _s10 = 8.881784197001252e-16 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s8 = _k117 * _s7
+    _s9 = _k29 * p_gravity
+    _s10 = _k45 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
-    _s12 = 1.0 / p_gravity
+    _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
-    _s14 = 1.7763568394002505e-15 * (abs(vz) + _s13)
-    _s15 = 0.0 <= _s11
-    _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _inf
+    _s14 = _k43 * (abs(vz) + _s13)
+    _s15 = _k2 <= _s11
+    _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _k10
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (1.7763568394002505e-15 * _s1) * (_s18 + _s6)
+    _s19 = (_k43 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
     _s21 = (vx * x) + (vy * y)
     _s22 = _root(_s20)
-    _s23 = 1.7763568394002505e-15 * ((abs(_s21) + abs(_s3)) + _s22)
-    _s24 = 1.0 / _s1
-    _s25 = 0.0 <= _s20
-    _s26 = 2.409919865102884e-181 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _inf) if _s26 else (-_inf)
+    _s23 = _k43 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s24 = _k1 / _s1
+    _s25 = _k2 <= _s20
+    _s26 = _k123 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k105
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = 0.0001220703125 * p_ring_radius
+    _s30 = _k120 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
-    _s33 = _root((0.0 if _s32 < 0.0 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else (-_inf)) if _s26 else _inf
-    _s35 = 0.0 < (_s32 if _s26 else 0.0)
+    _s33 = _root((_k2 if _s32 < _k2 else _s32))
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k105) if _s26 else _k10
+    _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
-    _s38 = _root((0.0 if _s37 < 0.0 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else (-_inf)
-    _s40 = 0.0 < _s37
+    _s38 = _root((_k2 if _s37 < _k2 else _s37))
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k105
+    _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
-    _s43 = (((_s33 - _s21) - _s23) * _s24) if _s35 else _inf
+    _s43 = (((_s33 - _s21) - _s23) * _s24) if _s35 else _k10
     _s44 = _s36 if _s43 < _s36 else _s43
     _s45 = _s44 if _s16 < _s44 else _s16
     _s46 = _s34 if _s34 < _s41 else _s41
-    _s47 = (_s12 * ((vz + _s38) - _s14)) if _s40 else _inf
+    _s47 = (_s12 * ((vz + _s38) - _s14)) if _s40 else _k10
     _s48 = _s41 if _s47 < _s41 else _s47
     _s49 = _s45 <= _s46
     _s50 = _s45 if _s49 else (_s27 if _s48 < _s27 else _s48)
     _s51 = _s46 if _s49 else (_s36 if _s36 < _s39 else _s39)
     _s52 = _s44 if _s48 < _s44 else _s48
     _s53 = _s34 if _s34 < _s39 else _s39
-    _s54 = 1.0 / _s31
-    _s55 = _s42 if 0.0 < _s42 else 0.0
+    _s54 = _k1 / _s31
+    _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = _root(2.0) * _root((_s12 * (((2.0 * p_ball_radius) + extent) + (2.0 * p_wire_radius))))
-    _s60 = _s59 + ((2.0 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if 0.0 < _s28 else 0.0, _s42 if _s42 < horizon else horizon, _s50 if 0.0 < _s50 else 0.0, _s51 if _s51 < horizon else horizon, _s52 if 0.0 < _s52 else 0.0, _s53 if _s53 < horizon else horizon, (((6.0003662109375 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s58 = (_k114 * p_ring_radius) - (p_ring_radius - _s7)
+    _s59 = _root(_k29) * _root((_s12 * (((_k29 * p_ball_radius) + extent) + (_k29 * p_wire_radius))))
+    _s60 = _s59 + ((_k29 * speed) * _s12)
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k115 * p_ball_radius)) - (_k115 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k119 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_margins` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = 1.00006103515625 * _s0
+    _s2 = _k117 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
-    _s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s5)
+    _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = 0.0001220703125 * p_ring_radius
+    _s8 = _k120 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
-    _s10 = _s9 if 1.0 < _s9 else 1.0
-    _s11 = 5.0 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (2.220446049250313e-16 * _s1))))
-    _s12 = 1.0009765625 * ((((3.552713678800501e-15 * _s1) * ((_s5 * _s10) + _s4)) + (4.440892098500626e-16 * _s3)) + _s11)
-    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * _s3) + ((1.3323489447131243e-15 * _s0) * _s4)) + ((5.00030517578125 * _s0) * _s6)), _s12, 1.0009765625 * ((3.552713678800501e-15 * (_s4 * _s1)) + _s11)
+    _s10 = _s9 if _k1 < _s9 else _k1
+    _s11 = _k65 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k34 * _s1))))
+    _s12 = _k18 * ((((_k127 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k125 * _s0) * _s4)) + ((_k126 * _s0) * _s6)), _s12, _k18 * ((_k127 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -6753,14 +6852,14 @@ def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy
     _s1 = y + (t * vy)
     _s2 = _root(((_s0 * _s0) + (_s1 * _s1)))
     _s3 = rho_start + _s2
-    _s4 = 1.0 / (_s3 * _s2)
+    _s4 = _k1 / (_s3 * _s2)
     _s5 = _s2 - p_ring_radius
-    _s6 = vz - ((0.5 * p_gravity) * t)
+    _s6 = vz - ((_k0 * p_gravity) * t)
     _s7 = z + (t * _s6)
-    _s8 = 2.0 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
-    _s9 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _s8 = _k29 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
+    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k29 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
     _s10 = p_ball_radius + p_wire_radius
-    _s11 = (t * (_s9 + ((z + _s7) * _s6))) if (0.0 < leaving) else (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))
+    _s11 = (t * (_s9 + ((z + _s7) * _s6))) if (_k2 < leaving) else (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))
     return t - (_s11 / _s8), _s11, _s8
 
 
@@ -6771,148 +6870,148 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s2 = _root(((_s0 * _s0) + (_s1 * _s1)))
     _s3 = _s2 - p_ring_radius
     _s4 = rho_start + _s2
-    _s5 = 1.0 / (_s4 * _s2)
-    _s6 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
-    _s7 = vz - ((0.5 * p_gravity) * t)
+    _s5 = _k1 / (_s4 * _s2)
+    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k29 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
+    _s7 = vz - ((_k0 * p_gravity) * t)
     _s8 = z + (t * _s7)
     _s9 = p_ball_radius + p_wire_radius
-    _s10 = (t * (_s6 + ((z + _s8) * _s7))) if (0.0 < leaving) else (((_s3 * _s3) + (_s8 * _s8)) - (_s9 * _s9))
+    _s10 = (t * (_s6 + ((z + _s8) * _s7))) if (_k2 < leaving) else (((_s3 * _s3) + (_s8 * _s8)) - (_s9 * _s9))
     _s11 = _s4 * _s5
     _s12 = _s11 * ((vx * _s0) + (vy * _s1))
     _s13 = vz - (p_gravity * t)
-    _s14 = 2.0 * ((_s12 * _s3) + (_s13 * _s8))
-    _s15 = 6.0 * p_gravity
+    _s14 = _k29 * ((_s12 * _s3) + (_s13 * _s8))
+    _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = swing * (_s11 * (_s11 * _s11))
-    _s18 = 1.00006103515625 * _s9
-    _s19 = 9.094947017729282e-13 * (p_ring_radius + _s18)
+    _s18 = _k117 * _s9
+    _s19 = _k91 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
-    _s22 = 0.0 if _s21 < 0.0 else _s21
+    _s22 = _k2 if _s21 < _k2 else _s21
     _s23 = (_s16 + _s17) - steady
-    _s24 = _s20 < 0.0
-    _s25 = 2.0 * _s22
-    _s26 = _inf if (0.0 < (_s22 if (0.0 <= _s20) else 0.0)) else ((_s25 if _s24 else (4.0 * _s20)) / ((-_s20) if _s24 else (_s23 if 0.0 < _s23 else 0.0)))
+    _s24 = _s20 < _k2
+    _s25 = _k29 * _s22
+    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k42 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
     _s27 = end - t
     _s28 = _s26 if _s26 < _s27 else _s27
-    _s29 = _s19 + ((_s28 * (0.0 if _s13 < 0.0 else _s13)) + _s8)
+    _s29 = _s19 + ((_s28 * (_k2 if _s13 < _k2 else _s13)) + _s8)
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
-    _s31 = ((_s28 * (0.0 if 0.0 < _s12 else _s12)) + _s2) - _s19
+    _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = 0.0001220703125 * p_ring_radius
+    _s33 = _k120 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
-    _s35 = 1.0 / (_s34 if _s31 < _s34 else _s31)
+    _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = swing * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (9.094947017729282e-13 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
-    _s38 = ((2.0 * _s37) * _s22) + (_s20 * _s20)
+    _s37 = ((_s30 + _s36) + (_k91 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
+    _s38 = ((_k29 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
-    _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if 0.0 < _s37 else 0.0))) if (0.0 <= _s38) else _inf
+    _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
     _s41 = _s40 if _s40 < _s28 else _s28
     _s42 = -(rate_margin + _s14)
-    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((8.0 * ceiling) * (margin + _s25))) if (0.0 < _s42) else _s42
+    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k31 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
 
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_opened` for one shot."""
     _s0 = vz * vz
-    _s1 = _k54 * (p_ball_radius + p_wire_radius)
-    _s2 = _k55 * p_gravity
-    _s3 = _k71 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s1 = _k128 * (p_ball_radius + p_wire_radius)
+    _s2 = _k129 * p_gravity
+    _s3 = _k145 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k57 / p_gravity
+    _s5 = _k131 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k72 * (abs(vz) + _s6)
-    _s8 = _k70 <= _s4
-    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k73
+    _s7 = _k146 * (abs(vz) + _s6)
+    _s8 = _k144 <= _s4
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k147
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k72 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k146 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (vy * x) - (vx * y)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (vx * x) + (vy * y)
     _s18 = _root(_s16)
-    _s19 = _k72 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k57 / _s10
-    _s21 = _k70 <= _s16
-    _s22 = _k74 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k73) if _s22 else _k75
+    _s19 = _k146 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k131 / _s10
+    _s21 = _k144 <= _s16
+    _s22 = _k148 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k147) if _s22 else _k149
     _s24 = _s23 if _s9 < _s23 else _s9
-    _s25 = _s24 if _k70 < _s24 else _k70
-    _s26 = _s25 if _k70 < _s25 else _k70
+    _s25 = _s24 if _k144 < _s24 else _k144
+    _s26 = _s25 if _k144 < _s25 else _k144
     _s27 = p_ring_radius - _s1
-    _s28 = _k64 * p_ring_radius
+    _s28 = _k138 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
-    _s31 = _root((_k70 if _s30 < _k70 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k75) if _s22 else _k73
-    _s33 = _k70 < (_s30 if _s22 else _k70)
+    _s31 = _root((_k144 if _s30 < _k144 else _s30))
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k149) if _s22 else _k147
+    _s33 = _k144 < (_s30 if _s22 else _k144)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
-    _s36 = _root((_k70 if _s35 < _k70 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k75
-    _s38 = _k70 < _s35
+    _s36 = _root((_k144 if _s35 < _k144 else _s35))
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k149
+    _s38 = _k144 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k76 * horizon
+    _s41 = _k150 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
-    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k73
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k147
     _s45 = _s34 if _s44 < _s34 else _s44
     _s46 = _s45 if _s9 < _s45 else _s9
     _s47 = _s32 if _s32 < _s39 else _s39
-    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k73
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k147
     _s49 = _s39 if _s48 < _s39 else _s48
     _s50 = _s46 <= _s47
     _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
-    _s52 = _s51 if _k70 < _s51 else _k70
-    _s53 = _s52 if _k70 < _s52 else _k70
+    _s52 = _s51 if _k144 < _s51 else _k144
+    _s53 = _s52 if _k144 < _s52 else _k144
     _s54 = _s47 if _s50 else (_s34 if _s34 < _s37 else _s37)
     _s55 = _s54 if _s54 < _s41 else _s41
     _s56 = _s53 < _s55
     _s57 = _s45 if _s49 < _s45 else _s49
-    _s58 = _s57 if _k70 < _s57 else _k70
-    _s59 = _s58 if _k70 < _s58 else _k70
+    _s58 = _s57 if _k144 < _s57 else _k144
+    _s59 = _s58 if _k144 < _s58 else _k144
     _s60 = _s32 if _s32 < _s37 else _s37
     _s61 = _s60 if _s60 < _s41 else _s41
     _s62 = _s59 < _s61
-    _s63 = _s40 if _k70 < _s40 else _k70
+    _s63 = _s40 if _k144 < _s40 else _k144
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k66 * _s29)) and (_s11 <= ((_k66 * p_ball_radius) + (_k66 * p_wire_radius)))) and (_s11 <= _k67)) and (_k68 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k70)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k70)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k67)) and (_k68 <= p_gravity)) and (extent <= _k67)) and (speed <= _k67)
+    _s66 = (((_s11 <= (_k140 * _s29)) and (_s11 <= ((_k140 * p_ball_radius) + (_k140 * p_wire_radius)))) and (_s11 <= _k141)) and (_k142 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k144)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k144)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k141)) and (_k142 <= p_gravity)) and (extent <= _k141)) and (speed <= _k141)
 
 
 def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_grain` for one shot."""
-    _s0 = _k70 < leaving
+    _s0 = _k144 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k54 * _s2
+    _s3 = _k128 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k64 * p_ring_radius
+    _s5 = _k138 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k57 < _s7 else _k57
+    _s8 = _s7 if _k131 < _s7 else _k131
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k93 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k92 * parting) / _s11
-    _s13 = _s12 if _s12 < _k94 else _k94
-    _s14 = (_s13 if _k91 < _s13 else _k91) if _s0 else _k94
-    _s15 = ((_k55 * (vz * vz)) + ((_k82 * p_gravity) * z)) + (_k55 * ((vx * vx) + (vy * vy)))
+    _s11 = _k167 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k166 * parting) / _s11
+    _s13 = _s12 if _s12 < _k168 else _k168
+    _s14 = (_s13 if _k165 < _s13 else _k165) if _s0 else _k168
+    _s15 = ((_k129 * (vz * vz)) + ((_k156 * p_gravity) * z)) + (_k129 * ((vx * vx) + (vy * vy)))
     _s16 = (vy * x) - (vx * y)
-    _s17 = (_k55 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k57 / _s6
+    _s17 = (_k129 * p_ring_radius) * (_s16 * _s16)
+    _s18 = _k131 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k83 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k157 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k72 * (_s22 + _s23))
-    _s25 = (_k97 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k70, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k95 * _s20, (_k86 * _s2) * _s24, (_k95 * ((_k71 * abs(parting)) + ((_k96 + _s14) * _s11))) if _s0 else _k73, _k95 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k88 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k93 * (((_k95 * _s9) * _s24) + (((_k98 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k90 * p_ball_radius) + (_k90 * p_wire_radius))) and ((leaving * t) <= _k70)
+    _s24 = (_s10 * _s14) + (_k146 * (_s22 + _s23))
+    _s25 = (_k171 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k144, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k169 * _s20, (_k160 * _s2) * _s24, (_k169 * ((_k145 * abs(parting)) + ((_k170 + _s14) * _s11))) if _s0 else _k147, _k169 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k162 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k167 * (((_k169 * _s9) * _s24) + (((_k172 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k164 * p_ball_radius) + (_k164 * p_wire_radius))) and ((leaving * t) <= _k144)
 
 
 def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -6927,82 +7026,82 @@ def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s7 = y + (t * vy)
     _s8 = _root(((_s6 * _s6) + (_s7 * _s7)))
     _s9 = rho_start + _s8
-    _s10 = _k57 / (_s9 * _s8)
+    _s10 = _k131 / (_s9 * _s8)
     _s11 = _s8 * _s10
-    _s12 = _s11 * ((t * _s5) + (_k55 * ((vx * x) + (vy * y))))
-    _s13 = vz - ((_k97 * p_gravity) * t)
-    _s14 = ((((_k55 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
+    _s12 = _s11 * ((t * _s5) + (_k129 * ((vx * x) + (vy * y))))
+    _s13 = vz - ((_k171 * p_gravity) * t)
+    _s14 = ((((_k129 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
     _s15 = parting + (t * (_s14 - (p_gravity * z)))
     _s16 = _s9 * _s10
     _s17 = _s16 * ((vx * _s6) + (vy * _s7))
     _s18 = _s8 - p_ring_radius
     _s19 = vz - (p_gravity * t)
     _s20 = z + (t * _s13)
-    _s21 = ((_k55 * _s15) - parting) if _s4 else (_k55 * ((_s17 * _s18) + (_s19 * _s20)))
-    _s22 = (_s3 + (_k55 * _s0)) if _s4 else rate_margin
+    _s21 = ((_k129 * _s15) - parting) if _s4 else (_k129 * ((_s17 * _s18) + (_s19 * _s20)))
+    _s22 = (_s3 + (_k129 * _s0)) if _s4 else rate_margin
     _s23 = -(_s21 + _s22)
     _s24 = _s1 if _s2 else flat
     _s25 = p_ball_radius + p_wire_radius
     _s26 = ((t * _s15) if _s2 else (((_s18 * _s18) + (_s20 * _s20)) - (_s25 * _s25))) - _s24
-    _s27 = _k70 if _s26 < _k70 else _s26
-    _s28 = _k55 * ((_k55 * _s24) + _s27)
+    _s27 = _k144 if _s26 < _k144 else _s26
+    _s28 = _k129 * ((_k129 * _s24) + _s27)
     _s29 = _s21 - _s22
-    _s30 = _k99 * p_gravity
+    _s30 = _k173 * p_gravity
     _s31 = _s30 * _s20
     _s32 = swing * (_s16 * (_s16 * _s16))
     _s33 = (_s31 + _s32) - steady
-    _s34 = _s29 < _k70
-    _s35 = _k55 * _s27
-    _s36 = _k73 if (_k70 < (_s27 if (_k70 <= _s29) else _k70)) else ((((_k106 * _s24) + _s35) if _s34 else (_k82 * _s29)) / ((-_s29) if _s34 else (_s33 if _k70 < _s33 else _k70)))
+    _s34 = _s29 < _k144
+    _s35 = _k129 * _s27
+    _s36 = _k147 if (_k144 < (_s27 if (_k144 <= _s29) else _k144)) else ((((_k180 * _s24) + _s35) if _s34 else (_k156 * _s29)) / ((-_s29) if _s34 else (_s33 if _k144 < _s33 else _k144)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k54 * _s25
-    _s40 = ((_k64 * p_ball_radius) + (_k64 * p_wire_radius)) + ((_s38 * (_k70 if _s19 < _k70 else _s19)) + _s20)
+    _s39 = _k128 * _s25
+    _s40 = ((_k138 * p_ball_radius) + (_k138 * p_wire_radius)) + ((_s38 * (_k144 if _s19 < _k144 else _s19)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k70 if _k70 < _s17 else _s17)) + _s8) - (_k64 * _s42)) - (_k72 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k144 if _k144 < _s17 else _s17)) + _s8) - (_k138 * _s42)) - (_k146 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k64 * p_ring_radius
+    _s45 = _k138 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k57 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k131 / (_s46 if _s43 < _s46 else _s43)
     _s48 = swing * (_s47 * (_s47 * _s47))
     _s49 = abs(steady)
-    _s50 = ((_s41 + _s48) + (_k107 * ((_s48 + _s49) + abs(_s41)))) - steady
+    _s50 = ((_s41 + _s48) + (_k181 * ((_s48 + _s49) + abs(_s41)))) - steady
     _s51 = -_s19
-    _s52 = (_s30 * (((_k68 * p_ball_radius) + (_k68 * p_wire_radius)) + (((p_gravity * _s38) + (_k70 if _s51 < _k70 else _s51)) * _s38))) + ((_k108 * (_s32 * _s16)) * _s42)
-    _s53 = steady + (_s52 + (_k68 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k142 * p_ball_radius) + (_k142 * p_wire_radius)) + (((p_gravity * _s38) + (_k144 if _s51 < _k144 else _s51)) * _s38))) + ((_k182 * (_s32 * _s16)) * _s42)
+    _s53 = steady + (_s52 + (_k142 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = (_s23 * _s23) - ((_k106 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
-    _s56 = _k70 < (_s55 if (_k70 < _s23) else _s23)
-    _s57 = ((_k55 * _s50) * _s27) + (_s29 * _s29)
+    _s55 = (_s23 * _s23) - ((_k180 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
+    _s56 = _k144 < (_s55 if (_k144 < _s23) else _s23)
+    _s57 = ((_k129 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
-    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k70 < _s50 else _k70))) if (_k70 <= _s57) else _k73
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k144 < _s50 else _k144))) if (_k144 <= _s57) else _k147
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
-    _s62 = (not _s56) and (((_s21 < _k70) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
+    _s62 = (not _s56) and (((_s21 < _k144) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
     _s63 = not (_s56 or _s62)
     _s64 = _s63 and (_s37 <= _s60)
     _s65 = low1 if end < low1 else end
     _s66 = _s65 < high1
     _s67 = low2 if end < low2 else end
     _s68 = _s67 < high2
-    return (_s65 if _s66 else (_s67 if _s68 else _k73)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+    return (_s65 if _s66 else (_s67 if _s68 else _k147)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
     """Do `ring_started` for one shot."""
     _s0 = _root(((x * x) + (y * y)))
     _s1 = ((vx * x) + (vy * y)) / _s0
-    return _s0, 2.0 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
+    return _s0, _k29 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
 def _ring_lost_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_lost` for one shot."""
-    _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
-    _s1 = 1.0 / p_gravity
-    _s2 = _root(2.0) * _root((_s1 * (((2.0 * p_ball_radius) + extent) + (2.0 * p_wire_radius))))
-    _s3 = _s2 + ((2.0 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
+    _s0 = (_k114 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s1 = _k1 / p_gravity
+    _s2 = _root(_k29) * _root((_s1 * (((_k29 * p_ball_radius) + extent) + (_k29 * p_wire_radius))))
+    _s3 = _s2 + ((_k29 * speed) * _s1)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k115 * p_ball_radius)) - (_k115 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -7011,10 +7110,10 @@ def _ring_beside_alone(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any,
     _s0 = _root(((x * x) + (y * y)))
     _s1 = _s0 - p_ring_radius
     _s2 = _root(((z * z) + (_s1 * _s1)))
-    _s3 = 2.0 * p_ring_radius
-    _s4 = ((2.0 * vz) * z) + (((0.5 * ((2.0 * _s0) - _s3)) * (((2.0 * vx) * x) + ((2.0 * vy) * y))) / _s0)
-    _s5 = (_s3 / _s0) - 1.0
-    return (_s2 - p_ball_radius) - p_wire_radius, (0.5 * _s4) / _s2, (_s5 if 0.0 < _s5 else 0.0) / (p_ball_radius + p_wire_radius)
+    _s3 = _k29 * p_ring_radius
+    _s4 = ((_k29 * vz) * z) + (((_k0 * ((_k29 * _s0) - _s3)) * (((_k29 * vx) * x) + ((_k29 * vy) * y))) / _s0)
+    _s5 = (_s3 / _s0) - _k1
+    return (_s2 - p_ball_radius) - p_wire_radius, (_k0 * _s4) / _s2, (_s5 if _k2 < _s5 else _k2) / (p_ball_radius + p_wire_radius)
 
 
 def _ring_off_alone(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -7025,7 +7124,7 @@ def _ring_off_alone(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, 
 
 def _ring_tube_alone(p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_tube` for one shot."""
-    return 1.0, 1.0, 1.0, 1.0 / (p_ball_radius + p_wire_radius)
+    return _k1, _k1, _k1, _k1 / (p_ball_radius + p_wire_radius)
 
 
 def _ring_parting_alone(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -7035,41 +7134,41 @@ def _ring_parting_alone(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz
     _s2 = _s1 - p_ring_radius
     _s3 = (z * z) + (_s2 * _s2)
     _s4 = _root(_s3)
-    _s5 = (2.0 * (vx * vx)) + (2.0 * (vy * vy))
+    _s5 = (_k29 * (vx * vx)) + (_k29 * (vy * vy))
     _s6 = _s1 * _s0
-    _s7 = ((2.0 * vx) * x) + ((2.0 * vy) * y)
+    _s7 = ((_k29 * vx) * x) + ((_k29 * vy) * y)
     _s8 = _s7 * _s7
-    _s9 = ((0.5 * _s5) / _s1) - ((0.25 * _s8) / _s6)
-    _s10 = 2.0 * _s2
-    _s11 = (0.5 * _s7) / _s1
-    _s12 = ((2.0 * (vz * vz)) - ((2.0 * p_gravity) * z)) + ((_s10 * _s9) + (2.0 * (_s11 * _s11)))
+    _s9 = ((_k0 * _s5) / _s1) - ((_k28 * _s8) / _s6)
+    _s10 = _k29 * _s2
+    _s11 = (_k0 * _s7) / _s1
+    _s12 = ((_k29 * (vz * vz)) - ((_k29 * p_gravity) * z)) + ((_s10 * _s9) + (_k29 * (_s11 * _s11)))
     _s13 = _s4 * _s3
-    _s14 = ((2.0 * vz) * z) + ((2.0 * _s11) * _s2)
+    _s14 = ((_k29 * vz) * z) + ((_k29 * _s11) * _s2)
     _s15 = _s14 * _s14
     _s16 = _s3 * _s3
     _s17 = _s4 * _s16
     _s18 = _s0 * _s0
     _s19 = _s1 * _s18
-    _s20 = ((0.375 * (_s7 * _s8)) / _s19) - (((0.75 * _s5) * _s7) / _s6)
-    _s21 = (-((6.0 * p_gravity) * vz)) + (((6.0 * _s11) * _s9) + (_s10 * _s20))
-    _s22 = _s10 * (((((2.25 * _s5) * _s8) / _s19) - ((0.75 * (_s5 * _s5)) / _s6)) - ((0.9375 * (_s8 * _s8)) / (_s6 * _s18)))
-    _s23 = 0.5 * ((6.0 * (p_gravity * p_gravity)) + ((((8.0 * _s11) * _s20) + _s22) + (6.0 * (_s9 * _s9))))
-    _s24 = (((_s23 / _s4) + (((2.25 * _s15) * _s12) / _s17)) - ((0.9375 * (_s15 * _s15)) / (_s13 * _s16))) - ((0.75 * (_s12 * _s12)) / _s13)
-    return ((0.5 * _s12) / _s4) - ((0.25 * _s15) / _s13), (((0.375 * (_s14 * _s15)) / _s17) + ((0.5 * _s21) / _s4)) - (((0.75 * _s14) * _s12) / _s13), _s24 - ((_s21 * _s14) / _s13)
+    _s20 = ((_k187 * (_s7 * _s8)) / _s19) - (((_k188 * _s5) * _s7) / _s6)
+    _s21 = (-((_k9 * p_gravity) * vz)) + (((_k9 * _s11) * _s9) + (_s10 * _s20))
+    _s22 = _s10 * (((((_k189 * _s5) * _s8) / _s19) - ((_k188 * (_s5 * _s5)) / _s6)) - ((_k190 * (_s8 * _s8)) / (_s6 * _s18)))
+    _s23 = _k0 * ((_k9 * (p_gravity * p_gravity)) + ((((_k31 * _s11) * _s20) + _s22) + (_k9 * (_s9 * _s9))))
+    _s24 = (((_s23 / _s4) + (((_k189 * _s15) * _s12) / _s17)) - ((_k190 * (_s15 * _s15)) / (_s13 * _s16))) - ((_k188 * (_s12 * _s12)) / _s13)
+    return ((_k0 * _s12) / _s4) - ((_k28 * _s15) / _s13), (((_k187 * (_s14 * _s15)) / _s17) + ((_k0 * _s21) / _s4)) - (((_k188 * _s14) * _s12) / _s13), _s24 - ((_s21 * _s14) / _s13)
 
 
 def _ring_round_start_alone(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `ring_round_start` for one shot."""
     _s0 = _root(((x * x) + (y * y)))
     _s1 = _s0 - p_ring_radius
-    _s2 = 1.0 / _root(((z * z) + (_s1 * _s1)))
+    _s2 = _k1 / _root(((z * z) + (_s1 * _s1)))
     _s3 = _s1 * _s2
     _s4 = z * _s2
     _s5 = p_ball_radius + p_wire_radius
-    _s6 = 1.0 / _s0
+    _s6 = _k1 / _s0
     _s7 = x * _s6
     _s8 = y * _s6
-    return _s3, _s4, ((vz * _s3) - (_s4 * ((vx * _s7) + (vy * _s8)))) / _s5, (vy * _s7) - (vx * _s8), p_ball_radius * ((wz * _s4) + (_s3 * ((wx * _s7) + (wy * _s8)))), _s7, _s8, 1.0 / (p_ring_radius + (_s3 * _s5))
+    return _s3, _s4, ((vz * _s3) - (_s4 * ((vx * _s7) + (vy * _s8)))) / _s5, (vy * _s7) - (vx * _s8), p_ball_radius * ((wz * _s4) + (_s3 * ((wx * _s7) + (wy * _s8)))), _s7, _s8, _k1 / (p_ring_radius + (_s3 * _s5))
 
 
 def _ring_round_moved_alone(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_12: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_12: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_12: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_12: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_12: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7082,7 +7181,7 @@ def _ring_round_moved_alone(along_0: Any, along_1: Any, along_10: Any, along_11:
     _s5 = sin_6 + (t * (sin_7 + (t * (sin_8 + (t * _s4)))))
     _s6 = sin_3 + (t * (sin_4 + (t * (sin_5 + (t * _s5)))))
     _s7 = sin_0 + (t * (sin_1 + (t * (sin_2 + (t * _s6)))))
-    _s8 = 1.0 / _root(((_s3 * _s3) + (_s7 * _s7)))
+    _s8 = _k1 / _root(((_s3 * _s3) + (_s7 * _s7)))
     _s9 = _s3 * _s8
     _s10 = cosine_9 + (t * (cosine_10 + (t * (cosine_11 + (cosine_12 * t)))))
     _s11 = cosine_6 + (t * (cosine_7 + (t * (cosine_8 + (t * _s10)))))
@@ -7092,7 +7191,7 @@ def _ring_round_moved_alone(along_0: Any, along_1: Any, along_10: Any, along_11:
     _s15 = sine_6 + (t * (sine_7 + (t * (sine_8 + (t * _s14)))))
     _s16 = sine_3 + (t * (sine_4 + (t * (sine_5 + (t * _s15)))))
     _s17 = sine_0 + (t * (sine_1 + (t * (sine_2 + (t * _s16)))))
-    _s18 = 1.0 / _root(((_s13 * _s13) + (_s17 * _s17)))
+    _s18 = _k1 / _root(((_s13 * _s13) + (_s17 * _s17)))
     _s19 = _s13 * _s18
     _s20 = p_ball_radius + p_wire_radius
     _s21 = p_ring_radius + (_s19 * _s20)
@@ -7108,7 +7207,7 @@ def _ring_round_moved_alone(along_0: Any, along_1: Any, along_10: Any, along_11:
     _s31 = along_6 + (t * (along_7 + (t * (along_8 + (t * _s30)))))
     _s32 = along_3 + (t * (along_4 + (t * (along_5 + (t * _s31)))))
     _s33 = along_0 + (t * (along_1 + (t * (along_2 + (t * _s32)))))
-    _s34 = 1.0 / p_ball_radius
+    _s34 = _k1 / p_ball_radius
     _s35 = turn_rate_9 + (t * (turn_rate_10 + (t * (turn_rate_11 + (t * turn_rate_12)))))
     _s36 = turn_rate_6 + (t * (turn_rate_7 + (t * (turn_rate_8 + (t * _s35)))))
     _s37 = turn_rate_3 + (t * (turn_rate_4 + (t * (turn_rate_5 + (t * _s36)))))
@@ -7123,33 +7222,33 @@ def _ring_round_pace_alone(along_0: Any, along_1: Any, along_10: Any, along_11: 
     _s1 = p_ball_radius + p_wire_radius
     _s2 = abs(along_0)
     _s3 = (_s0 * _s1) + (_s2 + abs(turn_rate_0))
-    _s4 = (0.015625 * p_gravity) + _s3
+    _s4 = (_k80 * p_gravity) + _s3
     _s5 = abs(climb_11)
     _s6 = abs(along_11)
     _s7 = abs(climb_12)
     _s8 = abs(along_12)
-    _s9 = ((0.25 * ((_s5 * _s1) + (_s6 + abs(turn_rate_11)))) * ((_s3 / _s1) + _root((p_gravity / _s1)))) + ((_s7 * _s1) + (_s8 + abs(turn_rate_12)))
+    _s9 = ((_k28 * ((_s5 * _s1) + (_s6 + abs(turn_rate_11)))) * ((_s3 / _s1) + _root((p_gravity / _s1)))) + ((_s7 * _s1) + (_s8 + abs(turn_rate_12)))
     _s10 = _s4 * (((abs(cos_12) + abs(cosine_12)) + abs(sin_12)) + abs(sine_12))
-    _s11 = _root(_root(((1.7763568394002505e-15 * _s4) / (_s10 if _s9 < _s10 else _s9))))
+    _s11 = _root(_root(((_k43 * _s4) / (_s10 if _s9 < _s10 else _s9))))
     _s12 = _root(_root(_s11))
     _s13 = _s12 * _root(_root(_s12))
-    _s14 = (_s11 / (3.0 * (_s13 * _s13))) + (0.6666666666666666 * _s13)
-    _s15 = (_s11 / (3.0 * (_s14 * _s14))) + (0.6666666666666666 * _s14)
-    _s16 = _s15 if _s15 < 0.0625 else 0.0625
+    _s14 = (_s11 / (_k55 * (_s13 * _s13))) + (_k5 * _s13)
+    _s15 = (_s11 / (_k55 * (_s14 * _s14))) + (_k5 * _s14)
+    _s16 = _s15 if _s15 < _k32 else _k32
     _s17 = abs(climb_10)
-    _s18 = (((((12.0 * _s7) * _s16) + (11.0 * _s5)) * _s16) + (10.0 * _s17)) * _s16
+    _s18 = (((((_k81 * _s7) * _s16) + (_k199 * _s5)) * _s16) + (_k200 * _s17)) * _s16
     _s19 = abs(climb_9)
     _s20 = abs(climb_8)
     _s21 = abs(climb_7)
-    _s22 = ((((_s18 + (9.0 * _s19)) * _s16) + (8.0 * _s20)) * _s16) + (7.0 * _s21)
+    _s22 = ((((_s18 + (_k201 * _s19)) * _s16) + (_k31 * _s20)) * _s16) + (_k71 * _s21)
     _s23 = abs(climb_6)
     _s24 = abs(climb_5)
     _s25 = abs(climb_4)
-    _s26 = (((((_s22 * _s16) + (6.0 * _s23)) * _s16) + (5.0 * _s24)) * _s16) + (4.0 * _s25)
+    _s26 = (((((_s22 * _s16) + (_k9 * _s23)) * _s16) + (_k65 * _s24)) * _s16) + (_k42 * _s25)
     _s27 = abs(climb_3)
     _s28 = abs(climb_2)
     _s29 = abs(climb_1)
-    _s30 = (((((_s26 * _s16) + (3.0 * _s27)) * _s16) + (2.0 * _s28)) * _s16) + _s29
+    _s30 = (((((_s26 * _s16) + (_k55 * _s27)) * _s16) + (_k29 * _s28)) * _s16) + _s29
     _s31 = (((((_s7 * _s16) + _s5) * _s16) + _s17) * _s16) + _s19
     _s32 = (((((_s31 * _s16) + _s20) * _s16) + _s21) * _s16) + _s23
     _s33 = (((((_s32 * _s16) + _s24) * _s16) + _s25) * _s16) + _s27
@@ -7170,52 +7269,52 @@ def _ring_round_pace_alone(along_0: Any, along_1: Any, along_10: Any, along_11: 
     _s48 = abs(along_1)
     _s49 = (((((_s46 * _s16) + _s47) * _s16) + _s48) * _s16) + _s2
     _s50 = (_s1 * _s34) + _s49
-    _s51 = (((((12.0 * _s8) * _s16) + (11.0 * _s6)) * _s16) + (10.0 * _s36)) * _s16
-    _s52 = ((((_s51 + (9.0 * _s37)) * _s16) + (8.0 * _s39)) * _s16) + (7.0 * _s40)
-    _s53 = (((((_s52 * _s16) + (6.0 * _s41)) * _s16) + (5.0 * _s43)) * _s16) + (4.0 * _s44)
-    _s54 = (((((_s53 * _s16) + (3.0 * _s45)) * _s16) + (2.0 * _s47)) * _s16) + _s48
-    _s55 = _s35 + (((_s49 * (1.0 / (p_ring_radius - _s1))) * _s50) + _s54)
-    _s56 = ((((110.0 * abs(force_11)) * _s16) + (90.0 * abs(force_10))) * _s16) + (72.0 * abs(force_9))
-    _s57 = ((((_s56 * _s16) + (56.0 * abs(force_8))) * _s16) + (42.0 * abs(force_7))) * _s16
-    _s58 = (((_s57 + (30.0 * abs(force_6))) * _s16) + (20.0 * abs(force_5))) * _s16
-    _s59 = (((_s58 + (12.0 * abs(force_4))) * _s16) + (6.0 * abs(force_3))) * _s16
+    _s51 = (((((_k81 * _s8) * _s16) + (_k199 * _s6)) * _s16) + (_k200 * _s36)) * _s16
+    _s52 = ((((_s51 + (_k201 * _s37)) * _s16) + (_k31 * _s39)) * _s16) + (_k71 * _s40)
+    _s53 = (((((_s52 * _s16) + (_k9 * _s41)) * _s16) + (_k65 * _s43)) * _s16) + (_k42 * _s44)
+    _s54 = (((((_s53 * _s16) + (_k55 * _s45)) * _s16) + (_k29 * _s47)) * _s16) + _s48
+    _s55 = _s35 + (((_s49 * (_k1 / (p_ring_radius - _s1))) * _s50) + _s54)
+    _s56 = ((((_k202 * abs(force_11)) * _s16) + (_k203 * abs(force_10))) * _s16) + (_k204 * abs(force_9))
+    _s57 = ((((_s56 * _s16) + (_k205 * abs(force_8))) * _s16) + (_k84 * abs(force_7))) * _s16
+    _s58 = (((_s57 + (_k83 * abs(force_6))) * _s16) + (_k82 * abs(force_5))) * _s16
+    _s59 = (((_s58 + (_k81 * abs(force_4))) * _s16) + (_k9 * abs(force_3))) * _s16
     _s60 = (climb_0 * climb_0) * _s1
     _s61 = -(((along_0 * omega_0) + (cosine_0 * _s60)) + ((climb_1 * sine_0) * _s1))
     _s62 = along_1 - (omega_0 * ((climb_0 * sine_0) * _s1))
-    return _s16, _s55, _s50, _s35, force_0, force_1, _s59 + (2.0 * abs(force_2)), (0.8 * p_gravity) * (climb_0 * cosine_0), (cos_0 * _s61) - (sin_0 * _s62), (cos_0 * _s62) + (sin_0 * _s61), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s60)
+    return _s16, _s55, _s50, _s35, force_0, force_1, _s59 + (_k29 * abs(force_2)), (_k85 * p_gravity) * (climb_0 * cosine_0), (cos_0 * _s61) - (sin_0 * _s62), (cos_0 * _s62) + (sin_0 * _s61), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s60)
 
 
 def _ring_round_pulled_alone(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, omega_0: Any, omega_1: Any, turn_rate_0: Any, turn_rate_1: Any) -> tuple[Any, ...]:
     """Do `ring_round_pulled` for one shot."""
-    _s0 = 0.4 * (climb_0 * turn_rate_0)
+    _s0 = _k3 * (climb_0 * turn_rate_0)
     _s1 = p_gravity + (omega_0 * turn_rate_0)
-    _s2 = 0.4 * (cosine_0 * _s1)
-    _s3 = _s2 * (0.4 * ((cosine_0 * ((omega_0 * turn_rate_1) + (omega_1 * turn_rate_0))) + (cosine_1 * _s1)))
-    _s4 = 2.0 * ((_s0 * (0.4 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))) + _s3)
-    return (_s0 * _s0) + (_s2 * _s2), _s4, -_inf, 0.0
+    _s2 = _k3 * (cosine_0 * _s1)
+    _s3 = _s2 * (_k3 * ((cosine_0 * ((omega_0 * turn_rate_1) + (omega_1 * turn_rate_0))) + (cosine_1 * _s1)))
+    _s4 = _k29 * ((_s0 * (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))) + _s3)
+    return (_s0 * _s0) + (_s2 * _s2), _s4, _k105, _k2
 
 
 def _ring_swung_alone(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0: Any, doubt: Any, fastest: Any, force: Any, force_bend: Any, force_rate: Any, p_gravity: Any, position_error: Any, stride: Any, sway: Any, velocity_error: Any, which: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_swung` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = stride * stride
-    _s2 = ((0.000244140625 * _s0) < (berth - ((0.125 * sway) * _s1))) and ((0.00390625 * p_gravity) < ((force + (stride * (force_rate if force_rate < 0.0 else 0.0))) - ((0.5 * force_bend) * _s1)))
-    _s3 = _s2 and (which == -1.0)
-    _s4 = ((climb * climb_0) < 0.0) and (((0.015625 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
-    _s5 = (_s3 and _s4) and (0.0 < circled)
-    _s6 = p_gravity + ((fastest * fastest) * (1.0 / _s0))
-    _s7 = not ((_s6 * (512.0 * ((fastest * velocity_error) + (position_error * _s6)))) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0))
-    return (1.0 if _s4 else circled) if _s3 else 0.0, _s5, 0.0 if (_s5 and _s7) else doubt
+    _s2 = ((_k114 * _s0) < (berth - ((_k72 * sway) * _s1))) and ((_k207 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
+    _s3 = _s2 and (which == _k39)
+    _s4 = ((climb * climb_0) < _k2) and (((_k80 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
+    _s5 = (_s3 and _s4) and (_k2 < circled)
+    _s6 = p_gravity + ((fastest * fastest) * (_k1 / _s0))
+    _s7 = not ((_s6 * (_k208 * ((fastest * velocity_error) + (position_error * _s6)))) < ((_k114 * (p_gravity * p_gravity)) * _s0))
+    return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else doubt
 
 
 def _ring_round_0_alone(along_0: Any, p_ball_radius: Any, climb_0: Any, cos_0: Any, cosine_0: Any, p_gravity: Any, near_0: Any, p_ring_radius: Any, sin_0: Any, sine_0: Any, turn_rate_0: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_0` for one shot."""
     _s0 = along_0 * near_0
     _s1 = climb_0 * _s0
-    _s2 = (along_0 * sine_0) - (0.4 * (cosine_0 * turn_rate_0))
+    _s2 = (along_0 * sine_0) - (_k3 * (cosine_0 * turn_rate_0))
     _s3 = along_0 * cosine_0
     _s4 = p_ball_radius + p_wire_radius
-    return _s0, _s1, _s2, _s3, ((p_gravity * sine_0) - ((climb_0 * climb_0) * _s4)) - (_s3 * _s0), -(climb_0 * sine_0), climb_0 * cosine_0, -((((0.6 * cosine_0) * p_gravity) + (_s0 * _s2)) / _s4), ((sine_0 * _s1) * _s4) - (0.4 * (climb_0 * turn_rate_0)), p_ring_radius * _s1, -(sin_0 * _s0), cos_0 * _s0
+    return _s0, _s1, _s2, _s3, ((p_gravity * sine_0) - ((climb_0 * climb_0) * _s4)) - (_s3 * _s0), -(climb_0 * sine_0), climb_0 * cosine_0, -((((_k4 * cosine_0) * p_gravity) + (_s0 * _s2)) / _s4), ((sine_0 * _s1) * _s4) - (_k3 * (climb_0 * turn_rate_0)), p_ring_radius * _s1, -(sin_0 * _s0), cos_0 * _s0
 
 
 def _ring_round_1_alone(along_0: Any, along_1: Any, around_0: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, cos_0: Any, cos_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, near_0: Any, omega_0: Any, pressed_0: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sine_0: Any, sine_1: Any, tilted_0: Any, turn_rate_0: Any, turn_rate_1: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7224,10 +7323,10 @@ def _ring_round_1_alone(along_0: Any, along_1: Any, around_0: Any, p_ball_radius
     _s1 = -((near_0 * (cosine_1 * near_0)) * _s0)
     _s2 = (along_0 * _s1) + (along_1 * near_0)
     _s3 = (climb_0 * _s2) + (climb_1 * omega_0)
-    _s4 = ((along_0 * sine_1) + (along_1 * sine_0)) - (0.4 * ((cosine_0 * turn_rate_1) + (cosine_1 * turn_rate_0)))
+    _s4 = ((along_0 * sine_1) + (along_1 * sine_0)) - (_k3 * ((cosine_0 * turn_rate_1) + (cosine_1 * turn_rate_0)))
     _s5 = (along_0 * cosine_1) + (along_1 * cosine_0)
-    _s6 = -((0.5 * (((0.6 * cosine_1) * p_gravity) + ((omega_0 * _s4) + (tilted_0 * _s2)))) / _s0)
-    return _s1, _s2, _s3, _s4, _s5, ((p_gravity * sine_1) - (((2.0 * climb_0) * climb_1) * _s0)) - ((omega_0 * _s5) + (pressed_0 * _s2)), -(0.5 * ((climb_0 * sine_1) + (climb_1 * sine_0))), 0.5 * ((climb_0 * cosine_1) + (climb_1 * cosine_0)), _s6, 0.5 * ((_s0 * ((around_0 * sine_1) + (sine_0 * _s3))) - (0.4 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))), (0.5 * p_ring_radius) * _s3, -(0.5 * ((omega_0 * sin_1) + (sin_0 * _s2))), 0.5 * ((cos_0 * _s2) + (cos_1 * omega_0))
+    _s6 = -((_k0 * (((_k4 * cosine_1) * p_gravity) + ((omega_0 * _s4) + (tilted_0 * _s2)))) / _s0)
+    return _s1, _s2, _s3, _s4, _s5, ((p_gravity * sine_1) - (((_k29 * climb_0) * climb_1) * _s0)) - ((omega_0 * _s5) + (pressed_0 * _s2)), -(_k0 * ((climb_0 * sine_1) + (climb_1 * sine_0))), _k0 * ((climb_0 * cosine_1) + (climb_1 * cosine_0)), _s6, _k0 * ((_s0 * ((around_0 * sine_1) + (sine_0 * _s3))) - (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))), (_k0 * p_ring_radius) * _s3, -(_k0 * ((omega_0 * sin_1) + (sin_0 * _s2))), _k0 * ((cos_0 * _s2) + (cos_1 * omega_0))
 
 
 def _ring_round_2_alone(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, cos_0: Any, cos_1: Any, cos_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, p_gravity: Any, near_0: Any, near_1: Any, omega_0: Any, omega_1: Any, pressed_0: Any, pressed_1: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sine_0: Any, sine_1: Any, sine_2: Any, tilted_0: Any, tilted_1: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7236,12 +7335,12 @@ def _ring_round_2_alone(along_0: Any, along_1: Any, along_2: Any, around_0: Any,
     _s1 = -((near_0 * _s0) * ((cosine_1 * near_1) + (cosine_2 * near_0)))
     _s2 = ((along_0 * _s1) + (along_1 * near_1)) + (along_2 * near_0)
     _s3 = ((climb_0 * _s2) + (climb_1 * omega_1)) + (climb_2 * omega_0)
-    _s4 = (((along_0 * sine_2) + (along_1 * sine_1)) + (along_2 * sine_0)) - (0.4 * (((cosine_0 * turn_rate_2) + (cosine_1 * turn_rate_1)) + (cosine_2 * turn_rate_0)))
+    _s4 = (((along_0 * sine_2) + (along_1 * sine_1)) + (along_2 * sine_0)) - (_k3 * (((cosine_0 * turn_rate_2) + (cosine_1 * turn_rate_1)) + (cosine_2 * turn_rate_0)))
     _s5 = ((along_0 * cosine_2) + (along_1 * cosine_1)) + (along_2 * cosine_0)
-    _s6 = ((p_gravity * sine_2) - (_s0 * ((climb_1 * climb_1) + ((2.0 * climb_0) * climb_2)))) - (((omega_0 * _s5) + (omega_1 * pressed_1)) + (pressed_0 * _s2))
-    _s7 = (0.3333333333333333 * (((0.6 * cosine_2) * p_gravity) + (((omega_0 * _s4) + (omega_1 * tilted_1)) + (tilted_0 * _s2)))) / _s0
-    _s8 = 0.3333333333333333 * ((_s0 * (((around_0 * sine_2) + (around_1 * sine_1)) + (sine_0 * _s3))) - (0.4 * (((climb_0 * turn_rate_2) + (climb_1 * turn_rate_1)) + (climb_2 * turn_rate_0))))
-    return _s1, _s2, _s3, _s4, _s5, _s6, -(0.3333333333333333 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), 0.3333333333333333 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), -_s7, _s8, (0.3333333333333333 * p_ring_radius) * _s3, -(0.3333333333333333 * (((omega_0 * sin_2) + (omega_1 * sin_1)) + (sin_0 * _s2))), 0.3333333333333333 * (((cos_0 * _s2) + (cos_1 * omega_1)) + (cos_2 * omega_0))
+    _s6 = ((p_gravity * sine_2) - (_s0 * ((climb_1 * climb_1) + ((_k29 * climb_0) * climb_2)))) - (((omega_0 * _s5) + (omega_1 * pressed_1)) + (pressed_0 * _s2))
+    _s7 = (_k58 * (((_k4 * cosine_2) * p_gravity) + (((omega_0 * _s4) + (omega_1 * tilted_1)) + (tilted_0 * _s2)))) / _s0
+    _s8 = _k58 * ((_s0 * (((around_0 * sine_2) + (around_1 * sine_1)) + (sine_0 * _s3))) - (_k3 * (((climb_0 * turn_rate_2) + (climb_1 * turn_rate_1)) + (climb_2 * turn_rate_0))))
+    return _s1, _s2, _s3, _s4, _s5, _s6, -(_k58 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k58 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), -_s7, _s8, (_k58 * p_ring_radius) * _s3, -(_k58 * (((omega_0 * sin_2) + (omega_1 * sin_1)) + (sin_0 * _s2))), _k58 * (((cos_0 * _s2) + (cos_1 * omega_1)) + (cos_2 * omega_0))
 
 
 def _ring_round_3_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, omega_0: Any, omega_1: Any, omega_2: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7250,14 +7349,14 @@ def _ring_round_3_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s1 = -((near_0 * _s0) * (((cosine_1 * near_2) + (cosine_2 * near_1)) + (cosine_3 * near_0)))
     _s2 = (((along_0 * _s1) + (along_1 * near_2)) + (along_2 * near_1)) + (along_3 * near_0)
     _s3 = (((climb_0 * _s2) + (climb_1 * omega_2)) + (climb_2 * omega_1)) + (climb_3 * omega_0)
-    _s4 = ((((along_0 * sine_3) + (along_1 * sine_2)) + (along_2 * sine_1)) + (along_3 * sine_0)) - (0.4 * ((((cosine_0 * turn_rate_3) + (cosine_1 * turn_rate_2)) + (cosine_2 * turn_rate_1)) + (cosine_3 * turn_rate_0)))
+    _s4 = ((((along_0 * sine_3) + (along_1 * sine_2)) + (along_2 * sine_1)) + (along_3 * sine_0)) - (_k3 * ((((cosine_0 * turn_rate_3) + (cosine_1 * turn_rate_2)) + (cosine_2 * turn_rate_1)) + (cosine_3 * turn_rate_0)))
     _s5 = (((along_0 * cosine_3) + (along_1 * cosine_2)) + (along_2 * cosine_1)) + (along_3 * cosine_0)
-    _s6 = ((p_gravity * sine_3) - (_s0 * (((2.0 * climb_0) * climb_3) + ((2.0 * climb_1) * climb_2)))) - ((((omega_0 * _s5) + (omega_1 * pressed_2)) + (omega_2 * pressed_1)) + (pressed_0 * _s2))
-    _s7 = -(0.25 * ((((climb_0 * sine_3) + (climb_1 * sine_2)) + (climb_2 * sine_1)) + (climb_3 * sine_0)))
-    _s8 = 0.25 * (((0.6 * cosine_3) * p_gravity) + ((((omega_0 * _s4) + (omega_1 * tilted_2)) + (omega_2 * tilted_1)) + (tilted_0 * _s2)))
-    _s9 = (_s0 * ((((around_0 * sine_3) + (around_1 * sine_2)) + (around_2 * sine_1)) + (sine_0 * _s3))) - (0.4 * ((((climb_0 * turn_rate_3) + (climb_1 * turn_rate_2)) + (climb_2 * turn_rate_1)) + (climb_3 * turn_rate_0)))
-    _s10 = -(0.25 * ((((omega_0 * sin_3) + (omega_1 * sin_2)) + (omega_2 * sin_1)) + (sin_0 * _s2)))
-    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, 0.25 * ((((climb_0 * cosine_3) + (climb_1 * cosine_2)) + (climb_2 * cosine_1)) + (climb_3 * cosine_0)), -(_s8 / _s0), 0.25 * _s9, (0.25 * p_ring_radius) * _s3, _s10, 0.25 * ((((cos_0 * _s2) + (cos_1 * omega_2)) + (cos_2 * omega_1)) + (cos_3 * omega_0))
+    _s6 = ((p_gravity * sine_3) - (_s0 * (((_k29 * climb_0) * climb_3) + ((_k29 * climb_1) * climb_2)))) - ((((omega_0 * _s5) + (omega_1 * pressed_2)) + (omega_2 * pressed_1)) + (pressed_0 * _s2))
+    _s7 = -(_k28 * ((((climb_0 * sine_3) + (climb_1 * sine_2)) + (climb_2 * sine_1)) + (climb_3 * sine_0)))
+    _s8 = _k28 * (((_k4 * cosine_3) * p_gravity) + ((((omega_0 * _s4) + (omega_1 * tilted_2)) + (omega_2 * tilted_1)) + (tilted_0 * _s2)))
+    _s9 = (_s0 * ((((around_0 * sine_3) + (around_1 * sine_2)) + (around_2 * sine_1)) + (sine_0 * _s3))) - (_k3 * ((((climb_0 * turn_rate_3) + (climb_1 * turn_rate_2)) + (climb_2 * turn_rate_1)) + (climb_3 * turn_rate_0)))
+    _s10 = -(_k28 * ((((omega_0 * sin_3) + (omega_1 * sin_2)) + (omega_2 * sin_1)) + (sin_0 * _s2)))
+    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, _k28 * ((((climb_0 * cosine_3) + (climb_1 * cosine_2)) + (climb_2 * cosine_1)) + (climb_3 * cosine_0)), -(_s8 / _s0), _k28 * _s9, (_k28 * p_ring_radius) * _s3, _s10, _k28 * ((((cos_0 * _s2) + (cos_1 * omega_2)) + (cos_2 * omega_1)) + (cos_3 * omega_0))
 
 
 def _ring_round_4_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7266,19 +7365,19 @@ def _ring_round_4_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s1 = -((near_0 * _s0) * ((((cosine_1 * near_3) + (cosine_2 * near_2)) + (cosine_3 * near_1)) + (cosine_4 * near_0)))
     _s2 = ((((along_0 * _s1) + (along_1 * near_3)) + (along_2 * near_2)) + (along_3 * near_1)) + (along_4 * near_0)
     _s3 = ((((climb_0 * _s2) + (climb_1 * omega_3)) + (climb_2 * omega_2)) + (climb_3 * omega_1)) + (climb_4 * omega_0)
-    _s4 = 0.4 * (((((cosine_0 * turn_rate_4) + (cosine_1 * turn_rate_3)) + (cosine_2 * turn_rate_2)) + (cosine_3 * turn_rate_1)) + (cosine_4 * turn_rate_0))
+    _s4 = _k3 * (((((cosine_0 * turn_rate_4) + (cosine_1 * turn_rate_3)) + (cosine_2 * turn_rate_2)) + (cosine_3 * turn_rate_1)) + (cosine_4 * turn_rate_0))
     _s5 = (((((along_0 * sine_4) + (along_1 * sine_3)) + (along_2 * sine_2)) + (along_3 * sine_1)) + (along_4 * sine_0)) - _s4
     _s6 = ((((along_0 * cosine_4) + (along_1 * cosine_3)) + (along_2 * cosine_2)) + (along_3 * cosine_1)) + (along_4 * cosine_0)
-    _s7 = (p_gravity * sine_4) - (_s0 * (((climb_2 * climb_2) + ((2.0 * climb_0) * climb_4)) + ((2.0 * climb_1) * climb_3)))
+    _s7 = (p_gravity * sine_4) - (_s0 * (((climb_2 * climb_2) + ((_k29 * climb_0) * climb_4)) + ((_k29 * climb_1) * climb_3)))
     _s8 = _s7 - (((((omega_0 * _s6) + (omega_1 * pressed_3)) + (omega_2 * pressed_2)) + (omega_3 * pressed_1)) + (pressed_0 * _s2))
-    _s9 = 0.2 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
-    _s10 = 0.2 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
-    _s11 = ((0.6 * cosine_4) * p_gravity) + (((((omega_0 * _s5) + (omega_1 * tilted_3)) + (omega_2 * tilted_2)) + (omega_3 * tilted_1)) + (tilted_0 * _s2))
+    _s9 = _k62 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
+    _s10 = _k62 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
+    _s11 = ((_k4 * cosine_4) * p_gravity) + (((((omega_0 * _s5) + (omega_1 * tilted_3)) + (omega_2 * tilted_2)) + (omega_3 * tilted_1)) + (tilted_0 * _s2))
     _s12 = _s0 * (((((around_0 * sine_4) + (around_1 * sine_3)) + (around_2 * sine_2)) + (around_3 * sine_1)) + (sine_0 * _s3))
-    _s13 = 0.4 * (((((climb_0 * turn_rate_4) + (climb_1 * turn_rate_3)) + (climb_2 * turn_rate_2)) + (climb_3 * turn_rate_1)) + (climb_4 * turn_rate_0))
-    _s14 = 0.2 * (((((omega_0 * sin_4) + (omega_1 * sin_3)) + (omega_2 * sin_2)) + (omega_3 * sin_1)) + (sin_0 * _s2))
-    _s15 = 0.2 * (((((cos_0 * _s2) + (cos_1 * omega_3)) + (cos_2 * omega_2)) + (cos_3 * omega_1)) + (cos_4 * omega_0))
-    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -((0.2 * _s11) / _s0), 0.2 * (_s12 - _s13), (0.2 * p_ring_radius) * _s3, -_s14, _s15
+    _s13 = _k3 * (((((climb_0 * turn_rate_4) + (climb_1 * turn_rate_3)) + (climb_2 * turn_rate_2)) + (climb_3 * turn_rate_1)) + (climb_4 * turn_rate_0))
+    _s14 = _k62 * (((((omega_0 * sin_4) + (omega_1 * sin_3)) + (omega_2 * sin_2)) + (omega_3 * sin_1)) + (sin_0 * _s2))
+    _s15 = _k62 * (((((cos_0 * _s2) + (cos_1 * omega_3)) + (cos_2 * omega_2)) + (cos_3 * omega_1)) + (cos_4 * omega_0))
+    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -((_k62 * _s11) / _s0), _k62 * (_s12 - _s13), (_k62 * p_ring_radius) * _s3, -_s14, _s15
 
 
 def _ring_round_5_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7290,19 +7389,19 @@ def _ring_round_5_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s4 = (((((climb_0 * _s3) + (climb_1 * omega_4)) + (climb_2 * omega_3)) + (climb_3 * omega_2)) + (climb_4 * omega_1)) + (climb_5 * omega_0)
     _s5 = (((((along_0 * sine_5) + (along_1 * sine_4)) + (along_2 * sine_3)) + (along_3 * sine_2)) + (along_4 * sine_1)) + (along_5 * sine_0)
     _s6 = (((((cosine_0 * turn_rate_5) + (cosine_1 * turn_rate_4)) + (cosine_2 * turn_rate_3)) + (cosine_3 * turn_rate_2)) + (cosine_4 * turn_rate_1)) + (cosine_5 * turn_rate_0)
-    _s7 = _s5 - (0.4 * _s6)
+    _s7 = _s5 - (_k3 * _s6)
     _s8 = (((((along_0 * cosine_5) + (along_1 * cosine_4)) + (along_2 * cosine_3)) + (along_3 * cosine_2)) + (along_4 * cosine_1)) + (along_5 * cosine_0)
-    _s9 = (p_gravity * sine_5) - (_s0 * ((((2.0 * climb_0) * climb_5) + ((2.0 * climb_1) * climb_4)) + ((2.0 * climb_2) * climb_3)))
+    _s9 = (p_gravity * sine_5) - (_s0 * ((((_k29 * climb_0) * climb_5) + ((_k29 * climb_1) * climb_4)) + ((_k29 * climb_2) * climb_3)))
     _s10 = (((((omega_0 * _s8) + (omega_1 * pressed_4)) + (omega_2 * pressed_3)) + (omega_3 * pressed_2)) + (omega_4 * pressed_1)) + (pressed_0 * _s3)
     _s11 = (((((climb_0 * sine_5) + (climb_1 * sine_4)) + (climb_2 * sine_3)) + (climb_3 * sine_2)) + (climb_4 * sine_1)) + (climb_5 * sine_0)
     _s12 = (((((climb_0 * cosine_5) + (climb_1 * cosine_4)) + (climb_2 * cosine_3)) + (climb_3 * cosine_2)) + (climb_4 * cosine_1)) + (climb_5 * cosine_0)
     _s13 = (((((omega_0 * _s7) + (omega_1 * tilted_4)) + (omega_2 * tilted_3)) + (omega_3 * tilted_2)) + (omega_4 * tilted_1)) + (tilted_0 * _s3)
-    _s14 = -((0.16666666666666666 * (((0.6 * cosine_5) * p_gravity) + _s13)) / _s0)
+    _s14 = -((_k66 * (((_k4 * cosine_5) * p_gravity) + _s13)) / _s0)
     _s15 = (((((around_0 * sine_5) + (around_1 * sine_4)) + (around_2 * sine_3)) + (around_3 * sine_2)) + (around_4 * sine_1)) + (sine_0 * _s4)
     _s16 = (((((climb_0 * turn_rate_5) + (climb_1 * turn_rate_4)) + (climb_2 * turn_rate_3)) + (climb_3 * turn_rate_2)) + (climb_4 * turn_rate_1)) + (climb_5 * turn_rate_0)
     _s17 = (((((omega_0 * sin_5) + (omega_1 * sin_4)) + (omega_2 * sin_3)) + (omega_3 * sin_2)) + (omega_4 * sin_1)) + (sin_0 * _s3)
     _s18 = (((((cos_0 * _s3) + (cos_1 * omega_4)) + (cos_2 * omega_3)) + (cos_3 * omega_2)) + (cos_4 * omega_1)) + (cos_5 * omega_0)
-    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -(0.16666666666666666 * _s11), 0.16666666666666666 * _s12, _s14, 0.16666666666666666 * ((_s0 * _s15) - (0.4 * _s16)), (0.16666666666666666 * p_ring_radius) * _s4, -(0.16666666666666666 * _s17), 0.16666666666666666 * _s18
+    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -(_k66 * _s11), _k66 * _s12, _s14, _k66 * ((_s0 * _s15) - (_k3 * _s16)), (_k66 * p_ring_radius) * _s4, -(_k66 * _s17), _k66 * _s18
 
 
 def _ring_round_6_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7316,20 +7415,20 @@ def _ring_round_6_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s6 = _s5 + (climb_6 * omega_0)
     _s7 = (((((along_0 * sine_6) + (along_1 * sine_5)) + (along_2 * sine_4)) + (along_3 * sine_3)) + (along_4 * sine_2)) + (along_5 * sine_1)
     _s8 = (((((cosine_0 * turn_rate_6) + (cosine_1 * turn_rate_5)) + (cosine_2 * turn_rate_4)) + (cosine_3 * turn_rate_3)) + (cosine_4 * turn_rate_2)) + (cosine_5 * turn_rate_1)
-    _s9 = (_s7 + (along_6 * sine_0)) - (0.4 * (_s8 + (cosine_6 * turn_rate_0)))
+    _s9 = (_s7 + (along_6 * sine_0)) - (_k3 * (_s8 + (cosine_6 * turn_rate_0)))
     _s10 = (((((along_0 * cosine_6) + (along_1 * cosine_5)) + (along_2 * cosine_4)) + (along_3 * cosine_3)) + (along_4 * cosine_2)) + (along_5 * cosine_1)
     _s11 = _s10 + (along_6 * cosine_0)
-    _s12 = _s0 * ((((climb_3 * climb_3) + ((2.0 * climb_0) * climb_6)) + ((2.0 * climb_1) * climb_5)) + ((2.0 * climb_2) * climb_4))
+    _s12 = _s0 * ((((climb_3 * climb_3) + ((_k29 * climb_0) * climb_6)) + ((_k29 * climb_1) * climb_5)) + ((_k29 * climb_2) * climb_4))
     _s13 = (((((omega_0 * _s11) + (omega_1 * pressed_5)) + (omega_2 * pressed_4)) + (omega_3 * pressed_3)) + (omega_4 * pressed_2)) + (omega_5 * pressed_1)
     _s14 = (((((climb_0 * sine_6) + (climb_1 * sine_5)) + (climb_2 * sine_4)) + (climb_3 * sine_3)) + (climb_4 * sine_2)) + (climb_5 * sine_1)
     _s15 = (((((climb_0 * cosine_6) + (climb_1 * cosine_5)) + (climb_2 * cosine_4)) + (climb_3 * cosine_3)) + (climb_4 * cosine_2)) + (climb_5 * cosine_1)
     _s16 = (((((omega_0 * _s9) + (omega_1 * tilted_5)) + (omega_2 * tilted_4)) + (omega_3 * tilted_3)) + (omega_4 * tilted_2)) + (omega_5 * tilted_1)
-    _s17 = -((0.14285714285714285 * (((0.6 * cosine_6) * p_gravity) + (_s16 + (tilted_0 * _s4)))) / _s0)
+    _s17 = -((_k68 * (((_k4 * cosine_6) * p_gravity) + (_s16 + (tilted_0 * _s4)))) / _s0)
     _s18 = (((((around_0 * sine_6) + (around_1 * sine_5)) + (around_2 * sine_4)) + (around_3 * sine_3)) + (around_4 * sine_2)) + (around_5 * sine_1)
     _s19 = (((((climb_0 * turn_rate_6) + (climb_1 * turn_rate_5)) + (climb_2 * turn_rate_4)) + (climb_3 * turn_rate_3)) + (climb_4 * turn_rate_2)) + (climb_5 * turn_rate_1)
     _s20 = (((((omega_0 * sin_6) + (omega_1 * sin_5)) + (omega_2 * sin_4)) + (omega_3 * sin_3)) + (omega_4 * sin_2)) + (omega_5 * sin_1)
     _s21 = (((((cos_0 * _s4) + (cos_1 * omega_5)) + (cos_2 * omega_4)) + (cos_3 * omega_3)) + (cos_4 * omega_2)) + (cos_5 * omega_1)
-    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_6) - _s12) - (_s13 + (pressed_0 * _s4)), -(0.14285714285714285 * (_s14 + (climb_6 * sine_0))), 0.14285714285714285 * (_s15 + (climb_6 * cosine_0)), _s17, 0.14285714285714285 * ((_s0 * (_s18 + (sine_0 * _s6))) - (0.4 * (_s19 + (climb_6 * turn_rate_0)))), (0.14285714285714285 * p_ring_radius) * _s6, -(0.14285714285714285 * (_s20 + (sin_0 * _s4))), 0.14285714285714285 * (_s21 + (cos_6 * omega_0))
+    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_6) - _s12) - (_s13 + (pressed_0 * _s4)), -(_k68 * (_s14 + (climb_6 * sine_0))), _k68 * (_s15 + (climb_6 * cosine_0)), _s17, _k68 * ((_s0 * (_s18 + (sine_0 * _s6))) - (_k3 * (_s19 + (climb_6 * turn_rate_0)))), (_k68 * p_ring_radius) * _s6, -(_k68 * (_s20 + (sin_0 * _s4))), _k68 * (_s21 + (cos_6 * omega_0))
 
 
 def _ring_round_7_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7343,21 +7442,21 @@ def _ring_round_7_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s6 = (_s5 + (climb_6 * omega_1)) + (climb_7 * omega_0)
     _s7 = (((((along_0 * sine_7) + (along_1 * sine_6)) + (along_2 * sine_5)) + (along_3 * sine_4)) + (along_4 * sine_3)) + (along_5 * sine_2)
     _s8 = (((((cosine_0 * turn_rate_7) + (cosine_1 * turn_rate_6)) + (cosine_2 * turn_rate_5)) + (cosine_3 * turn_rate_4)) + (cosine_4 * turn_rate_3)) + (cosine_5 * turn_rate_2)
-    _s9 = ((_s7 + (along_6 * sine_1)) + (along_7 * sine_0)) - (0.4 * ((_s8 + (cosine_6 * turn_rate_1)) + (cosine_7 * turn_rate_0)))
+    _s9 = ((_s7 + (along_6 * sine_1)) + (along_7 * sine_0)) - (_k3 * ((_s8 + (cosine_6 * turn_rate_1)) + (cosine_7 * turn_rate_0)))
     _s10 = (((((along_0 * cosine_7) + (along_1 * cosine_6)) + (along_2 * cosine_5)) + (along_3 * cosine_4)) + (along_4 * cosine_3)) + (along_5 * cosine_2)
     _s11 = (_s10 + (along_6 * cosine_1)) + (along_7 * cosine_0)
-    _s12 = _s0 * (((((2.0 * climb_0) * climb_7) + ((2.0 * climb_1) * climb_6)) + ((2.0 * climb_2) * climb_5)) + ((2.0 * climb_3) * climb_4))
+    _s12 = _s0 * (((((_k29 * climb_0) * climb_7) + ((_k29 * climb_1) * climb_6)) + ((_k29 * climb_2) * climb_5)) + ((_k29 * climb_3) * climb_4))
     _s13 = (((((omega_0 * _s11) + (omega_1 * pressed_6)) + (omega_2 * pressed_5)) + (omega_3 * pressed_4)) + (omega_4 * pressed_3)) + (omega_5 * pressed_2)
     _s14 = (((((climb_0 * sine_7) + (climb_1 * sine_6)) + (climb_2 * sine_5)) + (climb_3 * sine_4)) + (climb_4 * sine_3)) + (climb_5 * sine_2)
     _s15 = (((((climb_0 * cosine_7) + (climb_1 * cosine_6)) + (climb_2 * cosine_5)) + (climb_3 * cosine_4)) + (climb_4 * cosine_3)) + (climb_5 * cosine_2)
     _s16 = (((((omega_0 * _s9) + (omega_1 * tilted_6)) + (omega_2 * tilted_5)) + (omega_3 * tilted_4)) + (omega_4 * tilted_3)) + (omega_5 * tilted_2)
-    _s17 = (0.125 * (((0.6 * cosine_7) * p_gravity) + ((_s16 + (omega_6 * tilted_1)) + (tilted_0 * _s4)))) / _s0
+    _s17 = (_k72 * (((_k4 * cosine_7) * p_gravity) + ((_s16 + (omega_6 * tilted_1)) + (tilted_0 * _s4)))) / _s0
     _s18 = (((((around_0 * sine_7) + (around_1 * sine_6)) + (around_2 * sine_5)) + (around_3 * sine_4)) + (around_4 * sine_3)) + (around_5 * sine_2)
     _s19 = (((((climb_0 * turn_rate_7) + (climb_1 * turn_rate_6)) + (climb_2 * turn_rate_5)) + (climb_3 * turn_rate_4)) + (climb_4 * turn_rate_3)) + (climb_5 * turn_rate_2)
-    _s20 = 0.125 * ((_s0 * ((_s18 + (around_6 * sine_1)) + (sine_0 * _s6))) - (0.4 * ((_s19 + (climb_6 * turn_rate_1)) + (climb_7 * turn_rate_0))))
+    _s20 = _k72 * ((_s0 * ((_s18 + (around_6 * sine_1)) + (sine_0 * _s6))) - (_k3 * ((_s19 + (climb_6 * turn_rate_1)) + (climb_7 * turn_rate_0))))
     _s21 = (((((omega_0 * sin_7) + (omega_1 * sin_6)) + (omega_2 * sin_5)) + (omega_3 * sin_4)) + (omega_4 * sin_3)) + (omega_5 * sin_2)
     _s22 = (((((cos_0 * _s4) + (cos_1 * omega_6)) + (cos_2 * omega_5)) + (cos_3 * omega_4)) + (cos_4 * omega_3)) + (cos_5 * omega_2)
-    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_7) - _s12) - ((_s13 + (omega_6 * pressed_1)) + (pressed_0 * _s4)), -(0.125 * ((_s14 + (climb_6 * sine_1)) + (climb_7 * sine_0))), 0.125 * ((_s15 + (climb_6 * cosine_1)) + (climb_7 * cosine_0)), -_s17, _s20, (0.125 * p_ring_radius) * _s6, -(0.125 * ((_s21 + (omega_6 * sin_1)) + (sin_0 * _s4))), 0.125 * ((_s22 + (cos_6 * omega_1)) + (cos_7 * omega_0))
+    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_7) - _s12) - ((_s13 + (omega_6 * pressed_1)) + (pressed_0 * _s4)), -(_k72 * ((_s14 + (climb_6 * sine_1)) + (climb_7 * sine_0))), _k72 * ((_s15 + (climb_6 * cosine_1)) + (climb_7 * cosine_0)), -_s17, _s20, (_k72 * p_ring_radius) * _s6, -(_k72 * ((_s21 + (omega_6 * sin_1)) + (sin_0 * _s4))), _k72 * ((_s22 + (cos_6 * omega_1)) + (cos_7 * omega_0))
 
 
 def _ring_round_8_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7371,23 +7470,23 @@ def _ring_round_8_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s6 = ((_s5 + (climb_6 * omega_2)) + (climb_7 * omega_1)) + (climb_8 * omega_0)
     _s7 = (((((along_0 * sine_8) + (along_1 * sine_7)) + (along_2 * sine_6)) + (along_3 * sine_5)) + (along_4 * sine_4)) + (along_5 * sine_3)
     _s8 = (((((cosine_0 * turn_rate_8) + (cosine_1 * turn_rate_7)) + (cosine_2 * turn_rate_6)) + (cosine_3 * turn_rate_5)) + (cosine_4 * turn_rate_4)) + (cosine_5 * turn_rate_3)
-    _s9 = (((_s7 + (along_6 * sine_2)) + (along_7 * sine_1)) + (along_8 * sine_0)) - (0.4 * (((_s8 + (cosine_6 * turn_rate_2)) + (cosine_7 * turn_rate_1)) + (cosine_8 * turn_rate_0)))
+    _s9 = (((_s7 + (along_6 * sine_2)) + (along_7 * sine_1)) + (along_8 * sine_0)) - (_k3 * (((_s8 + (cosine_6 * turn_rate_2)) + (cosine_7 * turn_rate_1)) + (cosine_8 * turn_rate_0)))
     _s10 = (((((along_0 * cosine_8) + (along_1 * cosine_7)) + (along_2 * cosine_6)) + (along_3 * cosine_5)) + (along_4 * cosine_4)) + (along_5 * cosine_3)
     _s11 = ((_s10 + (along_6 * cosine_2)) + (along_7 * cosine_1)) + (along_8 * cosine_0)
-    _s12 = ((((climb_4 * climb_4) + ((2.0 * climb_0) * climb_8)) + ((2.0 * climb_1) * climb_7)) + ((2.0 * climb_2) * climb_6)) + ((2.0 * climb_3) * climb_5)
+    _s12 = ((((climb_4 * climb_4) + ((_k29 * climb_0) * climb_8)) + ((_k29 * climb_1) * climb_7)) + ((_k29 * climb_2) * climb_6)) + ((_k29 * climb_3) * climb_5)
     _s13 = (((((omega_0 * _s11) + (omega_1 * pressed_7)) + (omega_2 * pressed_6)) + (omega_3 * pressed_5)) + (omega_4 * pressed_4)) + (omega_5 * pressed_3)
     _s14 = (((((climb_0 * sine_8) + (climb_1 * sine_7)) + (climb_2 * sine_6)) + (climb_3 * sine_5)) + (climb_4 * sine_4)) + (climb_5 * sine_3)
-    _s15 = -(0.1111111111111111 * (((_s14 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
+    _s15 = -(_k74 * (((_s14 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
     _s16 = (((((climb_0 * cosine_8) + (climb_1 * cosine_7)) + (climb_2 * cosine_6)) + (climb_3 * cosine_5)) + (climb_4 * cosine_4)) + (climb_5 * cosine_3)
     _s17 = (((((omega_0 * _s9) + (omega_1 * tilted_7)) + (omega_2 * tilted_6)) + (omega_3 * tilted_5)) + (omega_4 * tilted_4)) + (omega_5 * tilted_3)
-    _s18 = 0.1111111111111111 * (((0.6 * cosine_8) * p_gravity) + (((_s17 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s4)))
+    _s18 = _k74 * (((_k4 * cosine_8) * p_gravity) + (((_s17 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s4)))
     _s19 = (((((around_0 * sine_8) + (around_1 * sine_7)) + (around_2 * sine_6)) + (around_3 * sine_5)) + (around_4 * sine_4)) + (around_5 * sine_3)
     _s20 = (((((climb_0 * turn_rate_8) + (climb_1 * turn_rate_7)) + (climb_2 * turn_rate_6)) + (climb_3 * turn_rate_5)) + (climb_4 * turn_rate_4)) + (climb_5 * turn_rate_3)
-    _s21 = (_s0 * (((_s19 + (around_6 * sine_2)) + (around_7 * sine_1)) + (sine_0 * _s6))) - (0.4 * (((_s20 + (climb_6 * turn_rate_2)) + (climb_7 * turn_rate_1)) + (climb_8 * turn_rate_0)))
+    _s21 = (_s0 * (((_s19 + (around_6 * sine_2)) + (around_7 * sine_1)) + (sine_0 * _s6))) - (_k3 * (((_s20 + (climb_6 * turn_rate_2)) + (climb_7 * turn_rate_1)) + (climb_8 * turn_rate_0)))
     _s22 = (((((omega_0 * sin_8) + (omega_1 * sin_7)) + (omega_2 * sin_6)) + (omega_3 * sin_5)) + (omega_4 * sin_4)) + (omega_5 * sin_3)
-    _s23 = -(0.1111111111111111 * (((_s22 + (omega_6 * sin_2)) + (omega_7 * sin_1)) + (sin_0 * _s4)))
+    _s23 = -(_k74 * (((_s22 + (omega_6 * sin_2)) + (omega_7 * sin_1)) + (sin_0 * _s4)))
     _s24 = (((((cos_0 * _s4) + (cos_1 * omega_7)) + (cos_2 * omega_6)) + (cos_3 * omega_5)) + (cos_4 * omega_4)) + (cos_5 * omega_3)
-    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_8) - (_s0 * _s12)) - (((_s13 + (omega_6 * pressed_2)) + (omega_7 * pressed_1)) + (pressed_0 * _s4)), _s15, 0.1111111111111111 * (((_s16 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -(_s18 / _s0), 0.1111111111111111 * _s21, (0.1111111111111111 * p_ring_radius) * _s6, _s23, 0.1111111111111111 * (((_s24 + (cos_6 * omega_2)) + (cos_7 * omega_1)) + (cos_8 * omega_0))
+    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_8) - (_s0 * _s12)) - (((_s13 + (omega_6 * pressed_2)) + (omega_7 * pressed_1)) + (pressed_0 * _s4)), _s15, _k74 * (((_s16 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -(_s18 / _s0), _k74 * _s21, (_k74 * p_ring_radius) * _s6, _s23, _k74 * (((_s24 + (cos_6 * omega_2)) + (cos_7 * omega_1)) + (cos_8 * omega_0))
 
 
 def _ring_round_9_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7401,28 +7500,28 @@ def _ring_round_9_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s6 = (((_s5 + (climb_6 * omega_3)) + (climb_7 * omega_2)) + (climb_8 * omega_1)) + (climb_9 * omega_0)
     _s7 = (((((along_0 * sine_9) + (along_1 * sine_8)) + (along_2 * sine_7)) + (along_3 * sine_6)) + (along_4 * sine_5)) + (along_5 * sine_4)
     _s8 = (((((cosine_0 * turn_rate_9) + (cosine_1 * turn_rate_8)) + (cosine_2 * turn_rate_7)) + (cosine_3 * turn_rate_6)) + (cosine_4 * turn_rate_5)) + (cosine_5 * turn_rate_4)
-    _s9 = 0.4 * ((((_s8 + (cosine_6 * turn_rate_3)) + (cosine_7 * turn_rate_2)) + (cosine_8 * turn_rate_1)) + (cosine_9 * turn_rate_0))
+    _s9 = _k3 * ((((_s8 + (cosine_6 * turn_rate_3)) + (cosine_7 * turn_rate_2)) + (cosine_8 * turn_rate_1)) + (cosine_9 * turn_rate_0))
     _s10 = ((((_s7 + (along_6 * sine_3)) + (along_7 * sine_2)) + (along_8 * sine_1)) + (along_9 * sine_0)) - _s9
     _s11 = (((((along_0 * cosine_9) + (along_1 * cosine_8)) + (along_2 * cosine_7)) + (along_3 * cosine_6)) + (along_4 * cosine_5)) + (along_5 * cosine_4)
     _s12 = (((_s11 + (along_6 * cosine_3)) + (along_7 * cosine_2)) + (along_8 * cosine_1)) + (along_9 * cosine_0)
-    _s13 = (((((2.0 * climb_0) * climb_9) + ((2.0 * climb_1) * climb_8)) + ((2.0 * climb_2) * climb_7)) + ((2.0 * climb_3) * climb_6)) + ((2.0 * climb_4) * climb_5)
+    _s13 = (((((_k29 * climb_0) * climb_9) + ((_k29 * climb_1) * climb_8)) + ((_k29 * climb_2) * climb_7)) + ((_k29 * climb_3) * climb_6)) + ((_k29 * climb_4) * climb_5)
     _s14 = (((((omega_0 * _s12) + (omega_1 * pressed_8)) + (omega_2 * pressed_7)) + (omega_3 * pressed_6)) + (omega_4 * pressed_5)) + (omega_5 * pressed_4)
     _s15 = ((p_gravity * sine_9) - (_s0 * _s13)) - ((((_s14 + (omega_6 * pressed_3)) + (omega_7 * pressed_2)) + (omega_8 * pressed_1)) + (pressed_0 * _s4))
     _s16 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4)
-    _s17 = 0.1 * ((((_s16 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
+    _s17 = _k211 * ((((_s16 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
     _s18 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4)
-    _s19 = 0.1 * ((((_s18 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
+    _s19 = _k211 * ((((_s18 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
     _s20 = (((((omega_0 * _s10) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4)
-    _s21 = ((0.6 * cosine_9) * p_gravity) + ((((_s20 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s4))
+    _s21 = ((_k4 * cosine_9) * p_gravity) + ((((_s20 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s4))
     _s22 = (((((around_0 * sine_9) + (around_1 * sine_8)) + (around_2 * sine_7)) + (around_3 * sine_6)) + (around_4 * sine_5)) + (around_5 * sine_4)
     _s23 = _s0 * ((((_s22 + (around_6 * sine_3)) + (around_7 * sine_2)) + (around_8 * sine_1)) + (sine_0 * _s6))
     _s24 = (((((climb_0 * turn_rate_9) + (climb_1 * turn_rate_8)) + (climb_2 * turn_rate_7)) + (climb_3 * turn_rate_6)) + (climb_4 * turn_rate_5)) + (climb_5 * turn_rate_4)
-    _s25 = 0.4 * ((((_s24 + (climb_6 * turn_rate_3)) + (climb_7 * turn_rate_2)) + (climb_8 * turn_rate_1)) + (climb_9 * turn_rate_0))
+    _s25 = _k3 * ((((_s24 + (climb_6 * turn_rate_3)) + (climb_7 * turn_rate_2)) + (climb_8 * turn_rate_1)) + (climb_9 * turn_rate_0))
     _s26 = (((((omega_0 * sin_9) + (omega_1 * sin_8)) + (omega_2 * sin_7)) + (omega_3 * sin_6)) + (omega_4 * sin_5)) + (omega_5 * sin_4)
-    _s27 = 0.1 * ((((_s26 + (omega_6 * sin_3)) + (omega_7 * sin_2)) + (omega_8 * sin_1)) + (sin_0 * _s4))
+    _s27 = _k211 * ((((_s26 + (omega_6 * sin_3)) + (omega_7 * sin_2)) + (omega_8 * sin_1)) + (sin_0 * _s4))
     _s28 = (((((cos_0 * _s4) + (cos_1 * omega_8)) + (cos_2 * omega_7)) + (cos_3 * omega_6)) + (cos_4 * omega_5)) + (cos_5 * omega_4)
-    _s29 = 0.1 * ((((_s28 + (cos_6 * omega_3)) + (cos_7 * omega_2)) + (cos_8 * omega_1)) + (cos_9 * omega_0))
-    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -((0.1 * _s21) / _s0), 0.1 * (_s23 - _s25), (0.1 * p_ring_radius) * _s6, -_s27, _s29
+    _s29 = _k211 * ((((_s28 + (cos_6 * omega_3)) + (cos_7 * omega_2)) + (cos_8 * omega_1)) + (cos_9 * omega_0))
+    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -((_k211 * _s21) / _s0), _k211 * (_s23 - _s25), (_k211 * p_ring_radius) * _s6, -_s27, _s29
 
 
 def _ring_round_10_alone(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7439,20 +7538,20 @@ def _ring_round_10_alone(along_0: Any, along_1: Any, along_10: Any, along_2: Any
     _s9 = ((((_s8 + (along_5 * sine_5)) + (along_6 * sine_4)) + (along_7 * sine_3)) + (along_8 * sine_2)) + (along_9 * sine_1)
     _s10 = (((((cosine_0 * turn_rate_10) + (cosine_1 * turn_rate_9)) + (cosine_10 * turn_rate_0)) + (cosine_2 * turn_rate_8)) + (cosine_3 * turn_rate_7)) + (cosine_4 * turn_rate_6)
     _s11 = ((((_s10 + (cosine_5 * turn_rate_5)) + (cosine_6 * turn_rate_4)) + (cosine_7 * turn_rate_3)) + (cosine_8 * turn_rate_2)) + (cosine_9 * turn_rate_1)
-    _s12 = _s9 - (0.4 * _s11)
+    _s12 = _s9 - (_k3 * _s11)
     _s13 = (((((along_0 * cosine_10) + (along_1 * cosine_9)) + (along_10 * cosine_0)) + (along_2 * cosine_8)) + (along_3 * cosine_7)) + (along_4 * cosine_6)
     _s14 = ((((_s13 + (along_5 * cosine_5)) + (along_6 * cosine_4)) + (along_7 * cosine_3)) + (along_8 * cosine_2)) + (along_9 * cosine_1)
-    _s15 = ((((climb_5 * climb_5) + ((2.0 * climb_0) * climb_10)) + ((2.0 * climb_1) * climb_9)) + ((2.0 * climb_2) * climb_8)) + ((2.0 * climb_3) * climb_7)
+    _s15 = ((((climb_5 * climb_5) + ((_k29 * climb_0) * climb_10)) + ((_k29 * climb_1) * climb_9)) + ((_k29 * climb_2) * climb_8)) + ((_k29 * climb_3) * climb_7)
     _s16 = (((((omega_0 * _s14) + (omega_1 * pressed_9)) + (omega_2 * pressed_8)) + (omega_3 * pressed_7)) + (omega_4 * pressed_6)) + (omega_5 * pressed_5)
     _s17 = ((((_s16 + (omega_6 * pressed_4)) + (omega_7 * pressed_3)) + (omega_8 * pressed_2)) + (omega_9 * pressed_1)) + (pressed_0 * _s5)
-    _s18 = ((p_gravity * sine_10) - (_s0 * (_s15 + ((2.0 * climb_4) * climb_6)))) - _s17
+    _s18 = ((p_gravity * sine_10) - (_s0 * (_s15 + ((_k29 * climb_4) * climb_6)))) - _s17
     _s19 = (((((climb_0 * sine_10) + (climb_1 * sine_9)) + (climb_10 * sine_0)) + (climb_2 * sine_8)) + (climb_3 * sine_7)) + (climb_4 * sine_6)
     _s20 = ((((_s19 + (climb_5 * sine_5)) + (climb_6 * sine_4)) + (climb_7 * sine_3)) + (climb_8 * sine_2)) + (climb_9 * sine_1)
     _s21 = (((((climb_0 * cosine_10) + (climb_1 * cosine_9)) + (climb_10 * cosine_0)) + (climb_2 * cosine_8)) + (climb_3 * cosine_7)) + (climb_4 * cosine_6)
     _s22 = ((((_s21 + (climb_5 * cosine_5)) + (climb_6 * cosine_4)) + (climb_7 * cosine_3)) + (climb_8 * cosine_2)) + (climb_9 * cosine_1)
     _s23 = (((((omega_0 * _s12) + (omega_1 * tilted_9)) + (omega_2 * tilted_8)) + (omega_3 * tilted_7)) + (omega_4 * tilted_6)) + (omega_5 * tilted_5)
     _s24 = ((((_s23 + (omega_6 * tilted_4)) + (omega_7 * tilted_3)) + (omega_8 * tilted_2)) + (omega_9 * tilted_1)) + (tilted_0 * _s5)
-    _s25 = -((0.09090909090909091 * (((0.6 * cosine_10) * p_gravity) + _s24)) / _s0)
+    _s25 = -((_k213 * (((_k4 * cosine_10) * p_gravity) + _s24)) / _s0)
     _s26 = (((((around_0 * sine_10) + (around_1 * sine_9)) + (around_2 * sine_8)) + (around_3 * sine_7)) + (around_4 * sine_6)) + (around_5 * sine_5)
     _s27 = ((((_s26 + (around_6 * sine_4)) + (around_7 * sine_3)) + (around_8 * sine_2)) + (around_9 * sine_1)) + (sine_0 * _s7)
     _s28 = (((((climb_0 * turn_rate_10) + (climb_1 * turn_rate_9)) + (climb_10 * turn_rate_0)) + (climb_2 * turn_rate_8)) + (climb_3 * turn_rate_7)) + (climb_4 * turn_rate_6)
@@ -7461,7 +7560,7 @@ def _ring_round_10_alone(along_0: Any, along_1: Any, along_10: Any, along_2: Any
     _s31 = ((((_s30 + (omega_6 * sin_4)) + (omega_7 * sin_3)) + (omega_8 * sin_2)) + (omega_9 * sin_1)) + (sin_0 * _s5)
     _s32 = (((((cos_0 * _s5) + (cos_1 * omega_9)) + (cos_10 * omega_0)) + (cos_2 * omega_8)) + (cos_3 * omega_7)) + (cos_4 * omega_6)
     _s33 = ((((_s32 + (cos_5 * omega_5)) + (cos_6 * omega_4)) + (cos_7 * omega_3)) + (cos_8 * omega_2)) + (cos_9 * omega_1)
-    return _s3, _s5, _s7, _s12, _s14, _s18, -(0.09090909090909091 * _s20), 0.09090909090909091 * _s22, _s25, 0.09090909090909091 * ((_s0 * _s27) - (0.4 * _s29)), (0.09090909090909091 * p_ring_radius) * _s7, -(0.09090909090909091 * _s31), 0.09090909090909091 * _s33
+    return _s3, _s5, _s7, _s12, _s14, _s18, -(_k213 * _s20), _k213 * _s22, _s25, _k213 * ((_s0 * _s27) - (_k3 * _s29)), (_k213 * p_ring_radius) * _s7, -(_k213 * _s31), _k213 * _s33
 
 
 def _ring_round_11_alone(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_10: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_10: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7480,21 +7579,21 @@ def _ring_round_11_alone(along_0: Any, along_1: Any, along_10: Any, along_11: An
     _s11 = ((((_s10 + (along_4 * sine_7)) + (along_5 * sine_6)) + (along_6 * sine_5)) + (along_7 * sine_4)) + (along_8 * sine_3)
     _s12 = (((((cosine_0 * turn_rate_11) + (cosine_1 * turn_rate_10)) + (cosine_10 * turn_rate_1)) + (cosine_11 * turn_rate_0)) + (cosine_2 * turn_rate_9)) + (cosine_3 * turn_rate_8)
     _s13 = ((((_s12 + (cosine_4 * turn_rate_7)) + (cosine_5 * turn_rate_6)) + (cosine_6 * turn_rate_5)) + (cosine_7 * turn_rate_4)) + (cosine_8 * turn_rate_3)
-    _s14 = (_s11 + (along_9 * sine_2)) - (0.4 * (_s13 + (cosine_9 * turn_rate_2)))
+    _s14 = (_s11 + (along_9 * sine_2)) - (_k3 * (_s13 + (cosine_9 * turn_rate_2)))
     _s15 = (((((along_0 * cosine_11) + (along_1 * cosine_10)) + (along_10 * cosine_1)) + (along_11 * cosine_0)) + (along_2 * cosine_9)) + (along_3 * cosine_8)
     _s16 = ((((_s15 + (along_4 * cosine_7)) + (along_5 * cosine_6)) + (along_6 * cosine_5)) + (along_7 * cosine_4)) + (along_8 * cosine_3)
     _s17 = _s16 + (along_9 * cosine_2)
-    _s18 = (((((2.0 * climb_0) * climb_11) + ((2.0 * climb_1) * climb_10)) + ((2.0 * climb_2) * climb_9)) + ((2.0 * climb_3) * climb_8)) + ((2.0 * climb_4) * climb_7)
+    _s18 = (((((_k29 * climb_0) * climb_11) + ((_k29 * climb_1) * climb_10)) + ((_k29 * climb_2) * climb_9)) + ((_k29 * climb_3) * climb_8)) + ((_k29 * climb_4) * climb_7)
     _s19 = (((((omega_0 * _s17) + (omega_1 * pressed_10)) + (omega_10 * pressed_1)) + (omega_2 * pressed_9)) + (omega_3 * pressed_8)) + (omega_4 * pressed_7)
     _s20 = ((((_s19 + (omega_5 * pressed_6)) + (omega_6 * pressed_5)) + (omega_7 * pressed_4)) + (omega_8 * pressed_3)) + (omega_9 * pressed_2)
-    _s21 = ((p_gravity * sine_11) - (_s0 * (_s18 + ((2.0 * climb_5) * climb_6)))) - (_s20 + (pressed_0 * _s6))
+    _s21 = ((p_gravity * sine_11) - (_s0 * (_s18 + ((_k29 * climb_5) * climb_6)))) - (_s20 + (pressed_0 * _s6))
     _s22 = (((((climb_0 * sine_11) + (climb_1 * sine_10)) + (climb_10 * sine_1)) + (climb_11 * sine_0)) + (climb_2 * sine_9)) + (climb_3 * sine_8)
     _s23 = ((((_s22 + (climb_4 * sine_7)) + (climb_5 * sine_6)) + (climb_6 * sine_5)) + (climb_7 * sine_4)) + (climb_8 * sine_3)
     _s24 = (((((climb_0 * cosine_11) + (climb_1 * cosine_10)) + (climb_10 * cosine_1)) + (climb_11 * cosine_0)) + (climb_2 * cosine_9)) + (climb_3 * cosine_8)
     _s25 = ((((_s24 + (climb_4 * cosine_7)) + (climb_5 * cosine_6)) + (climb_6 * cosine_5)) + (climb_7 * cosine_4)) + (climb_8 * cosine_3)
     _s26 = (((((omega_0 * _s14) + (omega_1 * tilted_10)) + (omega_10 * tilted_1)) + (omega_2 * tilted_9)) + (omega_3 * tilted_8)) + (omega_4 * tilted_7)
     _s27 = ((((_s26 + (omega_5 * tilted_6)) + (omega_6 * tilted_5)) + (omega_7 * tilted_4)) + (omega_8 * tilted_3)) + (omega_9 * tilted_2)
-    _s28 = -((0.08333333333333333 * (((0.6 * cosine_11) * p_gravity) + (_s27 + (tilted_0 * _s6)))) / _s0)
+    _s28 = -((_k215 * (((_k4 * cosine_11) * p_gravity) + (_s27 + (tilted_0 * _s6)))) / _s0)
     _s29 = (((((around_0 * sine_11) + (around_1 * sine_10)) + (around_10 * sine_1)) + (around_2 * sine_9)) + (around_3 * sine_8)) + (around_4 * sine_7)
     _s30 = ((((_s29 + (around_5 * sine_6)) + (around_6 * sine_5)) + (around_7 * sine_4)) + (around_8 * sine_3)) + (around_9 * sine_2)
     _s31 = (((((climb_0 * turn_rate_11) + (climb_1 * turn_rate_10)) + (climb_10 * turn_rate_1)) + (climb_11 * turn_rate_0)) + (climb_2 * turn_rate_9)) + (climb_3 * turn_rate_8)
@@ -7503,7 +7602,7 @@ def _ring_round_11_alone(along_0: Any, along_1: Any, along_10: Any, along_11: An
     _s34 = ((((_s33 + (omega_5 * sin_6)) + (omega_6 * sin_5)) + (omega_7 * sin_4)) + (omega_8 * sin_3)) + (omega_9 * sin_2)
     _s35 = (((((cos_0 * _s6) + (cos_1 * omega_10)) + (cos_10 * omega_1)) + (cos_11 * omega_0)) + (cos_2 * omega_9)) + (cos_3 * omega_8)
     _s36 = ((((_s35 + (cos_4 * omega_7)) + (cos_5 * omega_6)) + (cos_6 * omega_5)) + (cos_7 * omega_4)) + (cos_8 * omega_3)
-    return _s3, _s6, _s9, _s14, _s17, _s21, -(0.08333333333333333 * (_s23 + (climb_9 * sine_2))), 0.08333333333333333 * (_s25 + (climb_9 * cosine_2)), _s28, 0.08333333333333333 * ((_s0 * (_s30 + (sine_0 * _s9))) - (0.4 * (_s32 + (climb_9 * turn_rate_2)))), (0.08333333333333333 * p_ring_radius) * _s9, -(0.08333333333333333 * (_s34 + (sin_0 * _s6))), 0.08333333333333333 * (_s36 + (cos_9 * omega_2))
+    return _s3, _s6, _s9, _s14, _s17, _s21, -(_k215 * (_s23 + (climb_9 * sine_2))), _k215 * (_s25 + (climb_9 * cosine_2)), _s28, _k215 * ((_s0 * (_s30 + (sine_0 * _s9))) - (_k3 * (_s32 + (climb_9 * turn_rate_2)))), (_k215 * p_ring_radius) * _s9, -(_k215 * (_s34 + (sin_0 * _s6))), _k215 * (_s36 + (cos_9 * omega_2))
 
 
 def _ring_enter_alone(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -7519,96 +7618,96 @@ def _ring_enter_alone(after: Any, end: Any, high0: Any, high1: Any, high2: Any, 
 
 def _backboard_normal_alone(x: Any, y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any) -> tuple[Any, ...]:
     """Do `backboard_normal` for one shot."""
-    _s0 = 1.0 / p_ball_radius
+    _s0 = _k1 / p_ball_radius
     _s1 = p_board_distance + x
     _s2 = -((p_board_distance + p_board_thickness) + x)
     _s3 = y - p_board_half_width
     _s4 = -(p_board_half_width + y)
     _s5 = z - p_board_top
     _s6 = p_board_bottom - z
-    return _s0 * ((0.0 if _s1 < 0.0 else _s1) - (0.0 if _s2 < 0.0 else _s2)), _s0 * ((0.0 if _s3 < 0.0 else _s3) - (0.0 if _s4 < 0.0 else _s4)), _s0 * ((0.0 if _s5 < 0.0 else _s5) - (0.0 if _s6 < 0.0 else _s6))
+    return _s0 * ((_k2 if _s1 < _k2 else _s1) - (_k2 if _s2 < _k2 else _s2)), _s0 * ((_k2 if _s3 < _k2 else _s3) - (_k2 if _s4 < _k2 else _s4)), _s0 * ((_k2 if _s5 < _k2 else _s5) - (_k2 if _s6 < _k2 else _s6))
 
 
 def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `backboard_prepare` for one shot."""
     _s0 = abs(vx)
-    _s1 = 0.5 * p_board_thickness
+    _s1 = _k0 * p_board_thickness
     _s2 = p_ball_radius + _s1
-    _s3 = 0.5 * p_board_top
+    _s3 = _k0 * p_board_top
     _s4 = p_ball_radius + _s3
-    _s5 = 0.5 * p_board_bottom
+    _s5 = _k0 * p_board_bottom
     _s6 = _s4 - _s5
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = 6.103515625e-05 * _s9
+    _s10 = _k216 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
-    _s14 = (-_s13) if (vx < 0.0) else _s13
+    _s14 = (-_s13) if (vx < _k2) else _s13
     _s15 = (-(_s11 + _s14)) / _s0
-    _s16 = _s15 if 0.0 < _s15 else 0.0
+    _s16 = _s15 if _k2 < _s15 else _k2
     _s17 = abs(vy)
     _s18 = _s7 + _s10
-    _s19 = (-y) if (vy < 0.0) else y
+    _s19 = (-y) if (vy < _k2) else y
     _s20 = (-(_s18 + _s19)) / _s17
     _s21 = _s20 if _s16 < _s20 else _s16
     _s22 = vz * vz
     _s23 = (z - _s5) - _s3
     _s24 = (_s4 + _s10) - _s5
-    _s25 = 2.0 * p_gravity
+    _s25 = _k29 * p_gravity
     _s26 = _s22 + (_s25 * (_s23 + _s24))
-    _s27 = 1.0 / p_gravity
+    _s27 = _k1 / p_gravity
     _s28 = _root(_s26)
-    _s29 = 0.0 <= _s26
-    _s30 = (_s27 * (vz - _s28)) if _s29 else _inf
+    _s29 = _k2 <= _s26
+    _s30 = (_s27 * (vz - _s28)) if _s29 else _k10
     _s31 = _s30 if _s21 < _s30 else _s21
     _s32 = _s22 + (_s25 * (_s23 - _s24))
-    _s33 = _root((0.0 if _s32 < 0.0 else _s32))
-    _s34 = (_s27 * (vz + _s28)) if _s29 else (-_inf)
-    _s35 = 0.0 < _s32
+    _s33 = _root((_k2 if _s32 < _k2 else _s32))
+    _s34 = (_s27 * (vz + _s28)) if _s29 else _k105
+    _s35 = _k2 < _s32
     _s36 = (_s27 * (vz - _s33)) if _s35 else _s34
     _s37 = (_s18 - _s19) / _s17
     _s38 = (_s11 - _s14) / _s0
-    _s39 = _s38 if _s38 < _inf else _inf
+    _s39 = _s38 if _s38 < _k10 else _k10
     _s40 = _s37 if _s37 < _s39 else _s39
     _s41 = _s36 if _s36 < _s40 else _s40
-    _s42 = (_s27 * (vz + _s33)) if _s35 else _inf
+    _s42 = (_s27 * (vz + _s33)) if _s35 else _k10
     _s43 = _s42 if _s21 < _s42 else _s21
     _s44 = _s34 if _s34 < _s40 else _s40
-    _s45 = _s41 if 0.0 < _s41 else 0.0
+    _s45 = _s41 if _k2 < _s41 else _k2
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = 2.0 * (((1.25 * abs((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9))) + (3.0 * (_s48 * _s48)))
+    _s49 = _k29 * (((_k217 * abs((-p_gravity))) * (p_ball_radius + (_k120 * _s9))) + (_k55 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
-    _s52 = (_root(2.0) * _root((_s27 * (_s51 + _s9)))) + ((2.0 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (3.552713678800501e-15 * (((speed * speed) * _s27) + _s51))) - (1.52587890625e-05 * _s9)
-    return _s31 if 0.0 < _s31 else 0.0, _s41 if _s41 < horizon else horizon, _s43 if 0.0 < _s43 else 0.0, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
+    _s52 = (_root(_k29) * _root((_s27 * (_s51 + _s9)))) + ((_k29 * speed) * _s27)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k127 * (((speed * speed) * _s27) + _s51))) - (_k115 * _s9)
+    return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
 
 
 def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `backboard_margins` for one shot."""
-    _s0 = (p_ball_radius + (0.5 * p_board_top)) - (0.5 * p_board_bottom)
+    _s0 = (p_ball_radius + (_k0 * p_board_top)) - (_k0 * p_board_bottom)
     _s1 = p_ball_radius + p_board_half_width
-    _s2 = p_ball_radius + (0.5 * p_board_thickness)
+    _s2 = p_ball_radius + (_k0 * p_board_thickness)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (0.0001220703125 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k120 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
-    _s7 = 2.220446049250313e-16 * _s6
-    _s8 = 2.0 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s6))
-    _s9 = ((3.3306690738754696e-16 * p_board_half_width) + _s7) + _s8
-    _s10 = 2.001953125 * _s4
-    _s11 = (((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness)) + (3.3306690738754696e-16 * _s6)) + _s8
-    _s12 = (((2.220446049250313e-16 * abs(p_board_bottom)) + (2.220446049250313e-16 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((5.55653613398821e-16 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((1.3335686721571705e-15 * horizon) * _s4) * _s5)
-    _s14 = 4.00390625 * _s5
-    _s15 = ((((12.01171875 * _s4) * (velocity_error + (3.3306690738754696e-16 * _s5))) + ((6.667843360785852e-15 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = 2.001953125 * _s5
-    _s17 = ((((6.005859375 * _s4) * (velocity_error + (2.220446049250313e-16 * _s5))) + ((2.667137344314341e-15 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s7 = _k34 * _s6
+    _s8 = _k29 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
+    _s9 = ((_k224 * p_board_half_width) + _s7) + _s8
+    _s10 = _k223 * _s4
+    _s11 = (((_k224 * p_board_distance) + (_k34 * p_board_thickness)) + (_k224 * _s6)) + _s8
+    _s12 = (((_k34 * abs(p_board_bottom)) + (_k34 * abs(p_board_top))) + _s7) + _s8
+    _s13 = ((((_k222 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k225 * horizon) * _s4) * _s5)
+    _s14 = _k228 * _s5
+    _s15 = ((((_k226 * _s4) * (velocity_error + (_k224 * _s5))) + ((_k227 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k223 * _s5
+    _s17 = ((((_k229 * _s4) * (velocity_error + (_k34 * _s5))) + ((_k230 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k225 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7617,31 +7716,31 @@ def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: An
     _s1 = p_board_distance + _s0
     _s2 = p_board_distance + p_board_thickness
     _s3 = -(_s2 + _s0)
-    _s4 = (0.0 if _s1 < 0.0 else _s1) - (0.0 if _s3 < 0.0 else _s3)
+    _s4 = (_k2 if _s1 < _k2 else _s1) - (_k2 if _s3 < _k2 else _s3)
     _s5 = y + (t * vy)
     _s6 = _s5 - p_board_half_width
     _s7 = -(p_board_half_width + _s5)
-    _s8 = (0.0 if _s6 < 0.0 else _s6) - (0.0 if _s7 < 0.0 else _s7)
-    _s9 = vz - ((0.5 * p_gravity) * t)
+    _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
+    _s9 = vz - ((_k0 * p_gravity) * t)
     _s10 = z + (t * _s9)
     _s11 = _s10 - p_board_top
     _s12 = p_board_bottom - _s10
-    _s13 = (0.0 if _s11 < 0.0 else _s11) - (0.0 if _s12 < 0.0 else _s12)
-    _s14 = 2.0 * (((vx * _s4) + (vy * _s8)) + ((vz - (p_gravity * t)) * _s13))
+    _s13 = (_k2 if _s11 < _k2 else _s11) - (_k2 if _s12 < _k2 else _s12)
+    _s14 = _k29 * (((vx * _s4) + (vy * _s8)) + ((vz - (p_gravity * t)) * _s13))
     _s15 = z - p_board_top
     _s16 = p_board_bottom - z
-    _s17 = (0.0 if _s15 < 0.0 else _s15) - (0.0 if _s16 < 0.0 else _s16)
+    _s17 = (_k2 if _s15 < _k2 else _s15) - (_k2 if _s16 < _k2 else _s16)
     _s18 = _s13 * _s13
     _s19 = p_board_distance + x
     _s20 = -(_s2 + x)
-    _s21 = (0.0 if _s19 < 0.0 else _s19) - (0.0 if _s20 < 0.0 else _s20)
+    _s21 = (_k2 if _s19 < _k2 else _s19) - (_k2 if _s20 < _k2 else _s20)
     _s22 = _s4 * _s4
     _s23 = y - p_board_half_width
     _s24 = -(p_board_half_width + y)
-    _s25 = (0.0 if _s23 < 0.0 else _s23) - (0.0 if _s24 < 0.0 else _s24)
+    _s25 = (_k2 if _s23 < _k2 else _s23) - (_k2 if _s24 < _k2 else _s24)
     _s26 = _s8 * _s8
-    _s27 = (((t * (_s9 * (_s17 + _s13))) if (0.0 < (_s17 * _s13)) else (_s18 - (_s17 * _s17))) + ((t * (vx * (_s21 + _s4))) if (0.0 < (_s21 * _s4)) else (_s22 - (_s21 * _s21)))) + ((t * (vy * (_s25 + _s8))) if (0.0 < (_s25 * _s8)) else (_s26 - (_s25 * _s25)))
-    _s28 = _s27 if (0.0 < leaving) else (((_s18 + _s22) + _s26) - (p_ball_radius * p_ball_radius))
+    _s27 = (((t * (_s9 * (_s17 + _s13))) if (_k2 < (_s17 * _s13)) else (_s18 - (_s17 * _s17))) + ((t * (vx * (_s21 + _s4))) if (_k2 < (_s21 * _s4)) else (_s22 - (_s21 * _s21)))) + ((t * (vy * (_s25 + _s8))) if (_k2 < (_s25 * _s8)) else (_s26 - (_s25 * _s25)))
+    _s28 = _s27 if (_k2 < leaving) else (((_s18 + _s22) + _s26) - (p_ball_radius * p_ball_radius))
     return t - (_s28 / _s14), _s28, _s14
 
 
@@ -7649,191 +7748,191 @@ def _backboard_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_m
     """Do `backboard_advance` for one shot."""
     _s0 = z - p_board_top
     _s1 = p_board_bottom - z
-    _s2 = (0.0 if _s0 < 0.0 else _s0) - (0.0 if _s1 < 0.0 else _s1)
-    _s3 = vz - ((0.5 * p_gravity) * t)
+    _s2 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
+    _s3 = vz - ((_k0 * p_gravity) * t)
     _s4 = z + (t * _s3)
     _s5 = _s4 - p_board_top
     _s6 = p_board_bottom - _s4
-    _s7 = (0.0 if _s5 < 0.0 else _s5) - (0.0 if _s6 < 0.0 else _s6)
+    _s7 = (_k2 if _s5 < _k2 else _s5) - (_k2 if _s6 < _k2 else _s6)
     _s8 = _s7 * _s7
     _s9 = p_board_distance + x
     _s10 = p_board_distance + p_board_thickness
     _s11 = -(_s10 + x)
-    _s12 = (0.0 if _s9 < 0.0 else _s9) - (0.0 if _s11 < 0.0 else _s11)
+    _s12 = (_k2 if _s9 < _k2 else _s9) - (_k2 if _s11 < _k2 else _s11)
     _s13 = x + (t * vx)
     _s14 = p_board_distance + _s13
     _s15 = -(_s10 + _s13)
-    _s16 = (0.0 if _s14 < 0.0 else _s14) - (0.0 if _s15 < 0.0 else _s15)
+    _s16 = (_k2 if _s14 < _k2 else _s14) - (_k2 if _s15 < _k2 else _s15)
     _s17 = _s16 * _s16
     _s18 = y - p_board_half_width
     _s19 = -(p_board_half_width + y)
-    _s20 = (0.0 if _s18 < 0.0 else _s18) - (0.0 if _s19 < 0.0 else _s19)
+    _s20 = (_k2 if _s18 < _k2 else _s18) - (_k2 if _s19 < _k2 else _s19)
     _s21 = y + (t * vy)
     _s22 = _s21 - p_board_half_width
     _s23 = -(p_board_half_width + _s21)
-    _s24 = (0.0 if _s22 < 0.0 else _s22) - (0.0 if _s23 < 0.0 else _s23)
+    _s24 = (_k2 if _s22 < _k2 else _s22) - (_k2 if _s23 < _k2 else _s23)
     _s25 = _s24 * _s24
-    _s26 = (((t * (_s3 * (_s2 + _s7))) if (0.0 < (_s2 * _s7)) else (_s8 - (_s2 * _s2))) + ((t * (vx * (_s12 + _s16))) if (0.0 < (_s12 * _s16)) else (_s17 - (_s12 * _s12)))) + ((t * (vy * (_s20 + _s24))) if (0.0 < (_s20 * _s24)) else (_s25 - (_s20 * _s20)))
-    _s27 = _s26 if (0.0 < leaving) else (((_s8 + _s17) + _s25) - (p_ball_radius * p_ball_radius))
+    _s26 = (((t * (_s3 * (_s2 + _s7))) if (_k2 < (_s2 * _s7)) else (_s8 - (_s2 * _s2))) + ((t * (vx * (_s12 + _s16))) if (_k2 < (_s12 * _s16)) else (_s17 - (_s12 * _s12)))) + ((t * (vy * (_s20 + _s24))) if (_k2 < (_s20 * _s24)) else (_s25 - (_s20 * _s20)))
+    _s27 = _s26 if (_k2 < leaving) else (((_s8 + _s17) + _s25) - (p_ball_radius * p_ball_radius))
     _s28 = vz - (p_gravity * t)
-    _s29 = 2.0 * (((vx * _s16) + (vy * _s24)) + (_s28 * _s7))
+    _s29 = _k29 * (((vx * _s16) + (vy * _s24)) + (_s28 * _s7))
     _s30 = abs(_s7)
-    _s31 = 2.0 * (((((_s28 * _s28) - (p_gravity * _s7)) if (0.0 < _s30) else 0.0) + ((vx * vx) if (0.0 < abs(_s16)) else 0.0)) + ((vy * vy) if (0.0 < abs(_s24)) else 0.0))
+    _s31 = _k29 * (((((_s28 * _s28) - (p_gravity * _s7)) if (_k2 < _s30) else _k2) + ((vx * vx) if (_k2 < abs(_s16)) else _k2)) + ((vy * vy) if (_k2 < abs(_s24)) else _k2))
     _s32 = abs((-p_gravity))
-    _s33 = (p_ball_radius + (0.5 * p_board_top)) - (0.5 * p_board_bottom)
+    _s33 = (p_ball_radius + (_k0 * p_board_top)) - (_k0 * p_board_bottom)
     _s34 = p_ball_radius + p_board_half_width
-    _s35 = p_ball_radius + (0.5 * p_board_thickness)
+    _s35 = p_ball_radius + (_k0 * p_board_thickness)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (0.0001220703125 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k120 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
-    _s40 = 0.0 if _s39 < 0.0 else _s39
+    _s40 = _k2 if _s39 < _k2 else _s39
     _s41 = -_s31
-    _s42 = _s38 < 0.0
-    _s43 = 2.0 * _s40
-    _s44 = _inf if (0.0 < (_s40 if (0.0 <= _s38) else 0.0)) else ((_s43 if _s42 else (4.0 * _s38)) / ((-_s38) if _s42 else (_s41 if 0.0 < _s41 else 0.0)))
+    _s42 = _s38 < _k2
+    _s43 = _k29 * _s40
+    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k42 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
-    _s47 = ((((0.5 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (9.094947017729282e-13 * ceiling) + (2.0 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
-    _s49 = ((2.0 * _s48) * _s40) + (_s38 * _s38)
+    _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
+    _s48 = (_k91 * ceiling) + (_k29 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s49 = ((_k29 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
-    _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if 0.0 < _s48 else 0.0))) if (0.0 <= _s49) else _inf
+    _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k10
     _s52 = _s51 if _s51 < _s46 else _s46
     _s53 = -(rate_margin + _s29)
-    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((8.0 * ceiling) * (margin + _s43))) if (0.0 < _s53) else _s53
+    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k31 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
 
 
 def _backboard_beside_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_beside` for one shot."""
     _s0 = z - p_board_top
     _s1 = p_board_bottom - z
-    _s2 = (0.0 if _s0 < 0.0 else _s0) - (0.0 if _s1 < 0.0 else _s1)
+    _s2 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
     _s3 = p_board_distance + x
     _s4 = -((p_board_distance + p_board_thickness) + x)
-    _s5 = (0.0 if _s3 < 0.0 else _s3) - (0.0 if _s4 < 0.0 else _s4)
+    _s5 = (_k2 if _s3 < _k2 else _s3) - (_k2 if _s4 < _k2 else _s4)
     _s6 = y - p_board_half_width
     _s7 = -(p_board_half_width + y)
-    _s8 = (0.0 if _s6 < 0.0 else _s6) - (0.0 if _s7 < 0.0 else _s7)
+    _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
     _s9 = _root((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)))
-    _s10 = ((2.0 * ((0.0 if (_s0 < 0.0) else vz) - (0.0 if (_s1 < 0.0) else (-vz)))) * _s2) + ((2.0 * ((0.0 if (_s3 < 0.0) else vx) - (0.0 if (_s4 < 0.0) else (-vx)))) * _s5)
-    _s11 = _s10 + ((2.0 * ((0.0 if (_s6 < 0.0) else vy) - (0.0 if (_s7 < 0.0) else (-vy)))) * _s8)
-    return _s9 - p_ball_radius, (0.5 * _s11) / _s9, 0.0
+    _s10 = ((_k29 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k29 * ((_k2 if (_s3 < _k2) else vx) - (_k2 if (_s4 < _k2) else (-vx)))) * _s5)
+    _s11 = _s10 + ((_k29 * ((_k2 if (_s6 < _k2) else vy) - (_k2 if (_s7 < _k2) else (-vy)))) * _s8)
+    return _s9 - p_ball_radius, (_k0 * _s11) / _s9, _k2
 
 
 def _backboard_off_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_off` for one shot."""
     _s0 = z - p_board_top
     _s1 = p_board_bottom - z
-    _s2 = (0.0 if _s0 < 0.0 else _s0) - (0.0 if _s1 < 0.0 else _s1)
+    _s2 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
     _s3 = p_board_distance + x
     _s4 = -((p_board_distance + p_board_thickness) + x)
-    _s5 = (0.0 if _s3 < 0.0 else _s3) - (0.0 if _s4 < 0.0 else _s4)
+    _s5 = (_k2 if _s3 < _k2 else _s3) - (_k2 if _s4 < _k2 else _s4)
     _s6 = y - p_board_half_width
     _s7 = -(p_board_half_width + y)
-    _s8 = (0.0 if _s6 < 0.0 else _s6) - (0.0 if _s7 < 0.0 else _s7)
+    _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
     return _root((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8))) - p_ball_radius,
 
 
 def _backboard_tube_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_tube` for one shot."""
-    _s0 = 1.4210854715202004e-14 * p_ball_radius
-    _s1 = (_s0 + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness)
+    _s0 = _k109 * p_ball_radius
+    _s1 = (_s0 + (_k52 * p_board_distance)) + (_k109 * p_board_thickness)
     _s2 = p_board_distance + x
     _s3 = -_s1
     _s4 = -((p_board_distance + p_board_thickness) + x)
-    _s5 = 1.0 if (((_s1 < _s2) or ((_s3 < _s2) and (0.0 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (0.0 < (-vx))))) else 0.0
-    _s6 = _s0 + (2.842170943040401e-14 * p_board_half_width)
+    _s5 = _k1 if (((_s1 < _s2) or ((_s3 < _s2) and (_k2 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (_k2 < (-vx))))) else _k2
+    _s6 = _s0 + (_k52 * p_board_half_width)
     _s7 = y - p_board_half_width
     _s8 = -_s6
     _s9 = -(p_board_half_width + y)
-    _s10 = 1.0 if (((_s6 < _s7) or ((_s8 < _s7) and (0.0 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (0.0 < (-vy))))) else 0.0
-    _s11 = (_s0 + (1.4210854715202004e-14 * abs(p_board_bottom))) + (1.4210854715202004e-14 * abs(p_board_top))
+    _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
+    _s11 = (_s0 + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
     _s12 = z - p_board_top
     _s13 = -_s11
     _s14 = p_board_bottom - z
-    _s15 = 1.0 if (((_s11 < _s12) or ((_s13 < _s12) and (0.0 < vz))) or ((_s11 < _s14) or ((_s13 < _s14) and (0.0 < (-vz))))) else 0.0
-    return _s5, _s10, _s15, 1.0 / p_ball_radius
+    _s15 = _k1 if (((_s11 < _s12) or ((_s13 < _s12) and (_k2 < vz))) or ((_s11 < _s14) or ((_s13 < _s14) and (_k2 < (-vz))))) else _k2
+    return _s5, _s10, _s15, _k1 / p_ball_radius
 
 
 def _backboard_parting_alone(p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, p_gravity: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_parting` for one shot."""
     _s0 = z - p_board_top
-    _s1 = _s0 < 0.0
+    _s1 = _s0 < _k2
     _s2 = p_board_bottom - z
-    _s3 = _s2 < 0.0
-    _s4 = (0.0 if _s1 else (-p_gravity)) - (0.0 if _s3 else p_gravity)
-    _s5 = (0.0 if _s0 < 0.0 else _s0) - (0.0 if _s2 < 0.0 else _s2)
-    _s6 = (0.0 if _s1 else vz) - (0.0 if _s3 else (-vz))
+    _s3 = _s2 < _k2
+    _s4 = (_k2 if _s1 else (-p_gravity)) - (_k2 if _s3 else p_gravity)
+    _s5 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s2 < _k2 else _s2)
+    _s6 = (_k2 if _s1 else vz) - (_k2 if _s3 else (-vz))
     _s7 = p_board_distance + x
     _s8 = -((p_board_distance + p_board_thickness) + x)
-    _s9 = (0.0 if (_s7 < 0.0) else vx) - (0.0 if (_s8 < 0.0) else (-vx))
+    _s9 = (_k2 if (_s7 < _k2) else vx) - (_k2 if (_s8 < _k2) else (-vx))
     _s10 = y - p_board_half_width
     _s11 = -(p_board_half_width + y)
-    _s12 = (0.0 if (_s10 < 0.0) else vy) - (0.0 if (_s11 < 0.0) else (-vy))
-    _s13 = ((((2.0 * _s4) * _s5) + (2.0 * (_s6 * _s6))) + (2.0 * (_s9 * _s9))) + (2.0 * (_s12 * _s12))
-    _s14 = (0.0 if _s7 < 0.0 else _s7) - (0.0 if _s8 < 0.0 else _s8)
-    _s15 = (0.0 if _s10 < 0.0 else _s10) - (0.0 if _s11 < 0.0 else _s11)
+    _s12 = (_k2 if (_s10 < _k2) else vy) - (_k2 if (_s11 < _k2) else (-vy))
+    _s13 = ((((_k29 * _s4) * _s5) + (_k29 * (_s6 * _s6))) + (_k29 * (_s9 * _s9))) + (_k29 * (_s12 * _s12))
+    _s14 = (_k2 if _s7 < _k2 else _s7) - (_k2 if _s8 < _k2 else _s8)
+    _s15 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s11 < _k2 else _s11)
     _s16 = ((_s5 * _s5) + (_s14 * _s14)) + (_s15 * _s15)
     _s17 = _root(_s16)
-    _s18 = (((2.0 * _s6) * _s5) + ((2.0 * _s9) * _s14)) + ((2.0 * _s12) * _s15)
+    _s18 = (((_k29 * _s6) * _s5) + ((_k29 * _s9) * _s14)) + ((_k29 * _s12) * _s15)
     _s19 = _s18 * _s18
     _s20 = _s17 * _s16
-    _s21 = (6.0 * _s4) * _s6
+    _s21 = (_k9 * _s4) * _s6
     _s22 = _s16 * _s16
     _s23 = _s17 * _s22
-    _s24 = (((0.5 * (6.0 * (_s4 * _s4))) / _s17) + (((2.25 * _s19) * _s13) / _s23)) - ((0.9375 * (_s19 * _s19)) / (_s20 * _s22))
-    return ((0.5 * _s13) / _s17) - ((0.25 * _s19) / _s20), (((0.5 * _s21) / _s17) + ((0.375 * (_s18 * _s19)) / _s23)) - (((0.75 * _s18) * _s13) / _s20), (_s24 - ((0.75 * (_s13 * _s13)) / _s20)) - ((_s21 * _s18) / _s20)
+    _s24 = (((_k0 * (_k9 * (_s4 * _s4))) / _s17) + (((_k189 * _s19) * _s13) / _s23)) - ((_k190 * (_s19 * _s19)) / (_s20 * _s22))
+    return ((_k0 * _s13) / _s17) - ((_k28 * _s19) / _s20), (((_k0 * _s21) / _s17) + ((_k187 * (_s18 * _s19)) / _s23)) - (((_k188 * _s18) * _s13) / _s20), (_s24 - ((_k188 * (_s13 * _s13)) / _s20)) - ((_s21 * _s18) / _s20)
 
 
 def _backboard_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `backboard_seam0` for one shot."""
-    return (p_board_distance + p_board_thickness) + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness)
+    return (p_board_distance + p_board_thickness) + x, vx, ((_k109 * p_ball_radius) + (_k52 * p_board_distance)) + (_k109 * p_board_thickness)
 
 
 def _backboard_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `backboard_seam1` for one shot."""
-    return p_board_distance + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness)
+    return p_board_distance + x, vx, ((_k109 * p_ball_radius) + (_k52 * p_board_distance)) + (_k109 * p_board_thickness)
 
 
 def _backboard_seam2_alone(p_ball_radius: Any, p_board_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `backboard_seam2` for one shot."""
-    return p_board_half_width + y, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_half_width)
+    return p_board_half_width + y, vy, (_k109 * p_ball_radius) + (_k52 * p_board_half_width)
 
 
 def _backboard_seam3_alone(p_ball_radius: Any, p_board_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `backboard_seam3` for one shot."""
-    return y - p_board_half_width, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_half_width)
+    return y - p_board_half_width, vy, (_k109 * p_ball_radius) + (_k52 * p_board_half_width)
 
 
 def _backboard_seam4_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, vz: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_seam4` for one shot."""
-    return z - p_board_bottom, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * abs(p_board_bottom))) + (1.4210854715202004e-14 * abs(p_board_top))
+    return z - p_board_bottom, vz, ((_k109 * p_ball_radius) + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
 
 
 def _backboard_seam5_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, vz: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_seam5` for one shot."""
-    return z - p_board_top, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * abs(p_board_bottom))) + (1.4210854715202004e-14 * abs(p_board_top))
+    return z - p_board_top, vz, ((_k109 * p_ball_radius) + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
 
 
 def _backboard_around_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_around` for one shot."""
     _s0 = z - p_board_top
     _s1 = p_board_bottom - z
-    _s2 = (0.0 if _s0 < 0.0 else _s0) - (0.0 if _s1 < 0.0 else _s1)
+    _s2 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
     _s3 = -p_board_half_width
-    _s4 = _s3 if 0.0 < _s3 else 0.0
+    _s4 = _s3 if _k2 < _s3 else _k2
     _s5 = _s3 if _s4 < _s3 else _s4
     _s6 = -(p_board_distance + p_board_thickness)
-    _s7 = _s6 if 0.0 < _s6 else 0.0
+    _s7 = _s6 if _k2 < _s6 else _k2
     _s8 = p_board_distance if _s7 < p_board_distance else _s7
     _s9 = _root(((x * x) + (y * y)))
     _s10 = _root(((_s5 * _s5) + (_s8 * _s8))) - _s9
-    _s11 = _s10 if 0.0 < _s10 else 0.0
+    _s11 = _s10 if _k2 < _s10 else _k2
     _s12 = _root(((_s2 * _s2) + (_s11 * _s11)))
-    _s13 = -((0.5 * (((2.0 * vx) * x) + ((2.0 * vy) * y))) / _s9)
-    _s14 = ((2.0 * ((0.0 if (_s0 < 0.0) else vz) - (0.0 if (_s1 < 0.0) else (-vz)))) * _s2) + ((2.0 * _s11) * (_s13 if (0.0 < _s10) else 0.0))
-    return _s12 - p_ball_radius, (0.5 * _s14) / _s12
+    _s13 = -((_k0 * (((_k29 * vx) * x) + ((_k29 * vy) * y))) / _s9)
+    _s14 = ((_k29 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k29 * _s11) * (_s13 if (_k2 < _s10) else _k2))
+    return _s12 - p_ball_radius, (_k0 * _s14) / _s12
 
 
 def _backboard_enter_alone(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -7847,95 +7946,95 @@ def _backboard_enter_alone(after: Any, end: Any, high0: Any, high1: Any, low0: A
 
 def _bridge_normal_alone(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any) -> tuple[Any, ...]:
     """Do `bridge_normal` for one shot."""
-    _s0 = 1.0 / p_ball_radius
+    _s0 = _k1 / p_ball_radius
     _s1 = p_ring_radius + x
     _s2 = -(p_board_distance + x)
     _s3 = y - p_bridge_half_width
     _s4 = -(p_bridge_half_width + y)
     _s5 = z - p_wire_radius
     _s6 = (p_wire_radius - p_bridge_depth) - z
-    return _s0 * ((0.0 if _s1 < 0.0 else _s1) - (0.0 if _s2 < 0.0 else _s2)), _s0 * ((0.0 if _s3 < 0.0 else _s3) - (0.0 if _s4 < 0.0 else _s4)), _s0 * ((0.0 if _s5 < 0.0 else _s5) - (0.0 if _s6 < 0.0 else _s6))
+    return _s0 * ((_k2 if _s1 < _k2 else _s1) - (_k2 if _s2 < _k2 else _s2)), _s0 * ((_k2 if _s3 < _k2 else _s3) - (_k2 if _s4 < _k2 else _s4)), _s0 * ((_k2 if _s5 < _k2 else _s5) - (_k2 if _s6 < _k2 else _s6))
 
 
 def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `bridge_prepare` for one shot."""
     _s0 = abs(vx)
-    _s1 = 0.5 * p_board_distance
+    _s1 = _k0 * p_board_distance
     _s2 = p_ball_radius + _s1
-    _s3 = 0.5 * p_bridge_depth
+    _s3 = _k0 * p_bridge_depth
     _s4 = p_ball_radius + _s3
     _s5 = p_ball_radius + p_bridge_half_width
-    _s6 = 0.5 * p_ring_radius
+    _s6 = _k0 * p_ring_radius
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = 6.103515625e-05 * _s9
+    _s10 = _k216 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = (_s1 + _s6) + x
-    _s13 = (-_s12) if (vx < 0.0) else _s12
+    _s13 = (-_s12) if (vx < _k2) else _s12
     _s14 = (-(_s11 + _s13)) / _s0
-    _s15 = _s14 if 0.0 < _s14 else 0.0
+    _s15 = _s14 if _k2 < _s14 else _k2
     _s16 = abs(vy)
     _s17 = _s5 + _s10
-    _s18 = (-y) if (vy < 0.0) else y
+    _s18 = (-y) if (vy < _k2) else y
     _s19 = (-(_s17 + _s18)) / _s16
     _s20 = _s19 if _s15 < _s19 else _s15
     _s21 = vz * vz
     _s22 = _s4 + _s10
     _s23 = (_s3 + z) - p_wire_radius
-    _s24 = 2.0 * p_gravity
+    _s24 = _k29 * p_gravity
     _s25 = _s21 + (_s24 * (_s22 + _s23))
-    _s26 = 1.0 / p_gravity
+    _s26 = _k1 / p_gravity
     _s27 = _root(_s25)
-    _s28 = 0.0 <= _s25
-    _s29 = (_s26 * (vz - _s27)) if _s28 else _inf
+    _s28 = _k2 <= _s25
+    _s29 = (_s26 * (vz - _s27)) if _s28 else _k10
     _s30 = _s29 if _s20 < _s29 else _s20
     _s31 = _s21 + (_s24 * (_s23 - _s22))
-    _s32 = _root((0.0 if _s31 < 0.0 else _s31))
-    _s33 = (_s26 * (vz + _s27)) if _s28 else (-_inf)
-    _s34 = 0.0 < _s31
+    _s32 = _root((_k2 if _s31 < _k2 else _s31))
+    _s33 = (_s26 * (vz + _s27)) if _s28 else _k105
+    _s34 = _k2 < _s31
     _s35 = (_s26 * (vz - _s32)) if _s34 else _s33
     _s36 = (_s17 - _s18) / _s16
     _s37 = (_s11 - _s13) / _s0
-    _s38 = _s37 if _s37 < _inf else _inf
+    _s38 = _s37 if _s37 < _k10 else _k10
     _s39 = _s36 if _s36 < _s38 else _s38
     _s40 = _s35 if _s35 < _s39 else _s39
-    _s41 = (_s26 * (vz + _s32)) if _s34 else _inf
+    _s41 = (_s26 * (vz + _s32)) if _s34 else _k10
     _s42 = _s41 if _s20 < _s41 else _s20
     _s43 = _s33 if _s33 < _s39 else _s39
-    _s44 = _s40 if 0.0 < _s40 else 0.0
+    _s44 = _s40 if _k2 < _s40 else _k2
     _s45 = _s43 if _s44 < _s43 else _s44
     _s46 = _s45 if _s45 < horizon else horizon
     _s47 = speed + (p_gravity * _s46)
-    _s48 = 2.0 * (((1.25 * abs((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9))) + (3.0 * (_s47 * _s47)))
+    _s48 = _k29 * (((_k217 * abs((-p_gravity))) * (p_ball_radius + (_k120 * _s9))) + (_k55 * (_s47 * _s47)))
     _s49 = _s5 if _s7 < _s5 else _s7
     _s50 = (((_s1 + extent) + _s6) + abs((_s3 - p_wire_radius))) + (_s4 if _s49 < _s4 else _s49)
-    _s51 = (_root(2.0) * _root((_s26 * (_s50 + _s9)))) + ((2.0 * speed) * _s26)
-    _s52 = ((position_error + (velocity_error * (_s51 if _s51 < horizon else horizon))) + (3.552713678800501e-15 * (((speed * speed) * _s26) + _s50))) - (1.52587890625e-05 * _s9)
-    return _s30 if 0.0 < _s30 else 0.0, _s40 if _s40 < horizon else horizon, _s42 if 0.0 < _s42 else 0.0, _s43 if _s43 < horizon else horizon, _s48, _s46, _s52
+    _s51 = (_root(_k29) * _root((_s26 * (_s50 + _s9)))) + ((_k29 * speed) * _s26)
+    _s52 = ((position_error + (velocity_error * (_s51 if _s51 < horizon else horizon))) + (_k127 * (((speed * speed) * _s26) + _s50))) - (_k115 * _s9)
+    return _s30 if _k2 < _s30 else _k2, _s40 if _s40 < horizon else horizon, _s42 if _k2 < _s42 else _k2, _s43 if _s43 < horizon else horizon, _s48, _s46, _s52
 
 
 def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `bridge_margins` for one shot."""
-    _s0 = p_ball_radius + (0.5 * p_bridge_depth)
+    _s0 = p_ball_radius + (_k0 * p_bridge_depth)
     _s1 = p_ball_radius + p_bridge_half_width
-    _s2 = (p_ball_radius + (0.5 * p_board_distance)) - (0.5 * p_ring_radius)
+    _s2 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (0.0001220703125 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k120 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
-    _s7 = 2.220446049250313e-16 * _s6
-    _s8 = 2.0 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s6))
-    _s9 = ((3.3306690738754696e-16 * p_bridge_half_width) + _s7) + _s8
-    _s10 = 2.001953125 * _s4
-    _s11 = (((1.1102230246251565e-16 * p_board_distance) + (1.1102230246251565e-16 * p_ring_radius)) + _s7) + _s8
-    _s12 = (((2.220446049250313e-16 * p_bridge_depth) + (5.551115123125783e-16 * p_wire_radius)) + (3.3306690738754696e-16 * _s6)) + _s8
-    _s13 = ((((5.55653613398821e-16 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((1.3335686721571705e-15 * horizon) * _s4) * _s5)
-    _s14 = 4.00390625 * _s5
-    _s15 = ((((12.01171875 * _s4) * (velocity_error + (3.3306690738754696e-16 * _s5))) + ((6.667843360785852e-15 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = 2.001953125 * _s5
-    _s17 = ((((6.005859375 * _s4) * (velocity_error + (2.220446049250313e-16 * _s5))) + ((2.667137344314341e-15 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s7 = _k34 * _s6
+    _s8 = _k29 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
+    _s9 = ((_k224 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k223 * _s4
+    _s11 = (((_k30 * p_board_distance) + (_k30 * p_ring_radius)) + _s7) + _s8
+    _s12 = (((_k34 * p_bridge_depth) + (_k231 * p_wire_radius)) + (_k224 * _s6)) + _s8
+    _s13 = ((((_k222 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k225 * horizon) * _s4) * _s5)
+    _s14 = _k228 * _s5
+    _s15 = ((((_k226 * _s4) * (velocity_error + (_k224 * _s5))) + ((_k227 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k223 * _s5
+    _s17 = ((((_k229 * _s4) * (velocity_error + (_k34 * _s5))) + ((_k230 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k225 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7943,32 +8042,32 @@ def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, 
     _s0 = x + (t * vx)
     _s1 = p_ring_radius + _s0
     _s2 = -(p_board_distance + _s0)
-    _s3 = (0.0 if _s1 < 0.0 else _s1) - (0.0 if _s2 < 0.0 else _s2)
+    _s3 = (_k2 if _s1 < _k2 else _s1) - (_k2 if _s2 < _k2 else _s2)
     _s4 = y + (t * vy)
     _s5 = _s4 - p_bridge_half_width
     _s6 = -(p_bridge_half_width + _s4)
-    _s7 = (0.0 if _s5 < 0.0 else _s5) - (0.0 if _s6 < 0.0 else _s6)
-    _s8 = vz - ((0.5 * p_gravity) * t)
+    _s7 = (_k2 if _s5 < _k2 else _s5) - (_k2 if _s6 < _k2 else _s6)
+    _s8 = vz - ((_k0 * p_gravity) * t)
     _s9 = z + (t * _s8)
     _s10 = _s9 - p_wire_radius
     _s11 = p_wire_radius - p_bridge_depth
     _s12 = _s11 - _s9
-    _s13 = (0.0 if _s10 < 0.0 else _s10) - (0.0 if _s12 < 0.0 else _s12)
-    _s14 = 2.0 * (((vx * _s3) + (vy * _s7)) + ((vz - (p_gravity * t)) * _s13))
+    _s13 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s12 < _k2 else _s12)
+    _s14 = _k29 * (((vx * _s3) + (vy * _s7)) + ((vz - (p_gravity * t)) * _s13))
     _s15 = p_ring_radius + x
     _s16 = -(p_board_distance + x)
-    _s17 = (0.0 if _s15 < 0.0 else _s15) - (0.0 if _s16 < 0.0 else _s16)
+    _s17 = (_k2 if _s15 < _k2 else _s15) - (_k2 if _s16 < _k2 else _s16)
     _s18 = _s3 * _s3
     _s19 = y - p_bridge_half_width
     _s20 = -(p_bridge_half_width + y)
-    _s21 = (0.0 if _s19 < 0.0 else _s19) - (0.0 if _s20 < 0.0 else _s20)
+    _s21 = (_k2 if _s19 < _k2 else _s19) - (_k2 if _s20 < _k2 else _s20)
     _s22 = _s7 * _s7
     _s23 = z - p_wire_radius
     _s24 = _s11 - z
-    _s25 = (0.0 if _s23 < 0.0 else _s23) - (0.0 if _s24 < 0.0 else _s24)
+    _s25 = (_k2 if _s23 < _k2 else _s23) - (_k2 if _s24 < _k2 else _s24)
     _s26 = _s13 * _s13
-    _s27 = (((t * (vx * (_s17 + _s3))) if (0.0 < (_s17 * _s3)) else (_s18 - (_s17 * _s17))) + ((t * (vy * (_s21 + _s7))) if (0.0 < (_s21 * _s7)) else (_s22 - (_s21 * _s21)))) + ((t * (_s8 * (_s25 + _s13))) if (0.0 < (_s25 * _s13)) else (_s26 - (_s25 * _s25)))
-    _s28 = _s27 if (0.0 < leaving) else (((_s18 + _s22) + _s26) - (p_ball_radius * p_ball_radius))
+    _s27 = (((t * (vx * (_s17 + _s3))) if (_k2 < (_s17 * _s3)) else (_s18 - (_s17 * _s17))) + ((t * (vy * (_s21 + _s7))) if (_k2 < (_s21 * _s7)) else (_s22 - (_s21 * _s21)))) + ((t * (_s8 * (_s25 + _s13))) if (_k2 < (_s25 * _s13)) else (_s26 - (_s25 * _s25)))
+    _s28 = _s27 if (_k2 < leaving) else (((_s18 + _s22) + _s26) - (p_ball_radius * p_ball_radius))
     return t - (_s28 / _s14), _s28, _s14
 
 
@@ -7976,191 +8075,191 @@ def _bridge_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_marg
     """Do `bridge_advance` for one shot."""
     _s0 = p_ring_radius + x
     _s1 = -(p_board_distance + x)
-    _s2 = (0.0 if _s0 < 0.0 else _s0) - (0.0 if _s1 < 0.0 else _s1)
+    _s2 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
     _s3 = x + (t * vx)
     _s4 = p_ring_radius + _s3
     _s5 = -(p_board_distance + _s3)
-    _s6 = (0.0 if _s4 < 0.0 else _s4) - (0.0 if _s5 < 0.0 else _s5)
+    _s6 = (_k2 if _s4 < _k2 else _s4) - (_k2 if _s5 < _k2 else _s5)
     _s7 = _s6 * _s6
     _s8 = y - p_bridge_half_width
     _s9 = -(p_bridge_half_width + y)
-    _s10 = (0.0 if _s8 < 0.0 else _s8) - (0.0 if _s9 < 0.0 else _s9)
+    _s10 = (_k2 if _s8 < _k2 else _s8) - (_k2 if _s9 < _k2 else _s9)
     _s11 = y + (t * vy)
     _s12 = _s11 - p_bridge_half_width
     _s13 = -(p_bridge_half_width + _s11)
-    _s14 = (0.0 if _s12 < 0.0 else _s12) - (0.0 if _s13 < 0.0 else _s13)
+    _s14 = (_k2 if _s12 < _k2 else _s12) - (_k2 if _s13 < _k2 else _s13)
     _s15 = _s14 * _s14
     _s16 = z - p_wire_radius
     _s17 = p_wire_radius - p_bridge_depth
     _s18 = _s17 - z
-    _s19 = (0.0 if _s16 < 0.0 else _s16) - (0.0 if _s18 < 0.0 else _s18)
-    _s20 = vz - ((0.5 * p_gravity) * t)
+    _s19 = (_k2 if _s16 < _k2 else _s16) - (_k2 if _s18 < _k2 else _s18)
+    _s20 = vz - ((_k0 * p_gravity) * t)
     _s21 = z + (t * _s20)
     _s22 = _s21 - p_wire_radius
     _s23 = _s17 - _s21
-    _s24 = (0.0 if _s22 < 0.0 else _s22) - (0.0 if _s23 < 0.0 else _s23)
+    _s24 = (_k2 if _s22 < _k2 else _s22) - (_k2 if _s23 < _k2 else _s23)
     _s25 = _s24 * _s24
-    _s26 = (((t * (vx * (_s2 + _s6))) if (0.0 < (_s2 * _s6)) else (_s7 - (_s2 * _s2))) + ((t * (vy * (_s10 + _s14))) if (0.0 < (_s10 * _s14)) else (_s15 - (_s10 * _s10)))) + ((t * (_s20 * (_s19 + _s24))) if (0.0 < (_s19 * _s24)) else (_s25 - (_s19 * _s19)))
-    _s27 = _s26 if (0.0 < leaving) else (((_s7 + _s15) + _s25) - (p_ball_radius * p_ball_radius))
+    _s26 = (((t * (vx * (_s2 + _s6))) if (_k2 < (_s2 * _s6)) else (_s7 - (_s2 * _s2))) + ((t * (vy * (_s10 + _s14))) if (_k2 < (_s10 * _s14)) else (_s15 - (_s10 * _s10)))) + ((t * (_s20 * (_s19 + _s24))) if (_k2 < (_s19 * _s24)) else (_s25 - (_s19 * _s19)))
+    _s27 = _s26 if (_k2 < leaving) else (((_s7 + _s15) + _s25) - (p_ball_radius * p_ball_radius))
     _s28 = vz - (p_gravity * t)
-    _s29 = 2.0 * (((vx * _s6) + (vy * _s14)) + (_s28 * _s24))
+    _s29 = _k29 * (((vx * _s6) + (vy * _s14)) + (_s28 * _s24))
     _s30 = abs(_s24)
-    _s31 = 2.0 * ((((vx * vx) if (0.0 < abs(_s6)) else 0.0) + ((vy * vy) if (0.0 < abs(_s14)) else 0.0)) + (((_s28 * _s28) - (p_gravity * _s24)) if (0.0 < _s30) else 0.0))
+    _s31 = _k29 * ((((vx * vx) if (_k2 < abs(_s6)) else _k2) + ((vy * vy) if (_k2 < abs(_s14)) else _k2)) + (((_s28 * _s28) - (p_gravity * _s24)) if (_k2 < _s30) else _k2))
     _s32 = abs((-p_gravity))
-    _s33 = p_ball_radius + (0.5 * p_bridge_depth)
+    _s33 = p_ball_radius + (_k0 * p_bridge_depth)
     _s34 = p_ball_radius + p_bridge_half_width
-    _s35 = (p_ball_radius + (0.5 * p_board_distance)) - (0.5 * p_ring_radius)
+    _s35 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (0.0001220703125 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k120 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
-    _s40 = 0.0 if _s39 < 0.0 else _s39
+    _s40 = _k2 if _s39 < _k2 else _s39
     _s41 = -_s31
-    _s42 = _s38 < 0.0
-    _s43 = 2.0 * _s40
-    _s44 = _inf if (0.0 < (_s40 if (0.0 <= _s38) else 0.0)) else ((_s43 if _s42 else (4.0 * _s38)) / ((-_s38) if _s42 else (_s41 if 0.0 < _s41 else 0.0)))
+    _s42 = _s38 < _k2
+    _s43 = _k29 * _s40
+    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k42 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
-    _s47 = ((((0.5 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (9.094947017729282e-13 * ceiling) + (2.0 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
-    _s49 = ((2.0 * _s48) * _s40) + (_s38 * _s38)
+    _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
+    _s48 = (_k91 * ceiling) + (_k29 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s49 = ((_k29 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
-    _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if 0.0 < _s48 else 0.0))) if (0.0 <= _s49) else _inf
+    _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k10
     _s52 = _s51 if _s51 < _s46 else _s46
     _s53 = -(rate_margin + _s29)
-    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((8.0 * ceiling) * (margin + _s43))) if (0.0 < _s53) else _s53
+    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k31 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
 
 
 def _bridge_beside_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_beside` for one shot."""
     _s0 = p_ring_radius + x
     _s1 = -(p_board_distance + x)
-    _s2 = (0.0 if _s0 < 0.0 else _s0) - (0.0 if _s1 < 0.0 else _s1)
+    _s2 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
     _s3 = y - p_bridge_half_width
     _s4 = -(p_bridge_half_width + y)
-    _s5 = (0.0 if _s3 < 0.0 else _s3) - (0.0 if _s4 < 0.0 else _s4)
+    _s5 = (_k2 if _s3 < _k2 else _s3) - (_k2 if _s4 < _k2 else _s4)
     _s6 = z - p_wire_radius
     _s7 = (p_wire_radius - p_bridge_depth) - z
-    _s8 = (0.0 if _s6 < 0.0 else _s6) - (0.0 if _s7 < 0.0 else _s7)
+    _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
     _s9 = _root((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)))
-    _s10 = ((2.0 * ((0.0 if (_s0 < 0.0) else vx) - (0.0 if (_s1 < 0.0) else (-vx)))) * _s2) + ((2.0 * ((0.0 if (_s3 < 0.0) else vy) - (0.0 if (_s4 < 0.0) else (-vy)))) * _s5)
-    _s11 = _s10 + ((2.0 * ((0.0 if (_s6 < 0.0) else vz) - (0.0 if (_s7 < 0.0) else (-vz)))) * _s8)
-    return _s9 - p_ball_radius, (0.5 * _s11) / _s9, 0.0
+    _s10 = ((_k29 * ((_k2 if (_s0 < _k2) else vx) - (_k2 if (_s1 < _k2) else (-vx)))) * _s2) + ((_k29 * ((_k2 if (_s3 < _k2) else vy) - (_k2 if (_s4 < _k2) else (-vy)))) * _s5)
+    _s11 = _s10 + ((_k29 * ((_k2 if (_s6 < _k2) else vz) - (_k2 if (_s7 < _k2) else (-vz)))) * _s8)
+    return _s9 - p_ball_radius, (_k0 * _s11) / _s9, _k2
 
 
 def _bridge_off_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_off` for one shot."""
     _s0 = p_ring_radius + x
     _s1 = -(p_board_distance + x)
-    _s2 = (0.0 if _s0 < 0.0 else _s0) - (0.0 if _s1 < 0.0 else _s1)
+    _s2 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
     _s3 = y - p_bridge_half_width
     _s4 = -(p_bridge_half_width + y)
-    _s5 = (0.0 if _s3 < 0.0 else _s3) - (0.0 if _s4 < 0.0 else _s4)
+    _s5 = (_k2 if _s3 < _k2 else _s3) - (_k2 if _s4 < _k2 else _s4)
     _s6 = z - p_wire_radius
     _s7 = (p_wire_radius - p_bridge_depth) - z
-    _s8 = (0.0 if _s6 < 0.0 else _s6) - (0.0 if _s7 < 0.0 else _s7)
+    _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
     return _root((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8))) - p_ball_radius,
 
 
 def _bridge_tube_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_tube` for one shot."""
-    _s0 = 1.4210854715202004e-14 * p_ball_radius
-    _s1 = (_s0 + (1.4210854715202004e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_ring_radius)
+    _s0 = _k109 * p_ball_radius
+    _s1 = (_s0 + (_k109 * p_board_distance)) + (_k109 * p_ring_radius)
     _s2 = p_ring_radius + x
     _s3 = -_s1
     _s4 = -(p_board_distance + x)
-    _s5 = 1.0 if (((_s1 < _s2) or ((_s3 < _s2) and (0.0 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (0.0 < (-vx))))) else 0.0
-    _s6 = _s0 + (2.842170943040401e-14 * p_bridge_half_width)
+    _s5 = _k1 if (((_s1 < _s2) or ((_s3 < _s2) and (_k2 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (_k2 < (-vx))))) else _k2
+    _s6 = _s0 + (_k52 * p_bridge_half_width)
     _s7 = y - p_bridge_half_width
     _s8 = -_s6
     _s9 = -(p_bridge_half_width + y)
-    _s10 = 1.0 if (((_s6 < _s7) or ((_s8 < _s7) and (0.0 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (0.0 < (-vy))))) else 0.0
-    _s11 = (_s0 + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * abs((p_bridge_depth - p_wire_radius)))
+    _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
+    _s11 = (_s0 + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
     _s12 = z - p_wire_radius
     _s13 = -_s11
     _s14 = (p_wire_radius - p_bridge_depth) - z
-    _s15 = 1.0 if (((_s11 < _s12) or ((_s13 < _s12) and (0.0 < vz))) or ((_s11 < _s14) or ((_s13 < _s14) and (0.0 < (-vz))))) else 0.0
-    return _s5, _s10, _s15, 1.0 / p_ball_radius
+    _s15 = _k1 if (((_s11 < _s12) or ((_s13 < _s12) and (_k2 < vz))) or ((_s11 < _s14) or ((_s13 < _s14) and (_k2 < (-vz))))) else _k2
+    return _s5, _s10, _s15, _k1 / p_ball_radius
 
 
 def _bridge_parting_alone(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_parting` for one shot."""
     _s0 = z - p_wire_radius
-    _s1 = _s0 < 0.0
+    _s1 = _s0 < _k2
     _s2 = (p_wire_radius - p_bridge_depth) - z
-    _s3 = _s2 < 0.0
-    _s4 = (0.0 if _s1 else (-p_gravity)) - (0.0 if _s3 else p_gravity)
-    _s5 = (0.0 if _s0 < 0.0 else _s0) - (0.0 if _s2 < 0.0 else _s2)
-    _s6 = (0.0 if _s1 else vz) - (0.0 if _s3 else (-vz))
+    _s3 = _s2 < _k2
+    _s4 = (_k2 if _s1 else (-p_gravity)) - (_k2 if _s3 else p_gravity)
+    _s5 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s2 < _k2 else _s2)
+    _s6 = (_k2 if _s1 else vz) - (_k2 if _s3 else (-vz))
     _s7 = p_ring_radius + x
     _s8 = -(p_board_distance + x)
-    _s9 = (0.0 if (_s7 < 0.0) else vx) - (0.0 if (_s8 < 0.0) else (-vx))
+    _s9 = (_k2 if (_s7 < _k2) else vx) - (_k2 if (_s8 < _k2) else (-vx))
     _s10 = y - p_bridge_half_width
     _s11 = -(p_bridge_half_width + y)
-    _s12 = (0.0 if (_s10 < 0.0) else vy) - (0.0 if (_s11 < 0.0) else (-vy))
-    _s13 = ((((2.0 * _s4) * _s5) + (2.0 * (_s6 * _s6))) + (2.0 * (_s9 * _s9))) + (2.0 * (_s12 * _s12))
-    _s14 = (0.0 if _s7 < 0.0 else _s7) - (0.0 if _s8 < 0.0 else _s8)
-    _s15 = (0.0 if _s10 < 0.0 else _s10) - (0.0 if _s11 < 0.0 else _s11)
+    _s12 = (_k2 if (_s10 < _k2) else vy) - (_k2 if (_s11 < _k2) else (-vy))
+    _s13 = ((((_k29 * _s4) * _s5) + (_k29 * (_s6 * _s6))) + (_k29 * (_s9 * _s9))) + (_k29 * (_s12 * _s12))
+    _s14 = (_k2 if _s7 < _k2 else _s7) - (_k2 if _s8 < _k2 else _s8)
+    _s15 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s11 < _k2 else _s11)
     _s16 = ((_s14 * _s14) + (_s15 * _s15)) + (_s5 * _s5)
     _s17 = _root(_s16)
-    _s18 = (((2.0 * _s9) * _s14) + ((2.0 * _s12) * _s15)) + ((2.0 * _s6) * _s5)
+    _s18 = (((_k29 * _s9) * _s14) + ((_k29 * _s12) * _s15)) + ((_k29 * _s6) * _s5)
     _s19 = _s18 * _s18
     _s20 = _s17 * _s16
-    _s21 = (6.0 * _s4) * _s6
+    _s21 = (_k9 * _s4) * _s6
     _s22 = _s16 * _s16
     _s23 = _s17 * _s22
-    _s24 = (((0.5 * (6.0 * (_s4 * _s4))) / _s17) + (((2.25 * _s19) * _s13) / _s23)) - ((0.9375 * (_s19 * _s19)) / (_s20 * _s22))
-    return ((0.5 * _s13) / _s17) - ((0.25 * _s19) / _s20), (((0.5 * _s21) / _s17) + ((0.375 * (_s18 * _s19)) / _s23)) - (((0.75 * _s18) * _s13) / _s20), (_s24 - ((0.75 * (_s13 * _s13)) / _s20)) - ((_s21 * _s18) / _s20)
+    _s24 = (((_k0 * (_k9 * (_s4 * _s4))) / _s17) + (((_k189 * _s19) * _s13) / _s23)) - ((_k190 * (_s19 * _s19)) / (_s20 * _s22))
+    return ((_k0 * _s13) / _s17) - ((_k28 * _s19) / _s20), (((_k0 * _s21) / _s17) + ((_k187 * (_s18 * _s19)) / _s23)) - (((_k188 * _s18) * _s13) / _s20), (_s24 - ((_k188 * (_s13 * _s13)) / _s20)) - ((_s21 * _s18) / _s20)
 
 
 def _bridge_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `bridge_seam0` for one shot."""
-    return p_board_distance + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_ring_radius)
+    return p_board_distance + x, vx, ((_k109 * p_ball_radius) + (_k109 * p_board_distance)) + (_k109 * p_ring_radius)
 
 
 def _bridge_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `bridge_seam1` for one shot."""
-    return p_ring_radius + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_ring_radius)
+    return p_ring_radius + x, vx, ((_k109 * p_ball_radius) + (_k109 * p_board_distance)) + (_k109 * p_ring_radius)
 
 
 def _bridge_seam2_alone(p_ball_radius: Any, p_bridge_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `bridge_seam2` for one shot."""
-    return p_bridge_half_width + y, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_bridge_half_width)
+    return p_bridge_half_width + y, vy, (_k109 * p_ball_radius) + (_k52 * p_bridge_half_width)
 
 
 def _bridge_seam3_alone(p_ball_radius: Any, p_bridge_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `bridge_seam3` for one shot."""
-    return y - p_bridge_half_width, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_bridge_half_width)
+    return y - p_bridge_half_width, vy, (_k109 * p_ball_radius) + (_k52 * p_bridge_half_width)
 
 
 def _bridge_seam4_alone(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_seam4` for one shot."""
-    return (p_bridge_depth + z) - p_wire_radius, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * abs((p_bridge_depth - p_wire_radius)))
+    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k109 * p_ball_radius) + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_seam5_alone(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_seam5` for one shot."""
-    return z - p_wire_radius, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * abs((p_bridge_depth - p_wire_radius)))
+    return z - p_wire_radius, vz, ((_k109 * p_ball_radius) + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_around_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_around` for one shot."""
     _s0 = z - p_wire_radius
     _s1 = (p_wire_radius - p_bridge_depth) - z
-    _s2 = (0.0 if _s0 < 0.0 else _s0) - (0.0 if _s1 < 0.0 else _s1)
+    _s2 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
     _s3 = -p_board_distance
-    _s4 = _s3 if 0.0 < _s3 else 0.0
+    _s4 = _s3 if _k2 < _s3 else _k2
     _s5 = p_ring_radius if _s4 < p_ring_radius else _s4
     _s6 = -p_bridge_half_width
-    _s7 = _s6 if 0.0 < _s6 else 0.0
+    _s7 = _s6 if _k2 < _s6 else _k2
     _s8 = _s6 if _s7 < _s6 else _s7
     _s9 = _root(((x * x) + (y * y)))
     _s10 = _root(((_s5 * _s5) + (_s8 * _s8))) - _s9
-    _s11 = _s10 if 0.0 < _s10 else 0.0
+    _s11 = _s10 if _k2 < _s10 else _k2
     _s12 = _root(((_s2 * _s2) + (_s11 * _s11)))
-    _s13 = -((0.5 * (((2.0 * vx) * x) + ((2.0 * vy) * y))) / _s9)
-    _s14 = ((2.0 * ((0.0 if (_s0 < 0.0) else vz) - (0.0 if (_s1 < 0.0) else (-vz)))) * _s2) + ((2.0 * _s11) * (_s13 if (0.0 < _s10) else 0.0))
-    return _s12 - p_ball_radius, (0.5 * _s14) / _s12
+    _s13 = -((_k0 * (((_k29 * vx) * x) + ((_k29 * vy) * y))) / _s9)
+    _s14 = ((_k29 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k29 * _s11) * (_s13 if (_k2 < _s10) else _k2))
+    return _s12 - p_ball_radius, (_k0 * _s14) / _s12
 
 
 def _bridge_enter_alone(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -8174,7 +8273,7 @@ def _bridge_enter_alone(after: Any, end: Any, high0: Any, high1: Any, low0: Any,
 
 def _end_beside_alone(p_end_depth: Any, vz: Any, z: Any) -> tuple[Any, ...]:
     """Do `end_beside` for one shot."""
-    return z - (-p_end_depth), vz, 0.0
+    return z - (-p_end_depth), vz, _k2
 
 
 def _end_around_alone(p_end_depth: Any, vz: Any, z: Any) -> tuple[Any, ...]:
@@ -8185,7 +8284,7 @@ def _end_around_alone(p_end_depth: Any, vz: Any, z: Any) -> tuple[Any, ...]:
 def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _speed_: Any, _until_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `open` for one shot."""
     _share_, _arrival_, _certain_, = _beginning_alone()
-    _leaving_, = _left_alone(_k131, _last_)
+    _leaving_, = _left_alone(_k2, _last_)
     _onset_, _wide_end_, _searching_, _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _lapsed_, _sound_, = _ring_opened_alone(_float32(_until_), _float32(_x_), _float32(_y_), _float32(_z_), _float32(_vx_), _float32(_vy_), _float32(_vz_), _float32(_extent_), _float32(_speed_), _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     _since_, _, = _opened_alone(_float64(_lapsed_), _float64(_onset_))
     _rho_start_, _parting_, _drift_, = _ring_started_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ring_radius_)
@@ -8200,25 +8299,25 @@ def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, 
         _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     _arrival_, _t_, _searching_, = _leapt_alone(_arrival_, _certain_, _float64(_short_t_), _searching_, _served_, _since_)
     if _searching_:
-        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k131, _k131, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
         _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k131, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+        _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
         for _ in range(201):
             if not _searching_:
                 break
-            _leaving_, _margin_, = _nearby_alone(_flat_, _k131, _last_, _t_, _tilt_)
+            _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
             _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
             if _vague_:
                 _share_, = _finer_alone(_share_)
-                _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+                _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
                 _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
             if _exhausted_:
                 _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
     _arrives_, _refining_, _, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k131, _last_, _arrival_, _tilt_)
+    _leaving_, _, = _nearby_alone(_flat_, _k2, _last_, _arrival_, _tilt_)
     if _refining_:
         _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
@@ -8231,7 +8330,7 @@ def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, 
         _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
     _time_, = _landed_alone(_arrival_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k131, _time_, _when_, _which_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k2, _time_, _when_, _which_)
     return (_when_, _which_,)
 
 
@@ -8246,19 +8345,19 @@ def _alone1(_certain_: Any, _leaping_: Any, _p_ball_radius_: Any, _p_gravity_: A
 
 def _alone2(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _share_: Any, _speed_: Any, _t_: Any, _until_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
-    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k131, _k131, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
     _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k131, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k131, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
         if _vague_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
         if _exhausted_:
@@ -8271,12 +8370,12 @@ def _alone3(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: 
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k131, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
         if _vague_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
         if _exhausted_:
@@ -8297,18 +8396,18 @@ def _alone4(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
 def _alone5(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_gravity_: Any, _speed_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `reachable` for one shot."""
     _until_, _, = _horizon_alone(_when_, _speed_, _p_gravity_)
-    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _, = _backboard_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k131, _k131, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
+    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _, = _backboard_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
     _share_, _arrival_, _certain_, = _beginning_alone()
-    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
     _flat_, _tilt_, _rate_slack_, = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-    _t_, _end_, _searching_, = _backboard_enter_alone(_k131, _k131, _high0_, _high1_, _low0_, _low1_, _k131)
+    _t_, _end_, _searching_, = _backboard_enter_alone(_k2, _k2, _high0_, _high1_, _low0_, _low1_, _k2)
     if _searching_:
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k132, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k1, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_, = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
         if _exhausted_:
@@ -8316,18 +8415,18 @@ def _alone5(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: 
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k132, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k1, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_, = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
         if _exhausted_:
             _t_, _end_, _searching_, = _backboard_enter_alone(_end_, _end_, _high0_, _high1_, _low0_, _low1_, _t_)
     _arrives_, _refining_, _, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k132, _last_, _arrival_, _tilt_)
+    _leaving_, _, = _nearby_alone(_flat_, _k1, _last_, _arrival_, _tilt_)
     if _refining_:
         _refined_, _gap_, _rate_, = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
@@ -8340,7 +8439,7 @@ def _alone5(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: 
         _refined_, _gap_, _rate_, = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
     _time_, = _landed_alone(_arrival_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k132, _time_, _when_, _which_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k1, _time_, _when_, _which_)
     return (_when_, _which_,)
 
 
@@ -8349,12 +8448,12 @@ def _alone6(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: 
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k132, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k1, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_, = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
         if _exhausted_:
@@ -8375,18 +8474,18 @@ def _alone7(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
 def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _speed_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `reachable` for one shot."""
     _until_, _, = _horizon_alone(_when_, _speed_, _p_gravity_)
-    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _, = _bridge_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k131, _k131, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
+    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _, = _bridge_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
     _share_, _arrival_, _certain_, = _beginning_alone()
-    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
     _flat_, _tilt_, _rate_slack_, = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-    _t_, _end_, _searching_, = _bridge_enter_alone(_k131, _k131, _high0_, _high1_, _low0_, _low1_, _k131)
+    _t_, _end_, _searching_, = _bridge_enter_alone(_k2, _k2, _high0_, _high1_, _low0_, _low1_, _k2)
     if _searching_:
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k133, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_, = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
         if _exhausted_:
@@ -8394,18 +8493,18 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k133, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_, = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
         if _exhausted_:
             _t_, _end_, _searching_, = _bridge_enter_alone(_end_, _end_, _high0_, _high1_, _low0_, _low1_, _t_)
     _arrives_, _refining_, _, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k133, _last_, _arrival_, _tilt_)
+    _leaving_, _, = _nearby_alone(_flat_, _k29, _last_, _arrival_, _tilt_)
     if _refining_:
         _refined_, _gap_, _rate_, = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
@@ -8418,7 +8517,7 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
         _refined_, _gap_, _rate_, = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
     _time_, = _landed_alone(_arrival_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k133, _time_, _when_, _which_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k29, _time_, _when_, _which_)
     return (_when_, _which_,)
 
 
@@ -8427,12 +8526,12 @@ def _alone9(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: 
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k133, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k131, _k131, _p_gravity_)
+            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_, = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
         if _exhausted_:
@@ -8452,39 +8551,39 @@ def _alone10(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
 
 def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_end_depth_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rests_: Any, _through_: Any, _time_limit_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _wx_: Any, _wy_: Any, _wz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `kept` for one shot."""
-    _which_, _, _began_, _, _begins_, _rolling_, _leaves_, _nx_, _ny_, _nz_, _gap_, _bent_x_, _bent_y_, _bent_z_, _lift_, _surge_, _snap_, _per_reach_, = _resumed_alone(_clock_, _mode_, _k131, _k131)
+    _which_, _, _began_, _, _begins_, _rolling_, _leaves_, _nx_, _ny_, _nz_, _gap_, _bent_x_, _bent_y_, _bent_z_, _lift_, _surge_, _snap_, _per_reach_, = _resumed_alone(_clock_, _mode_, _k2, _k2)
     if _begins_:
-        _here_, = _holding_alone(_held_, _k131)
+        _here_, = _holding_alone(_held_, _k2)
         if _here_:
             _nx_, _ny_, _nz_, = _ring_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _nx_, _ny_, _nz_, _wx_, _wy_, _wz_)
         _rolled_x_, _rolled_y_, _rolled_z_, _, _, = _gripped_alone(_p_ball_radius_, _nx_, _ny_, _nz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_)
-        _here_, = _holding_alone(_held_, _k131)
+        _here_, = _holding_alone(_held_, _k2)
         if _here_:
             _gap_, = _ring_off_alone(_p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, = _roll_placed_alone(_p_ball_radius_, _gap_, _nx_, _ny_, _nz_, _turn_rate_, _rolled_x_, _rolled_y_, _rolled_z_, _x_, _y_, _z_)
         _which_, _circled_, = _beginning_contact_alone()
-    _circling_, _rolling_, = _circles_alone(_held_, _k131, _rolling_)
+    _circling_, _rolling_, = _circles_alone(_held_, _k2, _rolling_)
     for _ in range(16):
         if not _rolling_:
             break
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8498,22 +8597,22 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _lift_6_, _tx_6_, _ty_6_, _tz_6_, _vx_7_, _vy_7_, _vz_7_, _nx_7_, _ny_7_, _nz_7_, _turn_rate_7_, = _roll_6_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_)
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_, = _roll_7_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_)
         _stride_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
-        _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k134, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k131, _stride_, _k131, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
-        _beside_, = _beside_alone(_held_, _k131)
+        _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k10, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k2, _stride_, _k2, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
+        _beside_, = _beside_alone(_held_, _k2)
         if _beside_:
             _gap_, _nearing_, _dent_, = _ring_beside_alone(_p_ball_radius_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k131, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k132)
+            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k2, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _beside_, = _beside_alone(_held_, _k1)
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k132, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k133)
+            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _beside_, = _beside_alone(_held_, _k29)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k133, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k135, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -8527,7 +8626,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -8544,11 +8643,11 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _over_, = _passing_from_alone(_z_)
         _x_, _vx_, _y_, _vy_, _z_, _vz_, _turn_rate_, = _roll_moved_alone(_stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8573,13 +8672,13 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _near_10_, _omega_10_, _around_10_, _tilted_10_, _pressed_10_, _force_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _cos_11_, _sin_11_, = _ring_round_10_alone(_along_0_, _along_1_, _along_10_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
         _, _, _, _, _, _force_11_, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _cos_12_, _sin_12_, = _ring_round_11_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_10_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_10_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
         _stride_, _strongest_, _fastest_, _sway_, _force_, _force_rate_, _force_bend_, _brace_, _vx_1_, _vy_1_, _vz_1_, = _ring_round_pace_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_12_, _cosine_0_, _cosine_12_, _force_0_, _force_1_, _force_10_, _force_11_, _force_2_, _force_3_, _force_4_, _force_5_, _force_6_, _force_7_, _force_8_, _force_9_, _p_gravity_, _omega_0_, _p_ring_radius_, _sin_0_, _sin_12_, _sine_0_, _sine_12_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _p_wire_radius_)
-        _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k134, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k131, _stride_, _k131, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
+        _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k10, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k2, _stride_, _k2, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k132, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k133, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k135, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _over_, = _passing_from_alone(_z_)
         _berth_, _, = _alone_alone()
@@ -8598,41 +8697,41 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _berth_, = _cleared_alone(_berth_, _gap_, _back_, _nearing_)
         _gap_, _nearing_, = _end_around_alone(_p_end_depth_, _vz_, _z_)
         _berth_, = _cleared_alone(_berth_, _gap_, _back_, _nearing_)
-        _circled_, _endless_, _, = _ring_swung_alone(_p_ball_radius_, _berth_, _circled_, _climb_, _climb_0_, _k134, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _k131, _stride_, _sway_, _k131, _which_, _p_wire_radius_)
+        _circled_, _endless_, _, = _ring_swung_alone(_p_ball_radius_, _berth_, _circled_, _climb_, _climb_0_, _k10, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _k2, _stride_, _sway_, _k2, _which_, _p_wire_radius_)
         _which_, = _for_ever_alone(_endless_, _which_)
         _clock_, _circling_, = _rolled_on_alone(_clock_, _rests_, _stride_, _which_)
     _rolling_, = _rejoined_alone(_circling_, _rolling_)
     if _leaves_:
-        _here_, = _holding_alone(_held_, _k131)
+        _here_, = _holding_alone(_held_, _k2)
         if _here_:
             _, _, _, _per_reach_, = _ring_tube_alone(_p_ball_radius_, _p_wire_radius_)
             _lift_, _surge_, _snap_, = _ring_parting_alone(_p_gravity_, _p_ring_radius_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _, _, _, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _backboard_parting_alone(_p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _p_gravity_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _, _, _, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _bridge_parting_alone(_p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_gravity_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
         _spare_, = _unmet_alone()
-        _beside_, = _beside_alone(_held_, _k131)
+        _beside_, = _beside_alone(_held_, _k2)
         if _beside_:
             _gap_, _nearing_, _dent_, = _ring_beside_alone(_p_ball_radius_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k132)
+        _beside_, = _beside_alone(_held_, _k1)
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k133)
+        _beside_, = _beside_alone(_held_, _k29)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k135)
+        _beside_, = _beside_alone(_held_, _k55)
         if _beside_:
             _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
@@ -8646,7 +8745,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
@@ -8660,7 +8759,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
             _gap_, _nearing_, _near_, = _bridge_seam5_alone(_p_ball_radius_, _p_bridge_depth_, _vz_, _p_wire_radius_, _z_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
-        _when_, _, = _parted_alone(_k134, _p_gravity_, _lift_, _per_reach_, _k131, _snap_, _spare_, _surge_, _k131, _vx_, _vy_, _vz_)
+        _when_, _, = _parted_alone(_k10, _p_gravity_, _lift_, _per_reach_, _k2, _snap_, _spare_, _surge_, _k2, _vx_, _vy_, _vz_)
         _which_, = _hopping_alone()
     return (_began_, _circled_, _clock_, _rests_, _rolling_, _through_, _vx_, _vy_, _vz_, _when_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
 
@@ -8670,11 +8769,11 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
     for _ in range(_turns):
         if not _rolling_:
             break
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8688,22 +8787,22 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
         _lift_6_, _tx_6_, _ty_6_, _tz_6_, _vx_7_, _vy_7_, _vz_7_, _nx_7_, _ny_7_, _nz_7_, _turn_rate_7_, = _roll_6_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_)
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_, = _roll_7_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_)
         _stride_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
-        _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k134, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k131, _stride_, _k131, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
-        _beside_, = _beside_alone(_held_, _k131)
+        _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k10, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k2, _stride_, _k2, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
+        _beside_, = _beside_alone(_held_, _k2)
         if _beside_:
             _gap_, _nearing_, _dent_, = _ring_beside_alone(_p_ball_radius_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k131, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k132)
+            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k2, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _beside_, = _beside_alone(_held_, _k1)
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k132, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k133)
+            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _beside_, = _beside_alone(_held_, _k29)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k133, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k135, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -8717,7 +8816,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -8734,11 +8833,11 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _over_, = _passing_from_alone(_z_)
         _x_, _vx_, _y_, _vy_, _z_, _vz_, _turn_rate_, = _roll_moved_alone(_stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8768,13 +8867,13 @@ def _alone13(_circled_: Any, _circling_: Any, _clock_: Any, _p_ball_radius_: Any
         _near_10_, _omega_10_, _around_10_, _tilted_10_, _pressed_10_, _force_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _cos_11_, _sin_11_, = _ring_round_10_alone(_along_0_, _along_1_, _along_10_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
         _, _, _, _, _, _force_11_, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _cos_12_, _sin_12_, = _ring_round_11_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_10_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_10_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
         _stride_, _strongest_, _fastest_, _sway_, _force_, _force_rate_, _force_bend_, _brace_, _vx_1_, _vy_1_, _vz_1_, = _ring_round_pace_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_12_, _cosine_0_, _cosine_12_, _force_0_, _force_1_, _force_10_, _force_11_, _force_2_, _force_3_, _force_4_, _force_5_, _force_6_, _force_7_, _force_8_, _force_9_, _p_gravity_, _omega_0_, _p_ring_radius_, _sin_0_, _sin_12_, _sine_0_, _sine_12_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _p_wire_radius_)
-        _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k134, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k131, _stride_, _k131, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
+        _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k10, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k2, _stride_, _k2, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k132, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k133, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k134, _fastest_, _gap_, _k135, _k131, _nearing_, _k131, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _over_, = _passing_from_alone(_z_)
         _berth_, _, = _alone_alone()
@@ -8793,7 +8892,7 @@ def _alone13(_circled_: Any, _circling_: Any, _clock_: Any, _p_ball_radius_: Any
         _berth_, = _cleared_alone(_berth_, _gap_, _back_, _nearing_)
         _gap_, _nearing_, = _end_around_alone(_p_end_depth_, _vz_, _z_)
         _berth_, = _cleared_alone(_berth_, _gap_, _back_, _nearing_)
-        _circled_, _endless_, _, = _ring_swung_alone(_p_ball_radius_, _berth_, _circled_, _climb_, _climb_0_, _k134, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _k131, _stride_, _sway_, _k131, _which_, _p_wire_radius_)
+        _circled_, _endless_, _, = _ring_swung_alone(_p_ball_radius_, _berth_, _circled_, _climb_, _climb_0_, _k10, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _k2, _stride_, _sway_, _k2, _which_, _p_wire_radius_)
         _which_, = _for_ever_alone(_endless_, _which_)
         _clock_, _circling_, = _rolled_on_alone(_clock_, _rests_, _stride_, _which_)
     return (_circled_, _circling_, _clock_, _per_reach_, _rests_, _through_, _vx_, _vy_, _vz_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
@@ -8802,7 +8901,7 @@ def _alone13(_circled_: Any, _circling_: Any, _clock_: Any, _p_ball_radius_: Any
 def _alone14(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _pad_: Any, _position_error_: Any, _speed_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `open` for one shot."""
     _share_, _arrival_, _certain_, = _beginning_alone()
-    _leaving_, = _left_alone(_k131, _last_)
+    _leaving_, = _left_alone(_k2, _last_)
     _onset_, _wide_end_, _searching_, _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _lapsed_, _sound_, = _ring_opened_alone(_float32(_until_), _float32(_x_), _float32(_y_), _float32(_z_), _float32(_vx_), _float32(_vy_), _float32(_vz_), _float32(_extent_), _float32(_speed_), _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     _since_, _latest_, = _opened_alone(_float64(_lapsed_), _float64(_onset_))
     _rho_start_, _parting_, _drift_, = _ring_started_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ring_radius_)
@@ -8823,11 +8922,11 @@ def _alone14(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
         _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
         _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k131, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+        _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
         for _ in range(201):
             if not _searching_:
                 break
-            _leaving_, _margin_, = _nearby_alone(_flat_, _k131, _last_, _t_, _tilt_)
+            _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
             _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
             if _vague_:
@@ -8840,7 +8939,7 @@ def _alone14(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
                 _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
         _doubt_, = _questioned_alone(_doubt_, _t_, _searching_)
     _arrives_, _refining_, _rate_, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k131, _last_, _arrival_, _tilt_)
+    _leaving_, _, = _nearby_alone(_flat_, _k2, _last_, _arrival_, _tilt_)
     if _refining_:
         _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
@@ -8858,7 +8957,7 @@ def _alone14(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     _time_, = _landed_alone(_arrival_)
     _delay_, _doubt_, = _landed_surely_alone(_arrives_, _certain_, _clearance_, _delay_, _doubt_, _time_)
     _doubt_, _late_, = _tied_alone(_arrives_, _delay_, _doubt_, _late_, _time_, _when_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k131, _time_, _when_, _which_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k2, _time_, _when_, _which_)
     return (_doubt_, _late_, _when_, _which_,)
 
 
@@ -8876,11 +8975,11 @@ def _alone16(_arrival_: Any, _certain_: Any, _doubt_: Any, _extent_: Any, _last_
     _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
     _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k131, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k131, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
         if _vague_:
@@ -8900,7 +8999,7 @@ def _alone17(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k131, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
         if _vague_:
@@ -8931,10 +9030,10 @@ def _alone19(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     _share_, _arrival_, _certain_, = _beginning_alone()
     _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
     _flat_, _tilt_, _rate_slack_, = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-    _t_, _end_, _searching_, = _backboard_enter_alone(_k131, _k131, _high0_, _high1_, _low0_, _low1_, _k131)
+    _t_, _end_, _searching_, = _backboard_enter_alone(_k2, _k2, _high0_, _high1_, _low0_, _low1_, _k2)
     _doubt_, = _beyond_windows_alone(_doubt_, _excess_, _late_, _lost_, _pad_, _searching_)
     if _searching_:
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k132, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k1, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -8948,7 +9047,7 @@ def _alone19(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k132, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k1, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -8961,7 +9060,7 @@ def _alone19(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
             _t_, _end_, _searching_, = _backboard_enter_alone(_end_, _end_, _high0_, _high1_, _low0_, _low1_, _t_)
     _doubt_, = _questioned_alone(_doubt_, _t_, _searching_)
     _arrives_, _refining_, _rate_, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k132, _last_, _arrival_, _tilt_)
+    _leaving_, _, = _nearby_alone(_flat_, _k1, _last_, _arrival_, _tilt_)
     if _refining_:
         _refined_, _gap_, _rate_, = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
@@ -8979,7 +9078,7 @@ def _alone19(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     _time_, = _landed_alone(_arrival_)
     _delay_, _doubt_, = _landed_surely_alone(_arrives_, _certain_, _clearance_, _delay_, _doubt_, _time_)
     _doubt_, _late_, = _tied_alone(_arrives_, _delay_, _doubt_, _late_, _time_, _when_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k132, _time_, _when_, _which_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k1, _time_, _when_, _which_)
     return (_doubt_, _late_, _when_, _which_,)
 
 
@@ -8988,7 +9087,7 @@ def _alone20(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k132, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k1, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -9019,10 +9118,10 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     _share_, _arrival_, _certain_, = _beginning_alone()
     _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
     _flat_, _tilt_, _rate_slack_, = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-    _t_, _end_, _searching_, = _bridge_enter_alone(_k131, _k131, _high0_, _high1_, _low0_, _low1_, _k131)
+    _t_, _end_, _searching_, = _bridge_enter_alone(_k2, _k2, _high0_, _high1_, _low0_, _low1_, _k2)
     _doubt_, = _beyond_windows_alone(_doubt_, _excess_, _late_, _lost_, _pad_, _searching_)
     if _searching_:
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k133, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -9036,7 +9135,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k133, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -9049,7 +9148,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
             _t_, _end_, _searching_, = _bridge_enter_alone(_end_, _end_, _high0_, _high1_, _low0_, _low1_, _t_)
     _doubt_, = _questioned_alone(_doubt_, _t_, _searching_)
     _arrives_, _refining_, _rate_, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k133, _last_, _arrival_, _tilt_)
+    _leaving_, _, = _nearby_alone(_flat_, _k29, _last_, _arrival_, _tilt_)
     if _refining_:
         _refined_, _gap_, _rate_, = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
@@ -9067,7 +9166,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     _time_, = _landed_alone(_arrival_)
     _delay_, _doubt_, = _landed_surely_alone(_arrives_, _certain_, _clearance_, _delay_, _doubt_, _time_)
     _doubt_, _late_, = _tied_alone(_arrives_, _delay_, _doubt_, _late_, _time_, _when_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k133, _time_, _when_, _which_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k29, _time_, _when_, _which_)
     return (_doubt_, _late_, _when_, _which_,)
 
 
@@ -9076,7 +9175,7 @@ def _alone23(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k133, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -9104,40 +9203,40 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
     """Do the body of `kept` for one shot."""
     _which_, _late_, _began_, _doubt_, _begins_, _rolling_, _leaves_, _nx_, _ny_, _nz_, _gap_, _bent_x_, _bent_y_, _bent_z_, _lift_, _surge_, _snap_, _per_reach_, = _resumed_alone(_clock_, _mode_, _position_error_, _velocity_error_)
     if _begins_:
-        _here_, = _holding_alone(_held_, _k131)
+        _here_, = _holding_alone(_held_, _k2)
         if _here_:
             _nx_, _ny_, _nz_, = _ring_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _nx_, _ny_, _nz_, _wx_, _wy_, _wz_)
         _rolled_x_, _rolled_y_, _rolled_z_, _, _, = _gripped_alone(_p_ball_radius_, _nx_, _ny_, _nz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_)
-        _here_, = _holding_alone(_held_, _k131)
+        _here_, = _holding_alone(_held_, _k2)
         if _here_:
             _gap_, = _ring_off_alone(_p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, = _roll_placed_alone(_p_ball_radius_, _gap_, _nx_, _ny_, _nz_, _turn_rate_, _rolled_x_, _rolled_y_, _rolled_z_, _x_, _y_, _z_)
         _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, = _begun_errors_alone(_p_ball_radius_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_)
         _taut_, = _untaut_alone()
         _which_, _circled_, = _beginning_contact_alone()
-    _circling_, _rolling_, = _circles_alone(_held_, _k131, _rolling_)
+    _circling_, _rolling_, = _circles_alone(_held_, _k2, _rolling_)
     for _ in range(16):
         if not _rolling_:
             break
         _position_error_, _velocity_error_, _, _, = _error_bounds_alone(_clock_error_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9152,10 +9251,10 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_, = _roll_7_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_)
         _stride_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
         _drag_, _drag_rate_, _strain_, _strain_rate_, = _pulled_alone(_p_gravity_, _nx_0_, _nx_1_, _ny_0_, _ny_1_, _nz_0_, _nz_1_, _turn_rate_0_, _turn_rate_1_, _tx_0_, _tx_1_, _ty_0_, _ty_1_, _tz_0_, _tz_1_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_backboard_friction_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_bridge_friction_)
         _loses_, = _losing_alone(_grip_lost_, _strain_)
@@ -9163,21 +9262,21 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _grip_lost_, = _lost_grip_alone(_clock_, _strain_, _strain_rate_, _taut_, _taut_clock_, _taut_rate_)
         _taut_, _taut_rate_, _taut_clock_, = _tightened_alone(_clock_, _strain_, _strain_rate_)
         _stride_, _which_, _rests_, _doubt_, = _leaving_force_alone(_p_ball_radius_, _brace_, _doubt_, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _position_error_, _stride_, _velocity_error_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
-        _beside_, = _beside_alone(_held_, _k131)
+        _beside_, = _beside_alone(_held_, _k2)
         if _beside_:
             _gap_, _nearing_, _dent_, = _ring_beside_alone(_p_ball_radius_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k131, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k132)
+            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k2, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _beside_, = _beside_alone(_held_, _k1)
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k132, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k133)
+            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _beside_, = _beside_alone(_held_, _k29)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k133, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k135, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -9191,7 +9290,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -9210,28 +9309,28 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _far_nx_, _far_ny_, _far_nz_, _far_gap_, = _neighbour_alone(_apart_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
         _over_, = _passing_from_alone(_z_)
         _x_, _vx_, _y_, _vy_, _z_, _vz_, _turn_rate_, = _roll_moved_alone(_stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, = _roll_placed_alone(_p_ball_radius_, _gap_, _nx_, _ny_, _nz_, _turn_rate_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _through_, = _passing_in_contact_alone(_over_, _p_ring_radius_, _through_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _far_nx_, _far_ny_, _far_nz_, _far_wx_, _far_wy_, _far_wz_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
@@ -9246,11 +9345,11 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _lift_6_, _tx_6_, _ty_6_, _tz_6_, _vx_7_, _vy_7_, _vz_7_, _nx_7_, _ny_7_, _nz_7_, _turn_rate_7_, = _roll_6_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_)
         _, _, _, _, _vx_8_, _vy_8_, _vz_8_, _, _, _, _turn_rate_8_, = _roll_7_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_)
         _far_x_, _far_vx_, _far_y_, _far_vy_, _far_z_, _far_vz_, _turn_rate_, = _roll_moved_alone(_stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
@@ -9284,11 +9383,11 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _taut_, _taut_rate_, _taut_clock_, = _tightened_alone(_clock_, _strain_, _strain_rate_)
         _stride_, _which_, _rests_, _doubt_, = _leaving_force_alone(_p_ball_radius_, _brace_, _doubt_, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _position_error_, _stride_, _velocity_error_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k132, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k133, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k135, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _apart_, = _apart_alone(_p_ball_radius_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _, = _neighbour_alone(_apart_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
@@ -9330,36 +9429,36 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
     _rolling_, = _rejoined_alone(_circling_, _rolling_)
     if _leaves_:
         _position_error_, _velocity_error_, _, _, = _error_bounds_alone(_clock_error_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
-        _here_, = _holding_alone(_held_, _k131)
+        _here_, = _holding_alone(_held_, _k2)
         if _here_:
             _, _, _, _per_reach_, = _ring_tube_alone(_p_ball_radius_, _p_wire_radius_)
             _lift_, _surge_, _snap_, = _ring_parting_alone(_p_gravity_, _p_ring_radius_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _, _, _, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _backboard_parting_alone(_p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _p_gravity_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _, _, _, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _bridge_parting_alone(_p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_gravity_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
         _spare_, = _unmet_alone()
-        _beside_, = _beside_alone(_held_, _k131)
+        _beside_, = _beside_alone(_held_, _k2)
         if _beside_:
             _gap_, _nearing_, _dent_, = _ring_beside_alone(_p_ball_radius_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k132)
+        _beside_, = _beside_alone(_held_, _k1)
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k133)
+        _beside_, = _beside_alone(_held_, _k29)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k135)
+        _beside_, = _beside_alone(_held_, _k55)
         if _beside_:
             _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
@@ -9373,7 +9472,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
@@ -9398,11 +9497,11 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if not _rolling_:
             break
         _position_error_, _velocity_error_, _, _, = _error_bounds_alone(_clock_error_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9417,10 +9516,10 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_, = _roll_7_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_)
         _stride_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
         _drag_, _drag_rate_, _strain_, _strain_rate_, = _pulled_alone(_p_gravity_, _nx_0_, _nx_1_, _ny_0_, _ny_1_, _nz_0_, _nz_1_, _turn_rate_0_, _turn_rate_1_, _tx_0_, _tx_1_, _ty_0_, _ty_1_, _tz_0_, _tz_1_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_backboard_friction_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_bridge_friction_)
         _loses_, = _losing_alone(_grip_lost_, _strain_)
@@ -9428,21 +9527,21 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
             _grip_lost_, = _lost_grip_alone(_clock_, _strain_, _strain_rate_, _taut_, _taut_clock_, _taut_rate_)
         _taut_, _taut_rate_, _taut_clock_, = _tightened_alone(_clock_, _strain_, _strain_rate_)
         _stride_, _which_, _rests_, _doubt_, = _leaving_force_alone(_p_ball_radius_, _brace_, _doubt_, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _position_error_, _stride_, _velocity_error_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
-        _beside_, = _beside_alone(_held_, _k131)
+        _beside_, = _beside_alone(_held_, _k2)
         if _beside_:
             _gap_, _nearing_, _dent_, = _ring_beside_alone(_p_ball_radius_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k131, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k132)
+            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k2, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _beside_, = _beside_alone(_held_, _k1)
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k132, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k133)
+            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _beside_, = _beside_alone(_held_, _k29)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k133, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k135, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -9456,7 +9555,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -9475,28 +9574,28 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _far_nx_, _far_ny_, _far_nz_, _far_gap_, = _neighbour_alone(_apart_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
         _over_, = _passing_from_alone(_z_)
         _x_, _vx_, _y_, _vy_, _z_, _vz_, _turn_rate_, = _roll_moved_alone(_stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, = _roll_placed_alone(_p_ball_radius_, _gap_, _nx_, _ny_, _nz_, _turn_rate_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _through_, = _passing_in_contact_alone(_over_, _p_ring_radius_, _through_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _far_nx_, _far_ny_, _far_nz_, _far_wx_, _far_wy_, _far_wz_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
@@ -9511,11 +9610,11 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         _lift_6_, _tx_6_, _ty_6_, _tz_6_, _vx_7_, _vy_7_, _vz_7_, _nx_7_, _ny_7_, _nz_7_, _turn_rate_7_, = _roll_6_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_)
         _, _, _, _, _vx_8_, _vy_8_, _vz_8_, _, _, _, _turn_rate_8_, = _roll_7_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_)
         _far_x_, _far_vx_, _far_y_, _far_vy_, _far_z_, _far_vz_, _turn_rate_, = _roll_moved_alone(_stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k132)
+        _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k133)
+        _here_, = _holding_alone(_held_, _k29)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
@@ -9554,11 +9653,11 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, 
         _taut_, _taut_rate_, _taut_clock_, = _tightened_alone(_clock_, _strain_, _strain_rate_)
         _stride_, _which_, _rests_, _doubt_, = _leaving_force_alone(_p_ball_radius_, _brace_, _doubt_, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _position_error_, _stride_, _velocity_error_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k132, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k133, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k135, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _apart_, = _apart_alone(_p_ball_radius_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _, = _neighbour_alone(_apart_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)

@@ -100,14 +100,13 @@ class Alone:
         self.lines.append(f"{indent}{', '.join(targets)}, = _{kernel.name}_alone({given})")
 
     def _given(self, value: Value, short: set[str], single: bool) -> str:
-        if not isinstance(value, str) or (value in short) == single:
-            return self._number(value)
-        return f"{'_float32' if single else '_float64'}({_name(value)})"
+        kind = "_float32" if single else "_float64"
+        if isinstance(value, str) and (value in short) != single:
+            return f"{kind}({_name(value)})"
+        return self._number(value, kind)
 
-    def _number(self, value: Value) -> str:
-        if isinstance(value, str):
-            return _name(value)
-        return self.constants.name(float(value), "_float64")
+    def _number(self, value: Value, kind: str = "_float64") -> str:
+        return _name(value) if isinstance(value, str) else self.constants.name(float(value), kind)
 
 
 def _name(variable: str) -> str:

@@ -171,9 +171,8 @@ class Constants:
 
     def of(self, program: Program, value: float, meets_rows: bool) -> str:
         """Return the name of a number of a program, or how it is written."""
-        if program.kernel.single:
-            return self.name(value, *["_scalar"] * meets_rows, "_float32")
-        return self.name(value, *["_scalar"] * meets_rows)
+        single = [_number_of(program)] if program.kernel.single else []
+        return self.name(value, *["_scalar"] * meets_rows, *single)
 
     def name(self, value: float, *makers: str) -> str:
         """Return the name of what some functions make of a number, the last one first."""
@@ -190,8 +189,16 @@ class Constants:
         return [f"{name} = {made}" for made, name in self._names.items()]
 
 
+def _number_of(program: Program) -> str:
+    """Return what makes a number of NumPy, in the precision of a program."""
+    return "_float32" if program.kernel.single else "_float64"
+
+
 def print_program(program: Program, spelling: Spelling, constants: Constants | None = None) -> Body:
-    """Return the statements and output expressions of a program in one target's spelling."""
+    """Return the statements and output expressions of a program in one target's spelling.
+
+    With constants its numbers are NumPy's throughout: one of Python's cannot be divided by zero.
+    """
     named = program.named()
     text: list[str] = []
     statements: list[str] = []
@@ -200,7 +207,7 @@ def print_program(program: Program, spelling: Spelling, constants: Constants | N
             text.append(operation.symbol)
         elif operation.name == "constant":
             number = operation.value
-            made = constants.of(program, number, False) if constants else ""
+            made = constants.name(number, _number_of(program)) if constants else ""
             text.append(made or constant(number, spelling))
         else:
             operands = (text[operand] for operand in operation.operands)

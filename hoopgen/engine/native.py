@@ -179,9 +179,10 @@ def _address(array: NDArray[Any] | None) -> int | None:
     """Return where an array's data begin; `ndarray.ctypes` takes four times as long to say."""
     if array is None:
         return None
-    if array.flags.writeable:
+    try:
         return ctypes.addressof(_NOTHING.from_buffer(array))  # type: ignore[arg-type]
-    return array.__array_interface__["data"][0]  # type: ignore[no-any-return]
+    except (TypeError, ValueError, BufferError):  # it must not be written
+        return array.__array_interface__["data"][0]  # type: ignore[no-any-return]
 
 
 @dataclass(frozen=True)
