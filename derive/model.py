@@ -490,11 +490,6 @@ def build(scene: Scene) -> Model:
         | of_kinds.KERNELS
         | decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
     )
-    tests = [
-        search(face, scene.flight).apart for k, face in enumerate(scene.surfaces) if k not in tabled
-    ]
-    if any(tests):
-        choices["reachable"] = reachable([test for test in tests if test])
     laws: dict[Law, dict[str, Kernel]] = {}
     of_laws = kinds(scene.laws, _shared(scene))
     for law, like in zip(scene.laws, of_laws, strict=True):
@@ -504,6 +499,9 @@ def build(scene: Scene) -> Model:
     if scene.rolls:
         choices |= _in_contact(scene)
     surfaces = _of_kinds(scene, likes, order)
+    tests = [made.search.apart for k, made in enumerate(surfaces) if k not in tabled]
+    if any(tests):
+        choices["reachable"] = reachable([test for test in tests if test])
     gates = tuple(_surface_kernels(gate, scene, order) for gate in scene.gates)
     usual = {p.symbol: sp.Rational(p.default) for p in scene.parameters if not p.infinite}
     contacts = [

@@ -9,14 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, Value, walk
+from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, Value
 
 from .printers import Constants
-
-
-def repeats(node: Guard | Repeat) -> bool:
-    """Whether a body repeats, or something in it does: those last for few shots."""
-    return any(isinstance(n, Repeat) for n in walk([node]))
 
 
 @dataclass

@@ -12,10 +12,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from hoopgen.derive.ground.kernel import Kind
-from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, live_before, walk, writes
+from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, live_before, writes
 
 from .groups import CGroups, Frame
-from .loop import TYPES, Apart, carried, scope
+from .loop import TYPES, Apart, carried, repeats, scope
 
 LOADED: dict[Kind, str] = {
     "double": "lanes_load({})",
@@ -202,7 +202,7 @@ class CLists(CGroups):
 
     def _listed(self, node: Guard | Repeat | Each) -> bool:
         """Whether a body has a list of its own: for most without turns the packing costs more."""
-        return any(isinstance(n, Repeat) for n in walk([node])) or self.long(node)
+        return repeats(node) or self.long(node)
 
     def _pass(
         self,

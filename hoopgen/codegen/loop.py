@@ -67,6 +67,11 @@ def carried(node: Each, after: Iterable[str]) -> set[str]:
     return set(after) | live_in_body(node, after)
 
 
+def repeats(node: Node) -> bool:
+    """Whether a body repeats, or something in it does: that lasts for few shots."""
+    return any(isinstance(n, Repeat) for n in walk([node]))
+
+
 def scope(node: Guard | Repeat, after: Iterable[str]) -> Scope:
     """Return how a guarded body stands to what is around it, given what is needed after it."""
     assigned = set(writes(node.body))

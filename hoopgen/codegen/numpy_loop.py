@@ -18,8 +18,8 @@ from hoopgen.derive.ground.tree import (
     writes,
 )
 
-from .alone import Alone, repeats
-from .loop import CHEAP, CHEAP_IN_TURNS, Printer, Scope, carried, scope
+from .alone import Alone
+from .loop import CHEAP, CHEAP_IN_TURNS, Printer, Scope, carried, repeats, scope
 from .printers import NUMPY, Constants, constant
 
 
