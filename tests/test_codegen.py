@@ -55,6 +55,7 @@ from mpmath import mp, mpf
 from test_kernels import DIGITS, EXTREMES, Evaluator, model
 
 from hoopgen.codegen import render
+from hoopgen.codegen.fixed import splits
 from hoopgen.codegen.printers import JS, NUMPY, C, Constants, Spelling, constant
 from hoopgen.codegen.program import lower
 from hoopgen.engine.sources import FLAGS
@@ -614,7 +615,7 @@ def stated(comment: str) -> int:
 
 
 def test_each_function_states_equation_and_operations(files: dict[str, str]) -> None:
-    """The count is that of the operations printed below it, and the same in both targets."""
+    """The count is that of the operations printed below it: C is given some ready made."""
     module = ast.parse(files["numpy/hoop.py"])
     functions = {f.name: f for f in module.body if isinstance(f, ast.FunctionDef)}
     comments = {
@@ -625,6 +626,7 @@ def test_each_function_states_equation_and_operations(files: dict[str, str]) -> 
         )
     }
     called = model().loop.called
+    loops = (model().loop.plain(), model().loop)
     for made in model().kernels:
         document = ast.get_docstring(functions[made.name])
         assert document is not None
@@ -632,7 +634,9 @@ def test_each_function_states_equation_and_operations(files: dict[str, str]) -> 
             assert made.summary in text
             assert made.equation
             assert f"{made.equation}. " in text
-        assert stated(document) == stated(comments.get(made.name, document))
+        ready = splits([lower(made)], loops).get(made.name)
+        in_c = ready.rest.cost if ready and made.name in called else lower(made).cost
+        assert made.name not in comments or stated(comments[made.name]) == in_c.total()
         assert stated(document) == numpy_operations(functions[made.name])
     assert set(comments) == called, "C has what its loop evaluates"
     assert set(functions) > {made.name for made in model().kernels}

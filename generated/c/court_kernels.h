@@ -11,7 +11,7 @@
      lanes_sqrt, lanes_abs, lanes_select */
 
 /* Position and velocity at time t of a flight.
-   Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications. */
+   Eq. 3. 10 operations: 3 additions, 2 subtractions, 5 multiplications. */
 typedef struct {
     V x;
     V y;
@@ -22,9 +22,9 @@ typedef struct {
 } LANES(court_flight_out);
 
 LANES_INLINE LANES(court_flight_out)
-LANES(court_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V p_gravity)
+LANES(court_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1)
 {
-    return (LANES(court_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t)))), vx, vy, lanes_sub(vz, lanes_mul(p_gravity, t)) };
+    return (LANES(court_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(_c1, t)))), vx, vy, lanes_sub(vz, lanes_mul(_c0, t)) };
 }
 
 /* Positive clearance if a crossing is certain, and the bound on its delay.
@@ -51,9 +51,9 @@ typedef struct {
 } LANES(court_allowance_out);
 
 LANES_INLINE LANES(court_allowance_out)
-LANES(court_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity)
+LANES(court_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V _c0)
 {
-    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
     const V _s1 = lanes_mul(share, lanes_add(extent, lanes_mul(horizon, _s0)));
     const V _s2 = lanes_mul(share, _s0);
     const V _s3 = lanes_sub(position_error, _s1);
@@ -62,21 +62,21 @@ LANES(court_allowance)(V share, V horizon, V extent, V speed, V position_error, 
 }
 
 /* A time after which no event is wanted, and how long that is after t.
-   the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division. */
+   the earliest arrival, with room for its delay. 4 operations: 2 additions, 2 multiplications. */
 typedef struct {
     V horizon;
     V pad;
 } LANES(court_horizon_out);
 
 LANES_INLINE LANES(court_horizon_out)
-LANES(court_horizon)(V t, V speed, V p_gravity)
+LANES(court_horizon)(V t, V speed, V _c0)
 {
-    const V _s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, lanes_div(K(1.0), p_gravity))));
+    const V _s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, _c0)));
     return (LANES(court_horizon_out)){ lanes_add(t, _s0), _s0 };
 }
 
 /* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
-   what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections. */
+   what rounding errors are measured by. 23 operations: 4 additions, 1 subtraction, 6 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V extent;
     V speed;
@@ -84,7 +84,7 @@ typedef struct {
 } LANES(court_scale_out);
 
 LANES_INLINE LANES(court_scale_out)
-LANES(court_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
+LANES(court_scale)(V x, V y, V z, V vx, V vy, V vz, V _c0)
 {
     const V _s0 = lanes_abs(x);
     const V _s1 = lanes_abs(y);
@@ -92,29 +92,26 @@ LANES(court_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
     const V _s3 = lanes_abs(vx);
     const V _s4 = lanes_abs(vy);
     const V _s5 = lanes_abs(vz);
-    const V _s6 = lanes_div(K(1.0), p_gravity);
-    const V _s7 = lanes_max(_s6, _s0);
-    const V _s8 = lanes_max(_s7, _s1);
-    const V _s9 = lanes_max(_s8, _s2);
-    const V _s10 = lanes_max(_s9, _s3);
-    const V _s11 = lanes_max(_s10, _s4);
-    return (LANES(court_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s11, _s5), K(2.9073548971824276e+135)) };
+    const V _s6 = lanes_max(_c0, _s0);
+    const V _s7 = lanes_max(_s6, _s1);
+    const V _s8 = lanes_max(_s7, _s2);
+    const V _s9 = lanes_max(_s8, _s3);
+    const V _s10 = lanes_max(_s9, _s4);
+    return (LANES(court_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s10, _s5), K(2.9073548971824276e+135)) };
 }
 
 /* Bound on the error of a length at a computed arrival.
-   running error analysis. 27 operations: 17 additions, 8 multiplications, 2 absolute values. */
+   running error analysis. 15 operations: 7 additions, 8 multiplications. */
 typedef struct {
     V margin;
 } LANES(court_displacement_out);
 
 LANES_INLINE LANES(court_displacement_out)
-LANES(court_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth)
+LANES(court_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1)
 {
-    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
     const V _s1 = lanes_add(extent, lanes_mul(horizon, _s0));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_depth), p_bridge_half_width), p_end_depth);
-    const V _s3 = lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, lanes_add(lanes_add(lanes_add(lanes_add(_s2, p_ring_radius), p_wire_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_top))));
-    return (LANES(court_displacement_out)){ lanes_add(lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), _s3), lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
+    return (LANES(court_displacement_out)){ lanes_add(lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, _c1))), lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
@@ -132,7 +129,7 @@ typedef struct {
 } LANES(court_carry_flight_out);
 
 LANES_INLINE LANES(court_carry_flight_out)
-LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V left_nx, V left_ny, V left_nz, V curving, V p_gravity)
+LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V left_nx, V left_ny, V left_nz, V curving, V _c0)
 {
     const V _s0 = lanes_abs(vx);
     const V _s1 = lanes_abs(vy);
@@ -158,7 +155,7 @@ LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz
     const V _s21 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s19, _s11)), _s20);
     const M _s22 = lanes_less(_s18, K(0.0));
     const V _s23 = lanes_add(dz, lanes_mul(dvz, t));
-    const V _s24 = lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s12, _s3));
+    const V _s24 = lanes_add(lanes_mul(_c0, lanes_mul(t, t)), lanes_mul(_s12, _s3));
     const V _s25 = lanes_mul(K(1.1102230246251565e-16), lanes_add(_s24, _s10));
     const V _s26 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s24, _s11)), _s25);
     const M _s27 = lanes_less(_s23, K(0.0));
@@ -188,11 +185,11 @@ LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz
     const V _s51 = lanes_add(lanes_mul(vz, _s30), lanes_add(_s23, lanes_select(_s27, lanes_neg(_s25), _s25)));
     const V _s52 = lanes_abs(_s30);
     const V _s53 = lanes_mul(K(0.0625), late);
-    return (LANES(court_carry_flight_out)){ lanes_select(_s49, _s31, lanes_select(lanes_less(lanes_abs(_s31), _s47), lanes_select(lanes_less(_s31, K(0.0)), _s48, _s47), _s31)), lanes_select(_s49, _s50, lanes_select(lanes_less(lanes_abs(_s50), _s47), lanes_select(lanes_less(_s50, K(0.0)), _s48, _s47), _s50)), lanes_select(_s49, _s51, lanes_select(lanes_less(lanes_abs(_s51), _s47), lanes_select(lanes_less(_s51, K(0.0)), _s48, _s47), _s51)), lanes_select(_s49, K(8.0), _s32), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s30)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s52, _s53)), lanes_select(_s49, _s45, _s46) };
+    return (LANES(court_carry_flight_out)){ lanes_select(_s49, _s31, lanes_select(lanes_less(lanes_abs(_s31), _s47), lanes_select(lanes_less(_s31, K(0.0)), _s48, _s47), _s31)), lanes_select(_s49, _s50, lanes_select(lanes_less(lanes_abs(_s50), _s47), lanes_select(lanes_less(_s50, K(0.0)), _s48, _s47), _s50)), lanes_select(_s49, _s51, lanes_select(lanes_less(lanes_abs(_s51), _s47), lanes_select(lanes_less(_s51, K(0.0)), _s48, _s47), _s51)), lanes_select(_s49, K(8.0), _s32), dvx, dvy, lanes_sub(dvz, lanes_mul(_c0, _s30)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s52, _s53)), lanes_select(_s49, _s45, _s46) };
 }
 
 /* Errors of a state at the time limit, from those at the start of the flight.
-   derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
+   derivative of Eq. 3, with roundings. 61 operations: 17 additions, 18 multiplications, 1 negation, 13 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -204,7 +201,7 @@ typedef struct {
 } LANES(court_carry_time_out);
 
 LANES_INLINE LANES(court_carry_time_out)
-LANES(court_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V p_gravity)
+LANES(court_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V _c0, V _c1)
 {
     const V _s0 = lanes_abs(vx);
     const V _s1 = lanes_add(clock_error, lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)));
@@ -218,14 +215,13 @@ LANES(court_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_e
     const V _s9 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y)));
     const V _s10 = lanes_max(_s7, _s9);
     const V _s11 = lanes_abs(vz);
-    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
+    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(_c0, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
     const V _s13 = lanes_abs(dx);
     const V _s14 = lanes_abs(dy);
     const V _s15 = lanes_max(_s13, _s14);
     const V _s16 = lanes_abs(dz);
     const V _s17 = lanes_add(lanes_add(lanes_mul(t, lanes_max(_s4, _s5)), lanes_max(_s10, _s12)), lanes_max(_s15, _s16));
-    const V _s18 = lanes_abs(K(0.0));
-    return (LANES(court_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_s18, _s2), lanes_mul(K(2.220446049250313e-16), _s0)), lanes_add(lanes_add(_s18, _s3), lanes_mul(K(2.220446049250313e-16), _s8)), lanes_add(lanes_add(_s5, lanes_mul(K(2.220446049250313e-16), _s11)), lanes_abs(lanes_neg(lanes_mul(p_gravity, _s1)))), K(0.0) };
+    return (LANES(court_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_c1, _s2), lanes_mul(K(2.220446049250313e-16), _s0)), lanes_add(lanes_add(_c1, _s3), lanes_mul(K(2.220446049250313e-16), _s8)), lanes_add(lanes_add(_s5, lanes_mul(K(2.220446049250313e-16), _s11)), lanes_abs(lanes_neg(lanes_mul(_c0, _s1)))), K(0.0) };
 }
 
 /* Bounds on the errors of a state and its time that decisions allow for.
@@ -317,139 +313,132 @@ LANES(court_finite_parameters)(V p_ball_radius, V p_ring_radius, V p_wire_radius
 }
 
 /* 1 where no surface is overlapped; 1 where that is in doubt.
-   Table 2. 133 operations: 27 additions, 19 subtractions, 15 multiplications, 3 square roots, 4 negations, 20 absolute values, 21 comparisons, 24 selections. */
+   Table 2. 105 operations: 14 additions, 18 subtractions, 12 multiplications, 3 square roots, 4 negations, 9 absolute values, 21 comparisons, 24 selections. */
 typedef struct {
     V valid;
     V doubt;
 } LANES(court_valid_out);
 
 LANES_INLINE LANES(court_valid_out)
-LANES(court_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_end_depth)
+LANES(court_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12)
 {
-    const V _s0 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius);
-    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s2 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s0, _s0)), lanes_mul(_s1, _s1));
-    const M _s3 = lanes_less(lanes_abs(last), K(0.5));
-    const V _s4 = lanes_select(_s3, K(1.0), lanes_select(lanes_at_most(K(0.0), _s2), K(1.0), K(0.0)));
-    const V _s5 = lanes_sub(z, p_board_top);
-    const V _s6 = lanes_sub(p_board_bottom, z);
-    const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
-    const V _s8 = lanes_add(p_board_distance, x);
-    const V _s9 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
-    const V _s10 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s9, K(0.0)));
-    const V _s11 = lanes_sub(y, p_board_half_width);
-    const V _s12 = lanes_neg(lanes_add(p_board_half_width, y));
-    const V _s13 = lanes_sub(lanes_max(_s11, K(0.0)), lanes_max(_s12, K(0.0)));
-    const V _s14 = lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s10, _s10)), lanes_mul(_s13, _s13))), p_ball_radius);
-    const M _s15 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
-    const V _s16 = lanes_select(_s15, _s4, lanes_select(lanes_at_most(K(0.0), _s14), _s4, K(0.0)));
-    const V _s17 = lanes_add(p_ring_radius, x);
-    const V _s18 = lanes_neg(_s8);
-    const V _s19 = lanes_sub(lanes_max(_s17, K(0.0)), lanes_max(_s18, K(0.0)));
-    const V _s20 = lanes_sub(y, p_bridge_half_width);
-    const V _s21 = lanes_neg(lanes_add(p_bridge_half_width, y));
-    const V _s22 = lanes_sub(lanes_max(_s20, K(0.0)), lanes_max(_s21, K(0.0)));
-    const V _s23 = lanes_sub(z, p_wire_radius);
-    const V _s24 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
-    const V _s25 = lanes_sub(lanes_max(_s23, K(0.0)), lanes_max(_s24, K(0.0)));
-    const V _s26 = lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s19, _s19), lanes_mul(_s22, _s22)), lanes_mul(_s25, _s25))), p_ball_radius);
-    const M _s27 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
-    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), lanes_abs(p_board_top));
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
-    const V _s30 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_s29, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
-    const V _s31 = lanes_select(_s3, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s2), lanes_mul(lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), _s30)), K(1.0), K(0.0)));
-    const V _s32 = lanes_select(_s15, _s31, lanes_select(lanes_at_most(lanes_abs(_s14), _s30), K(1.0), _s31));
-    return (LANES(court_valid_out)){ lanes_select(_s27, _s16, lanes_select(lanes_at_most(K(0.0), _s26), _s16, K(0.0))), lanes_select(_s27, _s32, lanes_select(lanes_at_most(lanes_abs(_s26), _s30), K(1.0), _s32)) };
+    const V _s0 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), _c1);
+    const V _s1 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s0, _s0)), _c8);
+    const M _s2 = lanes_less(lanes_abs(last), K(0.5));
+    const V _s3 = lanes_select(_s2, K(1.0), lanes_select(lanes_at_most(K(0.0), _s1), K(1.0), K(0.0)));
+    const V _s4 = lanes_sub(z, _c6);
+    const V _s5 = lanes_sub(_c5, z);
+    const V _s6 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s7 = lanes_add(_c3, x);
+    const V _s8 = lanes_neg(lanes_add(_c9, x));
+    const V _s9 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
+    const V _s10 = lanes_sub(y, _c4);
+    const V _s11 = lanes_neg(lanes_add(_c4, y));
+    const V _s12 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
+    const V _s13 = lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s6, _s6), lanes_mul(_s9, _s9)), lanes_mul(_s12, _s12))), _c0);
+    const M _s14 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
+    const V _s15 = lanes_select(_s14, _s3, lanes_select(lanes_at_most(K(0.0), _s13), _s3, K(0.0)));
+    const V _s16 = lanes_add(_c1, x);
+    const V _s17 = lanes_neg(_s7);
+    const V _s18 = lanes_sub(lanes_max(_s16, K(0.0)), lanes_max(_s17, K(0.0)));
+    const V _s19 = lanes_sub(y, _c7);
+    const V _s20 = lanes_neg(lanes_add(_c7, y));
+    const V _s21 = lanes_sub(lanes_max(_s19, K(0.0)), lanes_max(_s20, K(0.0)));
+    const V _s22 = lanes_sub(z, _c2);
+    const V _s23 = lanes_sub(_c10, z);
+    const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
+    const V _s25 = lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s18, _s18), lanes_mul(_s21, _s21)), lanes_mul(_s24, _s24))), _c0);
+    const M _s26 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
+    const V _s27 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_c12, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s28 = lanes_select(_s2, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s1), lanes_mul(_c11, _s27)), K(1.0), K(0.0)));
+    const V _s29 = lanes_select(_s14, _s28, lanes_select(lanes_at_most(lanes_abs(_s13), _s27), K(1.0), _s28));
+    return (LANES(court_valid_out)){ lanes_select(_s26, _s15, lanes_select(lanes_at_most(K(0.0), _s25), _s15, K(0.0))), lanes_select(_s26, _s29, lanes_select(lanes_at_most(lanes_abs(_s25), _s27), K(1.0), _s29)) };
 }
 
 /* Whether a ball starts as one that has fallen through the ring.
-   Table 2, success. 22 operations: 2 additions, 1 subtraction, 4 multiplications, 1 negation, 1 absolute value, 6 comparisons, 5 conjunctions, 2 selections. */
+   Table 2, success. 20 operations: 2 additions, 1 subtraction, 3 multiplications, 1 absolute value, 6 comparisons, 5 conjunctions, 2 selections. */
 typedef struct {
     V through;
     V uncertain;
 } LANES(court_passing_start_out);
 
 LANES_INLINE LANES(court_passing_start_out)
-LANES(court_passing_start)(V last, V outcome, V uncertain, V x, V y, V z, V p_ring_radius, V p_end_depth)
+LANES(court_passing_start)(V last, V outcome, V uncertain, V x, V y, V z, V _c0, V _c1)
 {
-    const M _s0 = lanes_both(lanes_both(lanes_at_most(K(0.0), last), lanes_less(z, K(0.0))), lanes_at_most(lanes_neg(p_end_depth), z));
+    const M _s0 = lanes_both(lanes_both(lanes_at_most(K(0.0), last), lanes_less(z, K(0.0))), lanes_at_most(_c0, z));
     const V _s1 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
-    const V _s2 = lanes_mul(p_ring_radius, p_ring_radius);
-    const V _s3 = lanes_select(lanes_both(lanes_both(_s0, lanes_at_most(lanes_abs(lanes_sub(_s1, _s2)), lanes_mul(K(8.881784197001252e-16), lanes_add(_s2, _s1)))), lanes_less(outcome, K(0.0))), K(1.0), uncertain);
-    return (LANES(court_passing_start_out)){ lanes_select(lanes_both(_s0, lanes_less(_s1, _s2)), K(1.0), K(0.0)), _s3 };
+    const V _s2 = lanes_select(lanes_both(lanes_both(_s0, lanes_at_most(lanes_abs(lanes_sub(_s1, _c1)), lanes_mul(K(8.881784197001252e-16), lanes_add(_c1, _s1)))), lanes_less(outcome, K(0.0))), K(1.0), uncertain);
+    return (LANES(court_passing_start_out)){ lanes_select(lanes_both(_s0, lanes_less(_s1, _c1)), K(1.0), K(0.0)), _s2 };
 }
 
 /* 1 for a ball that is down through the ring's disc, -1 for one that came up, else 0.
-   Eq. 3, its roots in the ring's plane. 66 operations: 9 additions, 2 subtractions, 18 multiplications, 1 division, 1 square root, 16 comparisons, 9 conjunctions, 2 disjunctions, 8 selections. */
+   Eq. 3, its roots in the ring's plane. 62 operations: 9 additions, 2 subtractions, 15 multiplications, 1 square root, 16 comparisons, 9 conjunctions, 2 disjunctions, 8 selections. */
 typedef struct {
     V through;
 } LANES(court_passing_out);
 
 LANES_INLINE LANES(court_passing_out)
-LANES(court_passing)(V through, V t, V x, V y, V z, V vx, V vy, V vz, V p_ring_radius, V p_gravity)
+LANES(court_passing)(V through, V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4)
 {
     const M _s0 = lanes_less(z, K(0.0));
-    const V _s1 = lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t))));
+    const V _s1 = lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(_c1, t))));
     const M _s2 = lanes_less(_s1, K(0.0));
-    const V _s3 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), z));
-    const M _s4 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, _s2), lanes_less(K(0.0), vz)), lanes_less(K(0.0), _s3)), lanes_less(vz, lanes_mul(p_gravity, t)));
+    const V _s3 = lanes_add(lanes_mul(vz, vz), lanes_mul(_c2, z));
+    const M _s4 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, _s2), lanes_less(K(0.0), vz)), lanes_less(K(0.0), _s3)), lanes_less(vz, lanes_mul(_c0, t)));
     const V _s5 = lanes_sqrt(lanes_max(_s3, K(0.0)));
-    const V _s6 = lanes_div(K(1.0), p_gravity);
-    const V _s7 = lanes_mul(lanes_add(vz, _s5), _s6);
-    const V _s8 = lanes_max(K(0.0), _s7);
-    const V _s9 = lanes_min(_s8, t);
-    const V _s10 = lanes_add(x, lanes_mul(vx, _s9));
-    const V _s11 = lanes_add(y, lanes_mul(vy, _s9));
-    const V _s12 = lanes_mul(p_ring_radius, p_ring_radius);
-    const V _s13 = lanes_mul(lanes_sub(vz, _s5), _s6);
-    const V _s14 = lanes_max(K(0.0), _s13);
-    const V _s15 = lanes_min(_s14, t);
-    const V _s16 = lanes_add(x, lanes_mul(vx, _s15));
-    const V _s17 = lanes_add(y, lanes_mul(vy, _s15));
-    const V _s18 = lanes_select(lanes_both(lanes_either(_s4, lanes_both(_s0, lanes_at_most(K(0.0), _s1))), lanes_less(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s17, _s17)), _s12)), lanes_select(lanes_equal(through, K(1.0)), K(0.0), K(-1.0)), through);
-    const V _s19 = lanes_select(lanes_both(lanes_both(lanes_either(_s4, lanes_both(_s2, lanes_at_most(K(0.0), z))), lanes_less(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s11, _s11)), _s12)), lanes_equal(_s18, K(0.0))), K(1.0), _s18);
-    return (LANES(court_passing_out)){ _s19 };
+    const V _s6 = lanes_mul(lanes_add(vz, _s5), _c3);
+    const V _s7 = lanes_max(K(0.0), _s6);
+    const V _s8 = lanes_min(_s7, t);
+    const V _s9 = lanes_add(x, lanes_mul(vx, _s8));
+    const V _s10 = lanes_add(y, lanes_mul(vy, _s8));
+    const V _s11 = lanes_mul(lanes_sub(vz, _s5), _c3);
+    const V _s12 = lanes_max(K(0.0), _s11);
+    const V _s13 = lanes_min(_s12, t);
+    const V _s14 = lanes_add(x, lanes_mul(vx, _s13));
+    const V _s15 = lanes_add(y, lanes_mul(vy, _s13));
+    const V _s16 = lanes_select(lanes_both(lanes_either(_s4, lanes_both(_s0, lanes_at_most(K(0.0), _s1))), lanes_less(lanes_add(lanes_mul(_s14, _s14), lanes_mul(_s15, _s15)), _c4)), lanes_select(lanes_equal(through, K(1.0)), K(0.0), K(-1.0)), through);
+    const V _s17 = lanes_select(lanes_both(lanes_both(lanes_either(_s4, lanes_both(_s2, lanes_at_most(K(0.0), z))), lanes_less(lanes_add(lanes_mul(_s9, _s9), lanes_mul(_s10, _s10)), _c4)), lanes_equal(_s16, K(0.0))), K(1.0), _s16);
+    return (LANES(court_passing_out)){ _s17 };
 }
 
 /* Where that lies within its error.
-   running error analysis. 107 operations: 18 additions, 4 subtractions, 31 multiplications, 1 division, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections. */
+   running error analysis. 102 operations: 18 additions, 4 subtractions, 27 multiplications, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections. */
 typedef struct {
     M unsure;
 } LANES(court_passing_doubt_out);
 
 LANES_INLINE LANES(court_passing_doubt_out)
-LANES(court_passing_doubt)(V t, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ring_radius, V p_gravity)
+LANES(court_passing_doubt)(V t, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t))));
+    const V _s0 = lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(_c2, t))));
     const V _s1 = lanes_mul(vz, vz);
-    const V _s2 = lanes_div(K(1.0), p_gravity);
-    const V _s3 = lanes_mul(p_gravity, t);
-    const V _s4 = lanes_add(speed, _s3);
-    const V _s5 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(position_error, lanes_mul(t, velocity_error)), lanes_mul(K(4.440892098500626e-16), lanes_add(extent, lanes_mul(t, _s4)))));
-    const V _s6 = lanes_add(lanes_mul(K(8.881784197001252e-16), lanes_mul(_s1, _s2)), _s5);
-    const M _s7 = lanes_less(z, K(0.0));
-    const M _s8 = lanes_less(_s0, K(0.0));
-    const M _s9 = lanes_both(lanes_both(_s7, _s8), lanes_less(K(0.0), vz));
-    const V _s10 = lanes_add(_s1, lanes_mul(lanes_mul(K(2.0), p_gravity), z));
-    const V _s11 = lanes_sqrt(lanes_max(_s10, K(0.0)));
-    const V _s12 = lanes_mul(lanes_add(vz, _s11), _s2);
-    const V _s13 = lanes_max(K(0.0), _s12);
-    const V _s14 = lanes_min(_s13, t);
-    const V _s15 = lanes_add(x, lanes_mul(vx, _s14));
-    const V _s16 = lanes_add(y, lanes_mul(vy, _s14));
-    const V _s17 = lanes_sqrt(lanes_add(lanes_mul(_s15, _s15), lanes_mul(_s16, _s16)));
-    const V _s18 = lanes_mul(lanes_sub(vz, _s11), _s2);
-    const V _s19 = lanes_max(K(0.0), _s18);
-    const V _s20 = lanes_min(_s19, t);
-    const V _s21 = lanes_add(x, lanes_mul(vx, _s20));
-    const V _s22 = lanes_add(y, lanes_mul(vy, _s20));
-    const V _s23 = lanes_sqrt(lanes_add(lanes_mul(_s21, _s21), lanes_mul(_s22, _s22)));
-    const V _s24 = lanes_mul(lanes_mul(K(1.0009765625), _s4), lanes_add(lanes_sqrt(lanes_mul(lanes_mul(K(8.0), _s2), _s6)), lanes_mul(K(8.881784197001252e-16), lanes_add(t, lanes_mul(lanes_abs(vz), _s2)))));
-    const V _s25 = lanes_add(_s24, _s5);
-    const M _s26 = lanes_both(lanes_either(lanes_either(lanes_both(lanes_less(K(0.0), position_error), lanes_at_most(lanes_abs(z), position_error)), lanes_at_most(lanes_abs(_s0), _s6)), lanes_both(_s9, lanes_at_most(lanes_abs(_s10), lanes_mul(lanes_mul(K(4.0), p_gravity), _s6)))), lanes_at_most(lanes_min(_s17, _s23), lanes_add(p_ring_radius, _s25)));
-    const M _s27 = lanes_both(lanes_both(_s9, lanes_less(K(0.0), _s10)), lanes_less(vz, _s3));
-    const M _s28 = lanes_either(_s26, lanes_either(lanes_both(lanes_either(_s27, lanes_both(_s7, lanes_at_most(K(0.0), _s0))), lanes_at_most(lanes_abs(lanes_sub(_s23, p_ring_radius)), _s25)), lanes_both(lanes_either(_s27, lanes_both(_s8, lanes_at_most(K(0.0), z))), lanes_at_most(lanes_abs(lanes_sub(_s17, p_ring_radius)), _s25))));
-    return (LANES(court_passing_doubt_out)){ _s28 };
+    const V _s2 = lanes_mul(_c1, t);
+    const V _s3 = lanes_add(speed, _s2);
+    const V _s4 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(position_error, lanes_mul(t, velocity_error)), lanes_mul(K(4.440892098500626e-16), lanes_add(extent, lanes_mul(t, _s3)))));
+    const V _s5 = lanes_add(lanes_mul(K(8.881784197001252e-16), lanes_mul(_s1, _c3)), _s4);
+    const M _s6 = lanes_less(z, K(0.0));
+    const M _s7 = lanes_less(_s0, K(0.0));
+    const M _s8 = lanes_both(lanes_both(_s6, _s7), lanes_less(K(0.0), vz));
+    const V _s9 = lanes_add(_s1, lanes_mul(_c4, z));
+    const V _s10 = lanes_sqrt(lanes_max(_s9, K(0.0)));
+    const V _s11 = lanes_mul(lanes_add(vz, _s10), _c3);
+    const V _s12 = lanes_max(K(0.0), _s11);
+    const V _s13 = lanes_min(_s12, t);
+    const V _s14 = lanes_add(x, lanes_mul(vx, _s13));
+    const V _s15 = lanes_add(y, lanes_mul(vy, _s13));
+    const V _s16 = lanes_sqrt(lanes_add(lanes_mul(_s14, _s14), lanes_mul(_s15, _s15)));
+    const V _s17 = lanes_mul(lanes_sub(vz, _s10), _c3);
+    const V _s18 = lanes_max(K(0.0), _s17);
+    const V _s19 = lanes_min(_s18, t);
+    const V _s20 = lanes_add(x, lanes_mul(vx, _s19));
+    const V _s21 = lanes_add(y, lanes_mul(vy, _s19));
+    const V _s22 = lanes_sqrt(lanes_add(lanes_mul(_s20, _s20), lanes_mul(_s21, _s21)));
+    const V _s23 = lanes_mul(lanes_mul(K(1.0009765625), _s3), lanes_add(lanes_sqrt(lanes_mul(_c6, _s5)), lanes_mul(K(8.881784197001252e-16), lanes_add(t, lanes_mul(lanes_abs(vz), _c3)))));
+    const V _s24 = lanes_add(_s23, _s4);
+    const M _s25 = lanes_both(lanes_either(lanes_either(lanes_both(lanes_less(K(0.0), position_error), lanes_at_most(lanes_abs(z), position_error)), lanes_at_most(lanes_abs(_s0), _s5)), lanes_both(_s8, lanes_at_most(lanes_abs(_s9), lanes_mul(_c5, _s5)))), lanes_at_most(lanes_min(_s16, _s22), lanes_add(_c0, _s24)));
+    const M _s26 = lanes_both(lanes_both(_s8, lanes_less(K(0.0), _s9)), lanes_less(vz, _s2));
+    const M _s27 = lanes_either(_s25, lanes_either(lanes_both(lanes_either(_s26, lanes_both(_s6, lanes_at_most(K(0.0), _s0))), lanes_at_most(lanes_abs(lanes_sub(_s22, _c0)), _s24)), lanes_both(lanes_either(_s26, lanes_both(_s7, lanes_at_most(K(0.0), z))), lanes_at_most(lanes_abs(lanes_sub(_s16, _c0)), _s24))));
+    return (LANES(court_passing_doubt_out)){ _s27 };
 }
 
 /* Whether a ball in contact is over the ring's disc, or beside it.
@@ -465,21 +454,21 @@ LANES(court_passing_from)(V z)
 }
 
 /* The same for a ball in contact, after a step.
-   Table 1. 18 operations: 1 addition, 3 multiplications, 5 comparisons, 5 conjunctions, 1 complement, 3 selections. */
+   Table 1. 17 operations: 1 addition, 2 multiplications, 5 comparisons, 5 conjunctions, 1 complement, 3 selections. */
 typedef struct {
     V through;
 } LANES(court_passing_in_contact_out);
 
 LANES_INLINE LANES(court_passing_in_contact_out)
-LANES(court_passing_in_contact)(M over, V p_ring_radius, V through, V x, V y, V z)
+LANES(court_passing_in_contact)(M over, V through, V x, V y, V z, V _c0)
 {
-    const M _s0 = lanes_less(lanes_add(lanes_mul(x, x), lanes_mul(y, y)), lanes_mul(p_ring_radius, p_ring_radius));
+    const M _s0 = lanes_less(lanes_add(lanes_mul(x, x), lanes_mul(y, y)), _c0);
     const V _s1 = lanes_select(lanes_both(lanes_both(lanes_not(over), lanes_at_most(K(0.0), z)), _s0), lanes_select(lanes_equal(through, K(1.0)), K(0.0), K(-1.0)), through);
     return (LANES(court_passing_in_contact_out)){ lanes_select(lanes_both(lanes_both(lanes_both(over, lanes_less(z, K(0.0))), _s0), lanes_equal(_s1, K(0.0))), K(1.0), _s1) };
 }
 
 /* The same of its first and its second half.
-   Eq. 3, the chords of both and what it is off them. 62 operations: 21 additions, 5 subtractions, 27 multiplications, 1 negation, 6 absolute values, 1 comparison, 1 selection. */
+   Eq. 3, the chords of both and what it is off them. 59 operations: 21 additions, 5 subtractions, 25 multiplications, 1 negation, 5 absolute values, 1 comparison, 1 selection. */
 typedef struct {
     V middle_x;
     V reach_x;
@@ -496,24 +485,23 @@ typedef struct {
 } LANES(court_halved_out);
 
 LANES_INLINE LANES(court_halved_out)
-LANES(court_halved)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V late, V pad, V p_gravity)
+LANES(court_halved)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V late, V pad, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_mul(K(0.5), horizon);
     const V _s1 = lanes_mul(vx, _s0);
     const V _s2 = lanes_mul(K(0.5), _s1);
-    const V _s3 = lanes_abs(K(0.0));
-    const V _s4 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))))));
-    const V _s5 = lanes_select(lanes_less(pad, late), K(INFINITY), _s4);
-    const V _s6 = lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s3, lanes_mul(K(0.5), lanes_abs(_s1))), _s5));
-    const V _s7 = lanes_mul(vy, _s0);
-    const V _s8 = lanes_mul(K(0.5), _s7);
-    const V _s9 = lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s3, lanes_mul(K(0.5), lanes_abs(_s7))), _s5));
-    const V _s10 = lanes_mul(lanes_mul(K(0.5), p_gravity), _s0);
-    const V _s11 = lanes_mul(_s0, lanes_sub(vz, _s10));
-    const V _s12 = lanes_neg(lanes_mul(lanes_mul(K(0.0625), p_gravity), lanes_mul(_s0, _s0)));
-    const V _s13 = lanes_abs(_s12);
-    const V _s14 = lanes_mul(_s0, lanes_sub(lanes_sub(vz, lanes_mul(p_gravity, _s0)), _s10));
-    return (LANES(court_halved_out)){ lanes_add(x, _s2), _s6, lanes_add(_s2, lanes_add(x, _s1)), _s6, lanes_add(y, _s8), _s9, lanes_add(_s8, lanes_add(y, _s7)), _s9, lanes_sub(lanes_add(z, lanes_mul(K(0.5), _s11)), _s12), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s13, lanes_mul(K(0.5), lanes_abs(_s11))), _s5)), lanes_sub(lanes_add(lanes_mul(K(0.5), _s14), lanes_add(z, _s11)), _s12), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s13, lanes_mul(K(0.5), lanes_abs(_s14))), _s5)) };
+    const V _s3 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c0, horizon))))));
+    const V _s4 = lanes_select(lanes_less(pad, late), K(INFINITY), _s3);
+    const V _s5 = lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_c1, lanes_mul(K(0.5), lanes_abs(_s1))), _s4));
+    const V _s6 = lanes_mul(vy, _s0);
+    const V _s7 = lanes_mul(K(0.5), _s6);
+    const V _s8 = lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_c1, lanes_mul(K(0.5), lanes_abs(_s6))), _s4));
+    const V _s9 = lanes_mul(_c2, _s0);
+    const V _s10 = lanes_mul(_s0, lanes_sub(vz, _s9));
+    const V _s11 = lanes_neg(lanes_mul(_c3, lanes_mul(_s0, _s0)));
+    const V _s12 = lanes_abs(_s11);
+    const V _s13 = lanes_mul(_s0, lanes_sub(lanes_sub(vz, lanes_mul(_c0, _s0)), _s9));
+    return (LANES(court_halved_out)){ lanes_add(x, _s2), _s5, lanes_add(_s2, lanes_add(x, _s1)), _s5, lanes_add(y, _s7), _s8, lanes_add(_s7, lanes_add(y, _s6)), _s8, lanes_sub(lanes_add(z, lanes_mul(K(0.5), _s10)), _s11), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s12, lanes_mul(K(0.5), lanes_abs(_s10))), _s4)), lanes_sub(lanes_add(lanes_mul(K(0.5), _s13), lanes_add(z, _s10)), _s11), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s12, lanes_mul(K(0.5), lanes_abs(_s13))), _s4)) };
 }
 
 /* An event that is on no surface of a kind yet.
@@ -1253,7 +1241,7 @@ LANES(court_rejoined)(M circling, M rolling)
 }
 
 /* The terms of order 1 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 42 operations: 7 additions, 5 subtractions, 29 multiplications, 1 negation. */
+   Newton, Euler and rolling without slip. 41 operations: 7 additions, 5 subtractions, 28 multiplications, 1 negation. */
 typedef struct {
     V lift_0;
     V tx_0;
@@ -1269,21 +1257,20 @@ typedef struct {
 } LANES(court_roll_0_out);
 
 LANES_INLINE LANES(court_roll_0_out)
-LANES(court_roll_0)(V bent_x, V bent_y, V bent_z, V p_gravity, V nx_0, V ny_0, V nz_0, V per_reach, V turn_rate_0, V vx_0, V vy_0, V vz_0)
+LANES(court_roll_0)(V bent_x, V bent_y, V bent_z, V nx_0, V ny_0, V nz_0, V per_reach, V turn_rate_0, V vx_0, V vy_0, V vz_0, V _c0)
 {
-    const V _s0 = lanes_mul(K(0.6), p_gravity);
-    const V _s1 = lanes_mul(lanes_mul(bent_x, per_reach), vx_0);
-    const V _s2 = lanes_mul(lanes_mul(bent_y, per_reach), vy_0);
-    const V _s3 = lanes_mul(lanes_mul(bent_z, per_reach), vz_0);
-    const V _s4 = lanes_sub(lanes_mul(_s0, nz_0), lanes_add(lanes_add(lanes_mul(vx_0, _s1), lanes_mul(vy_0, _s2)), lanes_mul(vz_0, _s3)));
-    const V _s5 = lanes_sub(lanes_mul(ny_0, _s3), lanes_mul(nz_0, _s2));
-    const V _s6 = lanes_sub(lanes_mul(nz_0, _s1), lanes_mul(nx_0, _s3));
-    const V _s7 = lanes_sub(lanes_mul(nx_0, _s2), lanes_mul(ny_0, _s1));
-    return (LANES(court_roll_0_out)){ _s4, _s5, _s6, _s7, lanes_add(lanes_mul(nx_0, _s4), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s5))), lanes_add(lanes_mul(ny_0, _s4), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s6))), lanes_sub(lanes_add(lanes_mul(nz_0, _s4), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s7))), _s0), _s1, _s2, _s3, lanes_neg(lanes_add(lanes_add(lanes_mul(vx_0, _s5), lanes_mul(vy_0, _s6)), lanes_mul(vz_0, _s7))) };
+    const V _s0 = lanes_mul(lanes_mul(bent_x, per_reach), vx_0);
+    const V _s1 = lanes_mul(lanes_mul(bent_y, per_reach), vy_0);
+    const V _s2 = lanes_mul(lanes_mul(bent_z, per_reach), vz_0);
+    const V _s3 = lanes_sub(lanes_mul(_c0, nz_0), lanes_add(lanes_add(lanes_mul(vx_0, _s0), lanes_mul(vy_0, _s1)), lanes_mul(vz_0, _s2)));
+    const V _s4 = lanes_sub(lanes_mul(ny_0, _s2), lanes_mul(nz_0, _s1));
+    const V _s5 = lanes_sub(lanes_mul(nz_0, _s0), lanes_mul(nx_0, _s2));
+    const V _s6 = lanes_sub(lanes_mul(nx_0, _s1), lanes_mul(ny_0, _s0));
+    return (LANES(court_roll_0_out)){ _s3, _s4, _s5, _s6, lanes_add(lanes_mul(nx_0, _s3), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s4))), lanes_add(lanes_mul(ny_0, _s3), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s5))), lanes_sub(lanes_add(lanes_mul(nz_0, _s3), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s6))), _c0), _s0, _s1, _s2, lanes_neg(lanes_add(lanes_add(lanes_mul(vx_0, _s4), lanes_mul(vy_0, _s5)), lanes_mul(vz_0, _s6))) };
 }
 
 /* The terms of order 2 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 81 operations: 25 additions, 4 subtractions, 51 multiplications, 1 negation. */
+   Newton, Euler and rolling without slip. 80 operations: 25 additions, 4 subtractions, 50 multiplications, 1 negation. */
 typedef struct {
     V lift_1;
     V tx_1;
@@ -1299,12 +1286,12 @@ typedef struct {
 } LANES(court_roll_1_out);
 
 LANES_INLINE LANES(court_roll_1_out)
-LANES(court_roll_1)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V per_reach, V turn_rate_0, V turn_rate_1, V tx_0, V ty_0, V tz_0, V vx_0, V vx_1, V vy_0, V vy_1, V vz_0, V vz_1)
+LANES(court_roll_1)(V bent_x, V bent_y, V bent_z, V lift_0, V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V per_reach, V turn_rate_0, V turn_rate_1, V tx_0, V ty_0, V tz_0, V vx_0, V vx_1, V vy_0, V vy_1, V vz_0, V vz_1, V _c0)
 {
     const V _s0 = lanes_mul(lanes_mul(bent_x, per_reach), vx_1);
     const V _s1 = lanes_mul(lanes_mul(bent_y, per_reach), vy_1);
     const V _s2 = lanes_mul(lanes_mul(bent_z, per_reach), vz_1);
-    const V _s3 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_1), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_1), lanes_mul(vx_0, _s0)), lanes_add(lanes_mul(ny_1, vy_1), lanes_mul(vy_0, _s1))), lanes_add(lanes_mul(nz_1, vz_1), lanes_mul(vz_0, _s2))));
+    const V _s3 = lanes_sub(lanes_mul(_c0, nz_1), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_1), lanes_mul(vx_0, _s0)), lanes_add(lanes_mul(ny_1, vy_1), lanes_mul(vy_0, _s1))), lanes_add(lanes_mul(nz_1, vz_1), lanes_mul(vz_0, _s2))));
     const V _s4 = lanes_mul(ny_1, nz_1);
     const V _s5 = lanes_sub(lanes_add(lanes_mul(ny_0, _s2), _s4), lanes_add(_s4, lanes_mul(nz_0, _s1)));
     const V _s6 = lanes_mul(nx_1, nz_1);
@@ -1316,7 +1303,7 @@ LANES(court_roll_1)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V nx_0,
 }
 
 /* The terms of order 3 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 125 operations: 43 additions, 4 subtractions, 77 multiplications, 1 negation. */
+   Newton, Euler and rolling without slip. 124 operations: 43 additions, 4 subtractions, 76 multiplications, 1 negation. */
 typedef struct {
     V lift_2;
     V tx_2;
@@ -1332,14 +1319,14 @@ typedef struct {
 } LANES(court_roll_2_out);
 
 LANES_INLINE LANES(court_roll_2_out)
-LANES(court_roll_2)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V nx_0, V nx_1, V nx_2, V ny_0, V ny_1, V ny_2, V nz_0, V nz_1, V nz_2, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V vx_0, V vx_1, V vx_2, V vy_0, V vy_1, V vy_2, V vz_0, V vz_1, V vz_2)
+LANES(court_roll_2)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V nx_0, V nx_1, V nx_2, V ny_0, V ny_1, V ny_2, V nz_0, V nz_1, V nz_2, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V vx_0, V vx_1, V vx_2, V vy_0, V vy_1, V vy_2, V vz_0, V vz_1, V vz_2, V _c0)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(lanes_mul(bent_x, per_reach), vx_2);
     const V _s2 = lanes_mul(K(2.0), ny_2);
     const V _s3 = lanes_mul(lanes_mul(bent_y, per_reach), vy_2);
     const V _s4 = lanes_mul(lanes_mul(bent_z, per_reach), vz_2);
-    const V _s5 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_2), lanes_mul(_s0, vx_1)), lanes_mul(vx_0, _s1)), lanes_add(lanes_add(lanes_mul(ny_1, vy_2), lanes_mul(_s2, vy_1)), lanes_mul(vy_0, _s3))), lanes_add(lanes_add(lanes_mul(nz_1, vz_2), lanes_mul(lanes_mul(K(2.0), nz_2), vz_1)), lanes_mul(vz_0, _s4))));
+    const V _s5 = lanes_sub(lanes_mul(_c0, nz_2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_2), lanes_mul(_s0, vx_1)), lanes_mul(vx_0, _s1)), lanes_add(lanes_add(lanes_mul(ny_1, vy_2), lanes_mul(_s2, vy_1)), lanes_mul(vy_0, _s3))), lanes_add(lanes_add(lanes_mul(nz_1, vz_2), lanes_mul(lanes_mul(K(2.0), nz_2), vz_1)), lanes_mul(vz_0, _s4))));
     const V _s6 = lanes_sub(lanes_add(lanes_add(lanes_mul(ny_0, _s4), lanes_mul(lanes_mul(K(2.0), ny_1), nz_2)), lanes_mul(ny_2, nz_1)), lanes_add(lanes_add(lanes_mul(ny_1, nz_2), lanes_mul(_s2, nz_1)), lanes_mul(nz_0, _s3)));
     const V _s7 = lanes_mul(K(2.0), nx_1);
     const V _s8 = lanes_sub(lanes_add(lanes_add(lanes_mul(nx_1, nz_2), lanes_mul(_s0, nz_1)), lanes_mul(nz_0, _s1)), lanes_add(lanes_add(lanes_mul(nx_0, _s4), lanes_mul(_s7, nz_2)), lanes_mul(nx_2, nz_1)));
@@ -1352,7 +1339,7 @@ LANES(court_roll_2)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
 }
 
 /* The terms of order 4 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 161 operations: 61 additions, 4 subtractions, 95 multiplications, 1 negation. */
+   Newton, Euler and rolling without slip. 160 operations: 61 additions, 4 subtractions, 94 multiplications, 1 negation. */
 typedef struct {
     V lift_3;
     V tx_3;
@@ -1368,7 +1355,7 @@ typedef struct {
 } LANES(court_roll_3_out);
 
 LANES_INLINE LANES(court_roll_3_out)
-LANES(court_roll_3)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V lift_2, V nx_0, V nx_1, V nx_2, V nx_3, V ny_0, V ny_1, V ny_2, V ny_3, V nz_0, V nz_1, V nz_2, V nz_3, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V tx_0, V tx_1, V tx_2, V ty_0, V ty_1, V ty_2, V tz_0, V tz_1, V tz_2, V vx_0, V vx_1, V vx_2, V vx_3, V vy_0, V vy_1, V vy_2, V vy_3, V vz_0, V vz_1, V vz_2, V vz_3)
+LANES(court_roll_3)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, V nx_0, V nx_1, V nx_2, V nx_3, V ny_0, V ny_1, V ny_2, V ny_3, V nz_0, V nz_1, V nz_2, V nz_3, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V tx_0, V tx_1, V tx_2, V ty_0, V ty_1, V ty_2, V tz_0, V tz_1, V tz_2, V vx_0, V vx_1, V vx_2, V vx_3, V vy_0, V vy_1, V vy_2, V vy_3, V vz_0, V vz_1, V vz_2, V vz_3, V _c0)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(K(3.0), nx_3);
@@ -1378,7 +1365,7 @@ LANES(court_roll_3)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
     const V _s5 = lanes_mul(lanes_mul(bent_y, per_reach), vy_3);
     const V _s6 = lanes_mul(lanes_mul(bent_z, per_reach), vz_3);
     const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_3), lanes_mul(_s0, vx_2)), lanes_mul(_s1, vx_1)), lanes_mul(vx_0, _s2)), lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_3), lanes_mul(_s3, vy_2)), lanes_mul(_s4, vy_1)), lanes_mul(vy_0, _s5))), lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_3), lanes_mul(lanes_mul(K(2.0), nz_2), vz_2)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_1)), lanes_mul(vz_0, _s6)));
-    const V _s8 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_3), _s7);
+    const V _s8 = lanes_sub(lanes_mul(_c0, nz_3), _s7);
     const V _s9 = lanes_mul(_s3, nz_2);
     const V _s10 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s6), lanes_mul(lanes_mul(K(3.0), ny_1), nz_3)), _s9), lanes_mul(ny_3, nz_1)), lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_3), _s9), lanes_mul(_s4, nz_1)), lanes_mul(nz_0, _s5)));
     const V _s11 = lanes_mul(_s0, nz_2);
@@ -1394,7 +1381,7 @@ LANES(court_roll_3)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
 }
 
 /* The terms of order 5 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 207 operations: 79 additions, 4 subtractions, 123 multiplications, 1 negation. */
+   Newton, Euler and rolling without slip. 206 operations: 79 additions, 4 subtractions, 122 multiplications, 1 negation. */
 typedef struct {
     V lift_4;
     V tx_4;
@@ -1410,7 +1397,7 @@ typedef struct {
 } LANES(court_roll_4_out);
 
 LANES_INLINE LANES(court_roll_4_out)
-LANES(court_roll_4)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V tx_0, V tx_1, V tx_2, V tx_3, V ty_0, V ty_1, V ty_2, V ty_3, V tz_0, V tz_1, V tz_2, V tz_3, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4)
+LANES(court_roll_4)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, V lift_3, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V tx_0, V tx_1, V tx_2, V tx_3, V ty_0, V ty_1, V ty_2, V ty_3, V tz_0, V tz_1, V tz_2, V tz_3, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V _c0)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(K(3.0), nx_3);
@@ -1423,7 +1410,7 @@ LANES(court_roll_4)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
     const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_4), lanes_mul(_s0, vx_3)), lanes_mul(_s1, vx_2)), lanes_mul(_s2, vx_1)), lanes_mul(vx_0, _s3)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_4), lanes_mul(_s4, vy_3)), lanes_mul(_s5, vy_2)), lanes_mul(_s6, vy_1)), lanes_mul(vy_0, _s7)));
     const V _s9 = lanes_mul(lanes_mul(bent_z, per_reach), vz_4);
     const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_4), lanes_mul(lanes_mul(K(2.0), nz_2), vz_3)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_2)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_1)), lanes_mul(vz_0, _s9));
-    const V _s11 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_4), lanes_add(_s8, _s10));
+    const V _s11 = lanes_sub(lanes_mul(_c0, nz_4), lanes_add(_s8, _s10));
     const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s9), lanes_mul(lanes_mul(K(4.0), ny_1), nz_4)), lanes_mul(lanes_mul(K(3.0), ny_2), nz_3)), lanes_mul(lanes_mul(K(2.0), ny_3), nz_2)), lanes_mul(ny_4, nz_1));
     const V _s13 = lanes_sub(_s12, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_4), lanes_mul(_s4, nz_3)), lanes_mul(_s5, nz_2)), lanes_mul(_s6, nz_1)), lanes_mul(nz_0, _s7)));
     const V _s14 = lanes_mul(K(4.0), nx_1);
@@ -1443,7 +1430,7 @@ LANES(court_roll_4)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
 }
 
 /* The terms of order 6 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 243 operations: 97 additions, 4 subtractions, 141 multiplications, 1 negation. */
+   Newton, Euler and rolling without slip. 242 operations: 97 additions, 4 subtractions, 140 multiplications, 1 negation. */
 typedef struct {
     V lift_5;
     V tx_5;
@@ -1459,7 +1446,7 @@ typedef struct {
 } LANES(court_roll_5_out);
 
 LANES_INLINE LANES(court_roll_5_out)
-LANES(court_roll_5)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5)
+LANES(court_roll_5)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V _c0)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(K(3.0), nx_3);
@@ -1475,7 +1462,7 @@ LANES(court_roll_5)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
     const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_5), lanes_mul(_s6, vy_4)), lanes_mul(_s7, vy_3)), lanes_mul(_s8, vy_2)), lanes_mul(_s9, vy_1)), lanes_mul(vy_0, _s10));
     const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_5), lanes_mul(lanes_mul(K(2.0), nz_2), vz_4)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_3)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_2)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_1));
     const V _s13 = lanes_mul(lanes_mul(bent_z, per_reach), vz_5);
-    const V _s14 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_5), lanes_add(lanes_add(_s5, _s11), lanes_add(_s12, lanes_mul(vz_0, _s13))));
+    const V _s14 = lanes_sub(lanes_mul(_c0, nz_5), lanes_add(lanes_add(_s5, _s11), lanes_add(_s12, lanes_mul(vz_0, _s13))));
     const V _s15 = lanes_mul(_s7, nz_3);
     const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s13), lanes_mul(lanes_mul(K(5.0), ny_1), nz_5)), lanes_mul(lanes_mul(K(4.0), ny_2), nz_4)), _s15), lanes_mul(lanes_mul(K(2.0), ny_4), nz_2));
     const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_5), lanes_mul(_s6, nz_4)), _s15), lanes_mul(_s8, nz_2)), lanes_mul(_s9, nz_1)), lanes_mul(nz_0, _s10));
@@ -1504,7 +1491,7 @@ LANES(court_roll_5)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
 }
 
 /* The terms of order 7 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 289 operations: 115 additions, 4 subtractions, 169 multiplications, 1 negation. */
+   Newton, Euler and rolling without slip. 288 operations: 115 additions, 4 subtractions, 168 multiplications, 1 negation. */
 typedef struct {
     V lift_6;
     V tx_6;
@@ -1520,7 +1507,7 @@ typedef struct {
 } LANES(court_roll_6_out);
 
 LANES_INLINE LANES(court_roll_6_out)
-LANES(court_roll_6)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6)
+LANES(court_roll_6)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V _c0)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(K(3.0), nx_3);
@@ -1538,7 +1525,7 @@ LANES(court_roll_6)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
     const V _s13 = lanes_mul(lanes_mul(bent_y, per_reach), vy_6);
     const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_6), lanes_mul(lanes_mul(K(2.0), nz_2), vz_5)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_4)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_3)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_2));
     const V _s15 = lanes_mul(lanes_mul(bent_z, per_reach), vz_6);
-    const V _s16 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_6), lanes_add(lanes_add(lanes_add(_s5, lanes_mul(vx_0, _s6)), lanes_add(_s12, lanes_mul(vy_0, _s13))), lanes_add(lanes_add(_s14, lanes_mul(lanes_mul(K(6.0), nz_6), vz_1)), lanes_mul(vz_0, _s15))));
+    const V _s16 = lanes_sub(lanes_mul(_c0, nz_6), lanes_add(lanes_add(lanes_add(_s5, lanes_mul(vx_0, _s6)), lanes_add(_s12, lanes_mul(vy_0, _s13))), lanes_add(lanes_add(_s14, lanes_mul(lanes_mul(K(6.0), nz_6), vz_1)), lanes_mul(vz_0, _s15))));
     const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s15), lanes_mul(lanes_mul(K(6.0), ny_1), nz_6)), lanes_mul(lanes_mul(K(5.0), ny_2), nz_5)), lanes_mul(lanes_mul(K(4.0), ny_3), nz_4)), lanes_mul(lanes_mul(K(3.0), ny_4), nz_3));
     const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_6), lanes_mul(_s7, nz_5)), lanes_mul(_s8, nz_4)), lanes_mul(_s9, nz_3)), lanes_mul(_s10, nz_2)), lanes_mul(_s11, nz_1));
     const V _s19 = lanes_sub(lanes_add(lanes_add(_s17, lanes_mul(lanes_mul(K(2.0), ny_5), nz_2)), lanes_mul(ny_6, nz_1)), lanes_add(_s18, lanes_mul(nz_0, _s13)));
@@ -1567,7 +1554,7 @@ LANES(court_roll_6)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
 }
 
 /* The terms of order 8 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 325 operations: 133 additions, 4 subtractions, 187 multiplications, 1 negation. */
+   Newton, Euler and rolling without slip. 324 operations: 133 additions, 4 subtractions, 186 multiplications, 1 negation. */
 typedef struct {
     V lift_7;
     V tx_7;
@@ -1583,7 +1570,7 @@ typedef struct {
 } LANES(court_roll_7_out);
 
 LANES_INLINE LANES(court_roll_7_out)
-LANES(court_roll_7)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V nx_7, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V ny_7, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V tx_6, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V ty_6, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V tz_6, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7)
+LANES(court_roll_7)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V nx_7, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V ny_7, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V tx_6, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V ty_6, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V tz_6, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V _c0)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(K(3.0), nx_3);
@@ -1604,7 +1591,7 @@ LANES(court_roll_7)(V bent_x, V bent_y, V bent_z, V p_gravity, V lift_0, V lift_
     const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_7), lanes_mul(lanes_mul(K(2.0), nz_2), vz_6)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_5)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_4)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_3));
     const V _s17 = lanes_mul(lanes_mul(bent_z, per_reach), vz_7);
     const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(_s6, vx_1)), lanes_mul(vx_0, _s7)), lanes_add(lanes_add(_s13, lanes_mul(_s14, vy_1)), lanes_mul(vy_0, _s15))), lanes_add(lanes_add(lanes_add(_s16, lanes_mul(lanes_mul(K(6.0), nz_6), vz_2)), lanes_mul(lanes_mul(K(7.0), nz_7), vz_1)), lanes_mul(vz_0, _s17)));
-    const V _s19 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_7), _s18);
+    const V _s19 = lanes_sub(lanes_mul(_c0, nz_7), _s18);
     const V _s20 = lanes_mul(_s10, nz_4);
     const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s17), lanes_mul(lanes_mul(K(7.0), ny_1), nz_7)), lanes_mul(lanes_mul(K(6.0), ny_2), nz_6)), lanes_mul(lanes_mul(K(5.0), ny_3), nz_5)), _s20);
     const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_7), lanes_mul(_s8, nz_6)), lanes_mul(_s9, nz_5)), _s20), lanes_mul(_s11, nz_3)), lanes_mul(_s12, nz_2));
@@ -1653,7 +1640,7 @@ LANES(court_anew)(void)
 }
 
 /* Where a flight began.
-   Eq. 3. 9 operations: 1 addition, 3 subtractions, 5 multiplications. */
+   Eq. 3. 8 operations: 1 addition, 3 subtractions, 4 multiplications. */
 typedef struct {
     V from_x;
     V from_y;
@@ -1661,9 +1648,9 @@ typedef struct {
 } LANES(court_started_out);
 
 LANES_INLINE LANES(court_started_out)
-LANES(court_started)(V p_gravity, V t, V vx, V vy, V vz, V x, V y, V z)
+LANES(court_started)(V t, V vx, V vy, V vz, V x, V y, V z, V _c0)
 {
-    return (LANES(court_started_out)){ lanes_sub(x, lanes_mul(t, vx)), lanes_sub(y, lanes_mul(t, vy)), lanes_sub(z, lanes_mul(t, lanes_add(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t)))) };
+    return (LANES(court_started_out)){ lanes_sub(x, lanes_mul(t, vx)), lanes_sub(y, lanes_mul(t, vy)), lanes_sub(z, lanes_mul(t, lanes_add(vz, lanes_mul(_c0, t)))) };
 }
 
 /* The constant terms.
@@ -1679,9 +1666,9 @@ typedef struct {
 } LANES(court_roll_start_out);
 
 LANES_INLINE LANES(court_roll_start_out)
-LANES(court_roll_start)(V p_ball_radius, V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz)
+LANES(court_roll_start)(V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V _c0)
 {
-    return (LANES(court_roll_start_out)){ vx, vy, vz, nx, ny, nz, lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz))) };
+    return (LANES(court_roll_start_out)){ vx, vy, vz, nx, ny, nz, lanes_mul(_c0, lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz))) };
 }
 
 /* Where a rolling ball is at time t.
@@ -1721,7 +1708,7 @@ LANES(court_roll_moved)(V t, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn
 }
 
 /* A ball put onto a surface, rolling.
-   v = R_B (w × n). 36 operations: 5 additions, 9 subtractions, 21 multiplications, 1 division. */
+   v = R_B (w × n). 35 operations: 5 additions, 9 subtractions, 21 multiplications. */
 typedef struct {
     V x;
     V y;
@@ -1735,18 +1722,17 @@ typedef struct {
 } LANES(court_roll_placed_out);
 
 LANES_INLINE LANES(court_roll_placed_out)
-LANES(court_roll_placed)(V p_ball_radius, V gap, V nx, V ny, V nz, V turn_rate, V vx, V vy, V vz, V x, V y, V z)
+LANES(court_roll_placed)(V gap, V nx, V ny, V nz, V turn_rate, V vx, V vy, V vz, V x, V y, V z, V _c0)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
     const V _s2 = lanes_sub(vy, lanes_mul(ny, _s0));
     const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
-    const V _s4 = lanes_div(K(1.0), p_ball_radius);
-    return (LANES(court_roll_placed_out)){ lanes_sub(x, lanes_mul(gap, nx)), lanes_sub(y, lanes_mul(gap, ny)), lanes_sub(z, lanes_mul(gap, nz)), _s1, _s2, _s3, lanes_mul(_s4, lanes_sub(lanes_add(lanes_mul(nx, turn_rate), lanes_mul(ny, _s3)), lanes_mul(nz, _s2))), lanes_mul(_s4, lanes_sub(lanes_add(lanes_mul(ny, turn_rate), lanes_mul(nz, _s1)), lanes_mul(nx, _s3))), lanes_mul(_s4, lanes_sub(lanes_add(lanes_mul(nx, _s2), lanes_mul(nz, turn_rate)), lanes_mul(ny, _s1))) };
+    return (LANES(court_roll_placed_out)){ lanes_sub(x, lanes_mul(gap, nx)), lanes_sub(y, lanes_mul(gap, ny)), lanes_sub(z, lanes_mul(gap, nz)), _s1, _s2, _s3, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(nx, turn_rate), lanes_mul(ny, _s3)), lanes_mul(nz, _s2))), lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(ny, turn_rate), lanes_mul(nz, _s1)), lanes_mul(nx, _s3))), lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(nx, _s2), lanes_mul(nz, turn_rate)), lanes_mul(ny, _s1))) };
 }
 
 /* A step of the series, bounds of the motion in it, and the normal force.
-   the last terms of the series. 159 operations: 53 additions, 49 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
+   the last terms of the series. 157 operations: 53 additions, 47 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride;
     V strongest;
@@ -1758,14 +1744,14 @@ typedef struct {
 } LANES(court_roll_pace_out);
 
 LANES_INLINE LANES(court_roll_pace_out)
-LANES(court_roll_pace)(V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V lift_7, V nx_8, V ny_8, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V nz_8, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vx_8, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vy_8, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V vz_8)
+LANES(court_roll_pace)(V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V lift_7, V nx_8, V ny_8, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V nz_8, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vx_8, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vy_8, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V vz_8, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_0), lanes_abs(vx_0)), lanes_abs(vy_0)), lanes_abs(vz_0));
-    const V _s1 = lanes_add(lanes_mul(K(0.015625), p_gravity), _s0);
+    const V _s1 = lanes_add(_c1, _s0);
     const V _s2 = lanes_abs(per_reach);
     const V _s3 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_7), lanes_abs(vx_7)), lanes_abs(vy_7)), lanes_abs(vz_7));
     const V _s4 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_8), lanes_abs(vx_8)), lanes_abs(vy_8)), lanes_abs(vz_8));
-    const V _s5 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s2, _s0), lanes_sqrt(lanes_mul(p_gravity, _s2))), _s3), _s4);
+    const V _s5 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s2, _s0), lanes_sqrt(lanes_mul(_c0, _s2))), _s3), _s4);
     const V _s6 = lanes_mul(_s1, lanes_add(lanes_add(lanes_abs(nx_8), lanes_abs(ny_8)), lanes_abs(nz_8)));
     const V _s7 = lanes_sqrt(lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.1102230246251565e-16), _s1), lanes_max(_s5, _s6)))));
     const V _s8 = lanes_min(_s7, K(1.0));
@@ -1780,12 +1766,11 @@ LANES(court_roll_pace)(V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V li
     const V _s17 = lanes_mul(lanes_mul(K(6.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_6), lanes_abs(vx_6)), lanes_abs(vy_6)), lanes_abs(vz_6))), _s16);
     const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s9, _s11), _s13), _s15), _s17), lanes_mul(lanes_mul(K(7.0), _s3), lanes_mul(_s10, _s14))), lanes_mul(lanes_mul(K(8.0), _s4), lanes_mul(_s12, _s14)));
     const V _s19 = lanes_add(_s18, lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_1), lanes_abs(vx_1)), lanes_abs(vy_1)), lanes_abs(vz_1)));
-    const V _s20 = lanes_mul(K(0.4), p_gravity);
-    const V _s21 = lanes_add(lanes_mul(lanes_mul(K(6.0), lanes_abs(lanes_add(lift_3, lanes_mul(_s20, nz_3)))), _s8), lanes_mul(lanes_mul(K(12.0), lanes_abs(lanes_add(lift_4, lanes_mul(_s20, nz_4)))), _s10));
-    const V _s22 = lanes_add(_s21, lanes_mul(lanes_mul(K(20.0), lanes_abs(lanes_add(lift_5, lanes_mul(_s20, nz_5)))), _s12));
-    const V _s23 = lanes_add(_s22, lanes_mul(lanes_mul(K(30.0), lanes_abs(lanes_add(lift_6, lanes_mul(_s20, nz_6)))), _s14));
-    const V _s24 = lanes_add(_s23, lanes_mul(lanes_mul(K(42.0), lanes_abs(lanes_add(lift_7, lanes_mul(_s20, nz_7)))), _s16));
-    return (LANES(court_roll_pace_out)){ _s8, _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(_s20, nz_0)), lanes_add(lift_1, lanes_mul(_s20, nz_1)), lanes_add(_s24, lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(_s20, nz_2))))), lanes_neg(lanes_mul(K(0.8), lanes_neg(lanes_mul(p_gravity, nz_1)))) };
+    const V _s20 = lanes_add(lanes_mul(lanes_mul(K(6.0), lanes_abs(lanes_add(lift_3, lanes_mul(_c2, nz_3)))), _s8), lanes_mul(lanes_mul(K(12.0), lanes_abs(lanes_add(lift_4, lanes_mul(_c2, nz_4)))), _s10));
+    const V _s21 = lanes_add(_s20, lanes_mul(lanes_mul(K(20.0), lanes_abs(lanes_add(lift_5, lanes_mul(_c2, nz_5)))), _s12));
+    const V _s22 = lanes_add(_s21, lanes_mul(lanes_mul(K(30.0), lanes_abs(lanes_add(lift_6, lanes_mul(_c2, nz_6)))), _s14));
+    const V _s23 = lanes_add(_s22, lanes_mul(lanes_mul(K(42.0), lanes_abs(lanes_add(lift_7, lanes_mul(_c2, nz_7)))), _s16));
+    return (LANES(court_roll_pace_out)){ _s8, _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(_c2, nz_0)), lanes_add(lift_1, lanes_mul(_c2, nz_1)), lanes_add(_s23, lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(_c2, nz_2))))), lanes_neg(lanes_mul(K(0.8), lanes_neg(lanes_mul(_c0, nz_1)))) };
 }
 
 /* The spin about the normal, times the ball's radius.
@@ -1795,13 +1780,13 @@ typedef struct {
 } LANES(court_roll_turn_rate_out);
 
 LANES_INLINE LANES(court_roll_turn_rate_out)
-LANES(court_roll_turn_rate)(V p_ball_radius, V nx, V ny, V nz, V wx, V wy, V wz)
+LANES(court_roll_turn_rate)(V nx, V ny, V nz, V wx, V wy, V wz, V _c0)
 {
-    return (LANES(court_roll_turn_rate_out)){ lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz))) };
+    return (LANES(court_roll_turn_rate_out)){ lanes_mul(_c0, lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz))) };
 }
 
 /* Normal force, its part of the free fall, friction and acceleration of a ball that rolls.
-   N = -a·n - v·n', F = beta (-a_t + s n × n'). 54 operations: 13 additions, 5 subtractions, 33 multiplications, 1 square root, 2 negations. */
+   N = -a·n - v·n', F = beta (-a_t + s n × n'). 52 operations: 13 additions, 5 subtractions, 31 multiplications, 1 square root, 2 negations. */
 typedef struct {
     V press;
     V weight;
@@ -1812,32 +1797,31 @@ typedef struct {
 } LANES(court_pressed_on_out);
 
 LANES_INLINE LANES(court_pressed_on_out)
-LANES(court_pressed_on)(V p_ball_radius, V p_gravity, V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V wx, V wy, V wz)
+LANES(court_pressed_on)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V wx, V wy, V wz, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_neg(lanes_mul(p_gravity, nz));
+    const V _s0 = lanes_neg(lanes_mul(_c0, nz));
     const V _s1 = lanes_sub(lanes_neg(_s0), lanes_add(lanes_add(lanes_mul(rolled_x, turning_x), lanes_mul(rolled_y, turning_y)), lanes_mul(rolled_z, turning_z)));
     const V _s2 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V _s3 = lanes_mul(K(0.4), p_ball_radius);
-    const V _s4 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_s3, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s2));
-    const V _s5 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_s3, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s2));
-    const V _s6 = lanes_add(lanes_add(lanes_mul(K(0.4), p_gravity), lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_s3, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s2));
-    return (LANES(court_pressed_on_out)){ _s1, _s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s6, _s6))), lanes_add(lanes_mul(nx, _s1), _s5), lanes_add(lanes_mul(ny, _s1), _s4), lanes_sub(lanes_add(lanes_mul(nz, _s1), _s6), p_gravity) };
+    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_c1, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s2));
+    const V _s4 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_c1, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s2));
+    const V _s5 = lanes_add(lanes_add(_c2, lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_c1, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s2));
+    return (LANES(court_pressed_on_out)){ _s1, _s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s4, _s4)), lanes_mul(_s5, _s5))), lanes_add(lanes_mul(nx, _s1), _s4), lanes_add(lanes_mul(ny, _s1), _s3), lanes_sub(lanes_add(lanes_mul(nz, _s1), _s5), _c0) };
 }
 
 /* Where a ball hardly leaves the surface that it has touched, and is looked at.
-   a hop of less than a micrometre. 21 operations: 5 additions, 10 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction. */
+   a hop of less than a micrometre. 19 operations: 5 additions, 8 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction. */
 typedef struct {
     M slow;
     V assured;
 } LANES(court_slowed_out);
 
 LANES_INLINE LANES(court_slowed_out)
-LANES(court_slowed)(V p_ball_radius, V p_gravity, V nx, V ny, V nz, V position_error, V vx, V vy, V vz)
+LANES(court_slowed)(V nx, V ny, V nz, V position_error, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_mul(_s0, _s0);
-    const V _s2 = lanes_mul(lanes_mul(K(7.275957614183426e-12), p_ball_radius), lanes_add(p_gravity, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), p_ball_radius)));
-    return (LANES(court_slowed_out)){ lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s1, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)), lanes_less(K(0.0), position_error))), K(0.0) };
+    const V _s2 = lanes_mul(_c2, lanes_add(_c1, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), _c0)));
+    return (LANES(court_slowed_out)){ lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s1, _c3), lanes_less(K(0.0), position_error))), K(0.0) };
 }
 
 /* A ball that has touched nothing.
@@ -1853,16 +1837,16 @@ LANES(court_unslowed)(void)
 }
 
 /* Where its bounces are so small that this may be the last.
-   half a hop's height. 16 operations: 5 additions, 9 multiplications, 1 division, 1 comparison. */
+   half a hop's height. 15 operations: 5 additions, 8 multiplications, 1 division, 1 comparison. */
 typedef struct {
     M nearly;
 } LANES(court_nearly_out);
 
 LANES_INLINE LANES(court_nearly_out)
-LANES(court_nearly)(V p_ball_radius, V p_gravity, V nx, V ny, V nz, V vx, V vy, V vz)
+LANES(court_nearly)(V nx, V ny, V nz, V vx, V vy, V vz, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s1 = lanes_mul(lanes_mul(K(7.275957614183426e-12), p_ball_radius), lanes_add(p_gravity, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), p_ball_radius)));
+    const V _s1 = lanes_mul(_c2, lanes_add(_c1, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), _c0)));
     return (LANES(court_nearly_out)){ lanes_less(lanes_mul(_s0, _s0), _s1) };
 }
 
@@ -1877,15 +1861,15 @@ typedef struct {
 } LANES(court_gripped_out);
 
 LANES_INLINE LANES(court_gripped_out)
-LANES(court_gripped)(V p_ball_radius, V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz)
+LANES(court_gripped)(V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V _c0)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
-    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s2 = lanes_sub(_s1, lanes_mul(_c0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
     const V _s3 = lanes_sub(vy, lanes_mul(ny, _s0));
-    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s4 = lanes_sub(_s3, lanes_mul(_c0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
     const V _s5 = lanes_sub(vz, lanes_mul(nz, _s0));
-    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s6 = lanes_sub(_s5, lanes_mul(_c0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
     return (LANES(court_gripped_out)){ lanes_sub(_s1, lanes_mul(K(0.4), _s2)), lanes_sub(_s3, lanes_mul(K(0.4), _s4)), lanes_sub(_s5, lanes_mul(K(0.4), _s6)), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s6, _s6), lanes_mul(_s4, _s4)), lanes_mul(_s2, _s2))), lanes_max(K(0.0), _s0) };
 }
 
@@ -1933,7 +1917,7 @@ LANES(court_neared)(V gap, V nearest)
 }
 
 /* What a jump to the end of the bounces adds.
-   its bound. 41 operations: 12 additions, 3 multiplications, 2 divisions, 3 negations, 3 absolute values, 9 comparisons, 9 selections. */
+   its bound. 38 operations: 12 additions, 1 multiplication, 2 divisions, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -1947,19 +1931,17 @@ typedef struct {
 } LANES(court_begun_errors_out);
 
 LANES_INLINE LANES(court_begun_errors_out)
-LANES(court_begun_errors)(V p_ball_radius, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V vx, V vy, V vz)
+LANES(court_begun_errors)(V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const V _s0 = lanes_mul(_c3, lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), _c0)));
     const V _s1 = lanes_neg(_s0);
-    const V _s2 = lanes_mul(lanes_mul(K(1.4551915228366852e-11), p_ball_radius), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), p_ball_radius)));
+    const V _s2 = lanes_div(_s0, _c0);
     const V _s3 = lanes_neg(_s2);
-    const V _s4 = lanes_div(_s2, p_ball_radius);
-    const V _s5 = lanes_neg(_s4);
-    return (LANES(court_begun_errors_out)){ lanes_add(dx, lanes_select(lanes_less(dx, K(0.0)), _s1, _s0)), lanes_add(dy, lanes_select(lanes_less(dy, K(0.0)), _s1, _s0)), lanes_add(dz, lanes_select(lanes_less(dz, K(0.0)), _s1, _s0)), lanes_add(dvx, lanes_select(lanes_less(dvx, K(0.0)), _s3, _s2)), lanes_add(dvy, lanes_select(lanes_less(dvy, K(0.0)), _s3, _s2)), lanes_add(dvz, lanes_select(lanes_less(dvz, K(0.0)), _s3, _s2)), lanes_add(dwx, lanes_select(lanes_less(dwx, K(0.0)), _s5, _s4)), lanes_add(dwy, lanes_select(lanes_less(dwy, K(0.0)), _s5, _s4)), lanes_add(dwz, lanes_select(lanes_less(dwz, K(0.0)), _s5, _s4)) };
+    return (LANES(court_begun_errors_out)){ lanes_add(dx, lanes_select(lanes_less(dx, K(0.0)), _c2, _c1)), lanes_add(dy, lanes_select(lanes_less(dy, K(0.0)), _c2, _c1)), lanes_add(dz, lanes_select(lanes_less(dz, K(0.0)), _c2, _c1)), lanes_add(dvx, lanes_select(lanes_less(dvx, K(0.0)), _s1, _s0)), lanes_add(dvy, lanes_select(lanes_less(dvy, K(0.0)), _s1, _s0)), lanes_add(dvz, lanes_select(lanes_less(dvz, K(0.0)), _s1, _s0)), lanes_add(dwx, lanes_select(lanes_less(dwx, K(0.0)), _s3, _s2)), lanes_add(dwy, lanes_select(lanes_less(dwy, K(0.0)), _s3, _s2)), lanes_add(dwz, lanes_select(lanes_less(dwz, K(0.0)), _s3, _s2)) };
 }
 
 /* Where the normal force is spent, or nothing moves; else how long it certainly lasts.
-   N = 0. 85 operations: 12 additions, 1 subtraction, 20 multiplications, 2 divisions, 2 square roots, 2 negations, 8 absolute values, 14 comparisons, 7 conjunctions, 3 disjunctions, 3 complements, 11 selections. */
+   N = 0. 81 operations: 12 additions, 1 subtraction, 17 multiplications, 2 divisions, 1 square root, 2 negations, 8 absolute values, 14 comparisons, 7 conjunctions, 3 disjunctions, 3 complements, 11 selections. */
 typedef struct {
     V stride;
     V which;
@@ -1968,18 +1950,18 @@ typedef struct {
 } LANES(court_leaving_force_out);
 
 LANES_INLINE LANES(court_leaving_force_out)
-LANES(court_leaving_force)(V p_ball_radius, V brace, V doubt, V fastest, V force, V force_bend, V force_rate, V p_gravity, V per_reach, V position_error, V stride, V velocity_error, V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which)
+LANES(court_leaving_force)(V brace, V doubt, V fastest, V force, V force_bend, V force_rate, V per_reach, V position_error, V stride, V velocity_error, V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_abs(per_reach);
-    const V _s1 = lanes_add(p_gravity, lanes_mul(lanes_mul(fastest, fastest), _s0));
+    const V _s1 = lanes_add(_c0, lanes_mul(lanes_mul(fastest, fastest), _s0));
     const V _s2 = lanes_mul(K(5.684341886080802e-14), _s1);
     const M _s3 = lanes_less(force_rate, K(0.0));
     const M _s4 = lanes_either(lanes_less(force, lanes_neg(_s2)), lanes_both(lanes_at_most(force, _s2), _s3));
     const V _s5 = lanes_neg(lanes_add(brace, force_rate));
-    const V _s6 = lanes_add(force, lanes_select(lanes_less(_s5, K(0.0)), lanes_div(lanes_mul(_s5, _s5), lanes_mul(p_gravity, lanes_mul(_s0, _s1))), K(0.0)));
+    const V _s6 = lanes_add(force, lanes_select(lanes_less(_s5, K(0.0)), lanes_div(lanes_mul(_s5, _s5), lanes_mul(_c0, lanes_mul(_s0, _s1))), K(0.0)));
     const M _s7 = lanes_both(_s4, lanes_less(_s2, _s6));
     const M _s8 = lanes_both(_s4, lanes_not(_s7));
-    const M _s9 = lanes_both(lanes_at_most(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity)))), lanes_at_most(lanes_add(lanes_add(lanes_abs(vx_1), lanes_abs(vy_1)), lanes_abs(vz_1)), lanes_mul(K(5.684341886080802e-14), p_gravity)));
+    const M _s9 = lanes_both(lanes_at_most(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), _c1), lanes_at_most(lanes_add(lanes_add(lanes_abs(vx_1), lanes_abs(vy_1)), lanes_abs(vz_1)), _c2));
     const V _s10 = lanes_mul(force_rate, force_rate);
     const V _s11 = lanes_add(force_bend, lanes_mul(K(9.094947017729282e-13), _s1));
     const V _s12 = lanes_select(_s7, _s6, lanes_max(force, K(0.0)));
@@ -1992,7 +1974,7 @@ LANES(court_leaving_force)(V p_ball_radius, V brace, V doubt, V fastest, V force
 }
 
 /* Where a rolling ball meets another surface; else how long it certainly does not.
-   a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 12 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections. */
+   a parabola below the distance. 54 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections. */
 typedef struct {
     V stride;
     V which;
@@ -2001,15 +1983,15 @@ typedef struct {
 } LANES(court_beside_body_out);
 
 LANES_INLINE LANES(court_beside_body_out)
-LANES(court_beside_body)(V p_ball_radius, V dent, V doubt, V fastest, V gap, V index, V late, V nearing, V position_error, V stride, V strongest, V which, V x, V y, V z)
+LANES(court_beside_body)(V dent, V doubt, V fastest, V gap, V index, V late, V nearing, V position_error, V stride, V strongest, V which, V x, V y, V z, V _c0, V _c1)
 {
-    const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(p_ball_radius, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
     const M _s1 = lanes_at_most(gap, _s0);
     const M _s2 = lanes_less(nearing, K(0.0));
     const M _s3 = lanes_both(_s1, _s2);
     const V _s4 = lanes_mul(nearing, nearing);
     const V _s5 = lanes_add(strongest, lanes_mul(dent, lanes_mul(fastest, fastest)));
-    const V _s6 = lanes_select(_s1, lanes_mul(K(3.637978807091713e-12), p_ball_radius), gap);
+    const V _s6 = lanes_select(_s1, _c1, gap);
     const V _s7 = lanes_add(_s4, lanes_mul(lanes_mul(K(2.0), _s5), _s6));
     const V _s8 = lanes_sqrt(_s7);
     const V _s9 = lanes_select(lanes_at_most(K(0.0), _s7), lanes_div(lanes_select(_s2, lanes_mul(K(2.0), _s6), lanes_add(nearing, _s8)), lanes_select(_s2, lanes_sub(_s8, nearing), lanes_max(K(0.0), _s5))), K(INFINITY));
@@ -2030,9 +2012,9 @@ typedef struct {
 } LANES(court_beside_gate_out);
 
 LANES_INLINE LANES(court_beside_gate_out)
-LANES(court_beside_gate)(V p_ball_radius, V dent, V doubt, V fastest, V gap, V index, V late, V nearing, V position_error, V stride, V strongest, V which, V x, V y, V z)
+LANES(court_beside_gate)(V dent, V doubt, V fastest, V gap, V index, V late, V nearing, V position_error, V stride, V strongest, V which, V x, V y, V z, V _c0)
 {
-    const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(p_ball_radius, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
     const M _s1 = lanes_less(nearing, K(0.0));
     const M _s2 = lanes_both(lanes_both(lanes_at_most(gap, _s0), _s1), lanes_at_most(lanes_neg(_s0), gap));
     const V _s3 = lanes_mul(nearing, nearing);
@@ -2109,16 +2091,16 @@ LANES(court_unmet)(void)
 }
 
 /* What it meets first.
-   a parabola below the distance. 30 operations: 6 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root, 3 absolute values, 5 comparisons, 6 selections. */
+   a parabola below the distance. 29 operations: 6 additions, 1 subtraction, 6 multiplications, 1 division, 1 square root, 3 absolute values, 5 comparisons, 6 selections. */
 typedef struct {
     V spare;
 } LANES(court_spared_out);
 
 LANES_INLINE LANES(court_spared_out)
-LANES(court_spared)(V dent, V gap, V p_gravity, V nearing, V spare, V vx, V vy, V vz)
+LANES(court_spared)(V dent, V gap, V nearing, V spare, V vx, V vy, V vz, V _c0, V _c1)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_mul(K(0.0078125), p_gravity), lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
-    const V _s1 = lanes_add(p_gravity, lanes_mul(dent, lanes_mul(_s0, _s0)));
+    const V _s0 = lanes_add(lanes_add(lanes_add(_c1, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
+    const V _s1 = lanes_add(_c0, lanes_mul(dent, lanes_mul(_s0, _s0)));
     const V _s2 = lanes_max(gap, K(0.0));
     const V _s3 = lanes_add(lanes_mul(nearing, nearing), lanes_mul(lanes_mul(K(2.0), _s1), _s2));
     const V _s4 = lanes_sqrt(_s3);
@@ -2128,38 +2110,38 @@ LANES(court_spared)(V dent, V gap, V p_gravity, V nearing, V spare, V vx, V vy, 
 }
 
 /* How long it stays off one part of the surface: there the distance bends anew.
-   a parabola below the distance. 24 operations: 2 additions, 1 subtraction, 4 multiplications, 1 division, 1 square root, 1 negation, 1 absolute value, 6 comparisons, 7 selections. */
+   a parabola below the distance. 21 operations: 2 additions, 1 subtraction, 3 multiplications, 1 division, 1 square root, 1 negation, 1 absolute value, 5 comparisons, 6 selections. */
 typedef struct {
     V spare;
 } LANES(court_spared_seam_out);
 
 LANES_INLINE LANES(court_spared_seam_out)
-LANES(court_spared_seam)(V gap, V p_gravity, V near, V nearing, V spare)
+LANES(court_spared_seam)(V gap, V near, V nearing, V spare, V _c0, V _c1)
 {
     const V _s0 = lanes_abs(gap);
     const V _s1 = lanes_select(lanes_less(K(0.0), gap), nearing, lanes_neg(nearing));
-    const V _s2 = lanes_add(lanes_mul(lanes_mul(K(2.0), p_gravity), _s0), lanes_mul(_s1, _s1));
+    const V _s2 = lanes_add(lanes_mul(_c0, _s0), lanes_mul(_s1, _s1));
     const V _s3 = lanes_sqrt(_s2);
     const M _s4 = lanes_less(_s1, K(0.0));
-    const V _s5 = lanes_select(lanes_at_most(K(0.0), _s2), lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s0), lanes_add(_s1, _s3)), lanes_select(_s4, lanes_sub(_s3, _s1), lanes_max(K(0.0), p_gravity))), K(INFINITY));
+    const V _s5 = lanes_select(lanes_at_most(K(0.0), _s2), lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s0), lanes_add(_s1, _s3)), lanes_select(_s4, lanes_sub(_s3, _s1), _c1)), K(INFINITY));
     return (LANES(court_spared_seam_out)){ lanes_select(lanes_at_most(_s0, near), spare, lanes_min(_s5, spare)) };
 }
 
 /* How long a ball that leaves a surface certainly does not meet it, nor anything else.
-   Taylor's theorem of the gap. 66 operations: 10 additions, 21 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
+   Taylor's theorem of the gap. 64 operations: 10 additions, 19 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
 typedef struct {
     V when;
     V doubt;
 } LANES(court_parted_out);
 
 LANES_INLINE LANES(court_parted_out)
-LANES(court_parted)(V doubt, V p_gravity, V lift, V per_reach, V position_error, V snap, V spare, V surge, V velocity_error, V vx, V vy, V vz)
+LANES(court_parted)(V doubt, V lift, V per_reach, V position_error, V snap, V spare, V surge, V velocity_error, V vx, V vy, V vz, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_mul(K(0.25), spare);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(K(0.0078125), p_gravity), lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
+    const V _s1 = lanes_add(lanes_add(lanes_add(_c1, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
     const V _s2 = lanes_abs(per_reach);
-    const V _s3 = lanes_add(p_gravity, lanes_mul(lanes_mul(_s1, _s1), _s2));
-    const V _s4 = lanes_add(lanes_add(K(1.0), lanes_mul(_s1, _s2)), lanes_sqrt(lanes_mul(p_gravity, _s2)));
+    const V _s3 = lanes_add(_c0, lanes_mul(lanes_mul(_s1, _s1), _s2));
+    const V _s4 = lanes_add(lanes_add(K(1.0), lanes_mul(_s1, _s2)), lanes_sqrt(lanes_mul(_c0, _s2)));
     const V _s5 = lanes_mul(lanes_mul(K(64.0), _s3), lanes_mul(_s4, lanes_mul(_s4, _s4)));
     const V _s6 = lanes_mul(K(0.5), surge);
     const V _s7 = lanes_sqrt(lanes_div(_s6, _s5));
@@ -2174,18 +2156,18 @@ LANES(court_parted)(V doubt, V p_gravity, V lift, V per_reach, V position_error,
     const V _s16 = lanes_select(lanes_less(K(0.0), surge), lanes_min(_s7, _s10), lanes_min(_s12, _s15));
     const V _s17 = lanes_min(_s16, K(0.0078125));
     const V _s18 = lanes_min(_s0, _s17);
-    const V _s19 = lanes_add(lanes_mul(K(5.684341886080802e-14), p_gravity), lanes_mul(lanes_mul(K(16.0), lanes_add(lanes_mul(position_error, _s3), lanes_mul(velocity_error, _s1))), _s2));
+    const V _s19 = lanes_add(_c2, lanes_mul(lanes_mul(K(16.0), lanes_add(lanes_mul(position_error, _s3), lanes_mul(velocity_error, _s1))), _s2));
     return (LANES(court_parted_out)){ lanes_max(K(0.0), _s18), lanes_select(lanes_either(lanes_less(lanes_mul(_s19, _s4), surge), lanes_less(_s19, lift)), doubt, K(0.0)) };
 }
 
 /* How often an error makes a neighbouring motion.
-   FAR. 29 operations: 3 additions, 4 multiplications, 1 division, 9 absolute values, 6 comparisons, 6 selections. */
+   FAR. 27 operations: 3 additions, 2 multiplications, 1 division, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V apart;
 } LANES(court_apart_out);
 
 LANES_INLINE LANES(court_apart_out)
-LANES(court_apart)(V p_ball_radius, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz)
+LANES(court_apart)(V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_abs(dwx);
     const V _s1 = lanes_abs(dwy);
@@ -2199,8 +2181,8 @@ LANES(court_apart)(V p_ball_radius, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V 
     const V _s9 = lanes_abs(dy);
     const V _s10 = lanes_max(_s8, _s9);
     const V _s11 = lanes_abs(dz);
-    const V _s12 = lanes_add(lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ball_radius), lanes_mul(K(0.125), lanes_add(lanes_mul(p_ball_radius, lanes_max(_s2, _s3)), lanes_max(_s6, _s7)))), lanes_max(_s10, _s11));
-    return (LANES(court_apart_out)){ lanes_div(lanes_mul(K(2.384185791015625e-07), p_ball_radius), _s12) };
+    const V _s12 = lanes_add(lanes_add(_c1, lanes_mul(K(0.125), lanes_add(lanes_mul(_c0, lanes_max(_s2, _s3)), lanes_max(_s6, _s7)))), lanes_max(_s10, _s11));
+    return (LANES(court_apart_out)){ lanes_div(_c2, _s12) };
 }
 
 /* A neighbouring motion, along the errors.
@@ -2242,21 +2224,21 @@ typedef struct {
 } LANES(court_compared_out);
 
 LANES_INLINE LANES(court_compared_out)
-LANES(court_compared)(V apart, V p_ball_radius, V far_vx, V far_vy, V far_vz, V far_wx, V far_wy, V far_wz, V far_x, V far_y, V far_z, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+LANES(court_compared)(V apart, V far_vx, V far_vy, V far_vz, V far_wx, V far_wy, V far_wz, V far_x, V far_y, V far_z, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z, V _c0)
 {
     const V _s0 = lanes_div(lanes_sub(far_x, x), apart);
-    const V _s1 = lanes_mul(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_add(p_ball_radius, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s1 = lanes_mul(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
     const V _s2 = lanes_neg(_s1);
     const V _s3 = lanes_div(lanes_sub(far_y, y), apart);
     const V _s4 = lanes_div(lanes_sub(far_z, z), apart);
     const V _s5 = lanes_div(lanes_sub(far_vx, vx), apart);
-    const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
     const V _s7 = lanes_mul(K(4.440892098500626e-16), lanes_add(_s6, lanes_abs(vz)));
     const V _s8 = lanes_neg(_s7);
     const V _s9 = lanes_div(lanes_sub(far_vy, vy), apart);
     const V _s10 = lanes_div(lanes_sub(far_vz, vz), apart);
     const V _s11 = lanes_div(lanes_sub(far_wx, wx), apart);
-    const V _s12 = lanes_div(_s7, p_ball_radius);
+    const V _s12 = lanes_div(_s7, _c0);
     const V _s13 = lanes_neg(_s12);
     const V _s14 = lanes_div(lanes_sub(far_wy, wy), apart);
     const V _s15 = lanes_div(lanes_sub(far_wz, wz), apart);
@@ -2472,7 +2454,7 @@ LANES(court_settled)(V index, M lodges, M nearly, V outcome, M parts, M settles,
 }
 
 /* The square of the friction that rolling takes, per unit mass, and its rate.
-   F = beta (-a_t + s n × n'). 57 operations: 17 additions, 38 multiplications, 2 negations. */
+   F = beta (-a_t + s n × n'). 56 operations: 17 additions, 37 multiplications, 2 negations. */
 typedef struct {
     V drag;
     V drag_rate;
@@ -2481,17 +2463,17 @@ typedef struct {
 } LANES(court_pulled_out);
 
 LANES_INLINE LANES(court_pulled_out)
-LANES(court_pulled)(V p_gravity, V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V turn_rate_0, V turn_rate_1, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1)
+LANES(court_pulled)(V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V turn_rate_0, V turn_rate_1, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V _c0, V _c1)
 {
-    const V _s0 = lanes_neg(lanes_mul(p_gravity, nz_0));
+    const V _s0 = lanes_neg(lanes_mul(_c0, nz_0));
     const V _s1 = lanes_mul(K(0.4), nx_0);
     const V _s2 = lanes_mul(K(0.4), turn_rate_0);
     const V _s3 = lanes_add(lanes_mul(_s1, _s0), lanes_mul(_s2, tx_0));
     const V _s4 = lanes_mul(K(0.4), ny_0);
     const V _s5 = lanes_add(lanes_mul(_s4, _s0), lanes_mul(_s2, ty_0));
     const V _s6 = lanes_mul(K(0.4), nz_0);
-    const V _s7 = lanes_add(lanes_add(lanes_mul(K(0.4), p_gravity), lanes_mul(_s6, _s0)), lanes_mul(_s2, tz_0));
-    const V _s8 = lanes_neg(lanes_mul(p_gravity, nz_1));
+    const V _s7 = lanes_add(lanes_add(_c1, lanes_mul(_s6, _s0)), lanes_mul(_s2, tz_0));
+    const V _s8 = lanes_neg(lanes_mul(_c0, nz_1));
     const V _s9 = lanes_mul(K(0.4), turn_rate_1);
     const V _s10 = lanes_mul(lanes_mul(K(2.0), _s3), lanes_add(lanes_add(lanes_add(lanes_mul(_s1, _s8), lanes_mul(lanes_mul(K(0.4), nx_1), _s0)), lanes_mul(_s2, tx_1)), lanes_mul(_s9, tx_0)));
     const V _s11 = lanes_mul(lanes_mul(K(2.0), _s5), lanes_add(lanes_add(lanes_add(lanes_mul(_s4, _s8), lanes_mul(lanes_mul(K(0.4), ny_1), _s0)), lanes_mul(_s2, ty_1)), lanes_mul(_s9, ty_0)));
@@ -2594,38 +2576,37 @@ LANES(court_ring_impact_taken)(V p_ring_restitution, V p_ring_friction)
 }
 
 /* Where a decision within a contact lies within its error.
-   the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
+   the law's own slack. 84 operations: 14 additions, 11 subtractions, 28 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 typedef struct {
     M unsure;
 } LANES(court_ring_impact_doubt_out);
 
 LANES_INLINE LANES(court_ring_impact_doubt_out)
-LANES(court_ring_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
+LANES(court_ring_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-    const V _s1 = lanes_abs(dwx);
-    const V _s2 = lanes_abs(dwy);
-    const V _s3 = lanes_max(_s1, _s2);
-    const V _s4 = lanes_abs(dwz);
-    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s6 = lanes_add(_s5, lanes_abs(vz));
-    const V _s7 = lanes_abs(dvx);
-    const V _s8 = lanes_abs(dvy);
-    const V _s9 = lanes_max(_s7, _s8);
-    const V _s10 = lanes_abs(dvz);
-    const V _s11 = lanes_mul(K(64.0), lanes_add(lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s3, _s4)), lanes_mul(turn, _s6)), lanes_max(_s9, _s10)), lanes_mul(K(4.440892098500626e-16), _s6)));
-    const V _s12 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s13 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
-    const V _s14 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
-    const V _s15 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
-    const V _s16 = lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s12, p_restitution_speed)))), _s12));
-    const V _s17 = lanes_sub(lanes_mul(_s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15)))), lanes_neg(_s16));
-    const M _s18 = lanes_both(lanes_both(lanes_less(K(0.0), p_ring_friction), lanes_less(p_ring_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_ring_friction), _s0), _s11), lanes_abs(_s17))));
-    return (LANES(court_ring_impact_doubt_out)){ _s18 };
+    const V _s0 = lanes_abs(dwx);
+    const V _s1 = lanes_abs(dwy);
+    const V _s2 = lanes_max(_s0, _s1);
+    const V _s3 = lanes_abs(dwz);
+    const V _s4 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s5 = lanes_add(_s4, lanes_abs(vz));
+    const V _s6 = lanes_abs(dvx);
+    const V _s7 = lanes_abs(dvy);
+    const V _s8 = lanes_max(_s6, _s7);
+    const V _s9 = lanes_abs(dvz);
+    const V _s10 = lanes_mul(K(64.0), lanes_add(lanes_add(lanes_add(lanes_mul(_c0, lanes_max(_s2, _s3)), lanes_mul(turn, _s5)), lanes_max(_s8, _s9)), lanes_mul(K(4.440892098500626e-16), _s5)));
+    const V _s11 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s12 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s11)), lanes_mul(_c0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s13 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s11)), lanes_mul(_c0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s14 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s11)), lanes_mul(_c0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s15 = lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s11, _c1)))), _s11));
+    const V _s16 = lanes_sub(lanes_mul(_c2, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s12, _s12), lanes_mul(_s13, _s13)), lanes_mul(_s14, _s14)))), lanes_neg(_s15));
+    const M _s17 = lanes_both(lanes_both(lanes_less(K(0.0), p_ring_friction), lanes_less(p_ring_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_ring_friction), _c2), _s10), lanes_abs(_s16))));
+    return (LANES(court_ring_impact_doubt_out)){ _s17 };
 }
 
 /* Where a ball stays on a surface, slides on it or leaves it: its bounces end before anything else can happen, and from when on that is certain.
-   a geometric series of bounces. 149 operations: 20 additions, 4 subtractions, 47 multiplications, 8 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
+   a geometric series of bounces. 142 operations: 19 additions, 3 subtractions, 42 multiplications, 8 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
 typedef struct {
     M settles;
     M lodges;
@@ -2636,64 +2617,56 @@ typedef struct {
 } LANES(court_ring_impact_settling_out);
 
 LANES_INLINE LANES(court_ring_impact_settling_out)
-LANES(court_ring_impact_settling)(V p_ball_radius, V bounce, V drag, V lift, V nearest, V press, V p_ring_friction, V p_ring_restitution, V rolled_x, V rolled_y, V rolled_z, V slip, V turning_x, V turning_y, V turning_z, V velocity_error, V wedge, V weight, V wx, V wy, V wz)
+LANES(court_ring_impact_settling)(V bounce, V drag, V lift, V nearest, V press, V rolled_x, V rolled_y, V rolled_z, V slip, V turning_x, V turning_y, V turning_z, V velocity_error, V wedge, V weight, V wx, V wy, V wz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_sub(K(1.0), p_ring_restitution);
-    const M _s1 = lanes_less(K(0.0), _s0);
-    const V _s2 = lanes_div(bounce, press);
-    const V _s3 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
-    const V _s4 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
-    const V _s5 = lanes_add(_s4, lanes_abs(rolled_z));
-    const V _s6 = lanes_abs(weight);
-    const V _s7 = lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s3, _s5), _s6)), _s3);
-    const V _s8 = lanes_mul(_s0, _s0);
-    const V _s9 = lanes_add(lanes_sqrt(lanes_mul(p_ball_radius, _s6)), _s5);
-    const V _s10 = lanes_mul(K(1.4210854715202004e-14), _s9);
-    const V _s11 = lanes_mul(K(2.0), drag);
-    const V _s12 = lanes_add(K(1.0), p_ring_restitution);
-    const V _s13 = lanes_mul(p_ring_friction, _s12);
-    const V _s14 = lanes_mul(press, _s13);
-    const M _s15 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), press), _s1), lanes_less(lanes_mul(lanes_mul(K(3.0), _s2), _s7), lanes_mul(press, _s8))), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), drag), _s2), _s10))), lanes_at_most(_s11, _s14));
-    const V _s16 = lanes_mul(K(0.5), bounce);
-    const V _s17 = lanes_mul(_s12, _s0);
-    const V _s18 = lanes_mul(K(4.0), drag);
-    const V _s19 = lanes_add(lanes_add(lanes_mul(_s16, _s2), lanes_div(lanes_mul(_s18, lanes_mul(_s2, _s2)), _s17)), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s2), _s0));
-    const V _s20 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
-    const M _s21 = lanes_both(_s15, lanes_at_most(_s19, _s20));
-    const V _s22 = lanes_mul(K(3.725290298461914e-09), p_ball_radius);
-    const M _s23 = lanes_at_most(wedge, _s22);
-    const V _s24 = lanes_div(lanes_mul(lanes_mul(K(16.0), _s2), _s5), _s0);
-    const M _s25 = lanes_less(lanes_add(_s22, _s24), nearest);
-    const M _s26 = lanes_at_most(_s24, _s22);
-    const V _s27 = lanes_neg(lift);
-    const V _s28 = lanes_min(_s27, press);
-    const V _s29 = lanes_div(bounce, _s28);
-    const M _s30 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s28), _s1), lanes_less(lanes_mul(lanes_mul(K(3.0), _s29), _s7), lanes_mul(_s8, _s28))), lanes_less(lanes_add(_s22, lanes_div(lanes_mul(lanes_mul(K(16.0), _s29), _s5), _s0)), nearest));
-    const M _s31 = lanes_both(_s30, lanes_at_most(lanes_add(lanes_mul(_s16, _s29), lanes_div(lanes_mul(_s18, lanes_mul(_s29, _s29)), _s17)), _s20));
-    const M _s32 = lanes_less(K(0.0), bounce);
-    const V _s33 = lanes_add(lanes_div(lanes_mul(K(5.0), lanes_add(lanes_mul(_s11, _s29), lanes_select(_s32, lanes_mul(bounce, _s13), K(0.0)))), _s0), lanes_mul(K(1.4551915228366852e-11), _s9));
-    const M _s34 = lanes_either(lanes_at_most(lanes_abs(press), lanes_mul(lanes_mul(K(4.0), velocity_error), _s3)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s19, _s20))), lanes_mul(lanes_mul(K(2.0), velocity_error), _s20)), _s32));
-    const V _s35 = lanes_mul(K(16.0), velocity_error);
-    const M _s36 = lanes_both(_s31, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s33)), _s35), lanes_less(lanes_abs(lanes_sub(_s11, _s14)), lanes_mul(_s35, lanes_add(lanes_mul(_s13, _s3), _s3)))));
-    return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(_s21, lanes_not(_s23)), lanes_either(_s25, _s26)), lanes_both(_s21, _s23), lanes_both(_s31, lanes_either(lanes_less(_s33, slip), lanes_less(_s14, _s11))), lanes_both(lanes_at_most(bounce, _s10), lanes_at_most(K(0.0), lift)), lanes_select(lanes_either(lanes_both(_s15, _s25), _s30), K(1.0), K(0.0)), lanes_either(lanes_either(_s34, _s36), lanes_both(lanes_both(_s21, _s26), lanes_not(_s25))) };
+    const M _s0 = lanes_less(K(0.0), _c1);
+    const V _s1 = lanes_div(bounce, press);
+    const V _s2 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
+    const V _s3 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
+    const V _s4 = lanes_add(_s3, lanes_abs(rolled_z));
+    const V _s5 = lanes_abs(weight);
+    const V _s6 = lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s2, _s4), _s5)), _s2);
+    const V _s7 = lanes_add(lanes_sqrt(lanes_mul(_c0, _s5)), _s4);
+    const V _s8 = lanes_mul(K(1.4210854715202004e-14), _s7);
+    const V _s9 = lanes_mul(K(2.0), drag);
+    const V _s10 = lanes_mul(press, _c3);
+    const M _s11 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), press), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s1), _s6), lanes_mul(press, _c2))), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), drag), _s1), _s8))), lanes_at_most(_s9, _s10));
+    const V _s12 = lanes_mul(K(0.5), bounce);
+    const V _s13 = lanes_mul(K(4.0), drag);
+    const V _s14 = lanes_add(lanes_add(lanes_mul(_s12, _s1), lanes_div(lanes_mul(_s13, lanes_mul(_s1, _s1)), _c4)), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s1), _c1));
+    const M _s15 = lanes_both(_s11, lanes_at_most(_s14, _c5));
+    const M _s16 = lanes_at_most(wedge, _c6);
+    const V _s17 = lanes_div(lanes_mul(lanes_mul(K(16.0), _s1), _s4), _c1);
+    const M _s18 = lanes_less(lanes_add(_c6, _s17), nearest);
+    const M _s19 = lanes_at_most(_s17, _c6);
+    const V _s20 = lanes_neg(lift);
+    const V _s21 = lanes_min(_s20, press);
+    const V _s22 = lanes_div(bounce, _s21);
+    const M _s23 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s21), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s22), _s6), lanes_mul(_c2, _s21))), lanes_less(lanes_add(_c6, lanes_div(lanes_mul(lanes_mul(K(16.0), _s22), _s4), _c1)), nearest));
+    const M _s24 = lanes_both(_s23, lanes_at_most(lanes_add(lanes_mul(_s12, _s22), lanes_div(lanes_mul(_s13, lanes_mul(_s22, _s22)), _c4)), _c5));
+    const M _s25 = lanes_less(K(0.0), bounce);
+    const V _s26 = lanes_add(lanes_div(lanes_mul(K(5.0), lanes_add(lanes_mul(_s9, _s22), lanes_select(_s25, lanes_mul(bounce, _c3), K(0.0)))), _c1), lanes_mul(K(1.4551915228366852e-11), _s7));
+    const M _s27 = lanes_either(lanes_at_most(lanes_abs(press), lanes_mul(lanes_mul(K(4.0), velocity_error), _s2)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s14, _c5))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c5)), _s25));
+    const V _s28 = lanes_mul(K(16.0), velocity_error);
+    const M _s29 = lanes_both(_s24, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s26)), _s28), lanes_less(lanes_abs(lanes_sub(_s9, _s10)), lanes_mul(_s28, lanes_add(lanes_mul(_c3, _s2), _s2)))));
+    return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(_s15, lanes_not(_s16)), lanes_either(_s18, _s19)), lanes_both(_s15, _s16), lanes_both(_s24, lanes_either(lanes_less(_s26, slip), lanes_less(_s10, _s9))), lanes_both(lanes_at_most(bounce, _s8), lanes_at_most(K(0.0), lift)), lanes_select(lanes_either(lanes_both(_s11, _s18), _s23), K(1.0), K(0.0)), lanes_either(lanes_either(_s27, _s29), lanes_both(lanes_both(_s15, _s19), lanes_not(_s18))) };
 }
 
 /* F² - mu² N², and its rate.
-   Coulomb's law. 8 operations: 2 subtractions, 6 multiplications. */
+   Coulomb's law. 7 operations: 2 subtractions, 5 multiplications. */
 typedef struct {
     V strain;
     V strain_rate;
 } LANES(court_ring_impact_strained_out);
 
 LANES_INLINE LANES(court_ring_impact_strained_out)
-LANES(court_ring_impact_strained)(V drag, V drag_rate, V force, V force_rate, V p_ring_friction)
+LANES(court_ring_impact_strained)(V drag, V drag_rate, V force, V force_rate, V _c0)
 {
-    const V _s0 = lanes_mul(p_ring_friction, p_ring_friction);
-    return (LANES(court_ring_impact_strained_out)){ lanes_sub(drag, lanes_mul(lanes_mul(force, force), _s0)), lanes_sub(drag_rate, lanes_mul(_s0, lanes_mul(K(2.0), lanes_mul(force, force_rate)))) };
+    return (LANES(court_ring_impact_strained_out)){ lanes_sub(drag, lanes_mul(lanes_mul(force, force), _c0)), lanes_sub(drag_rate, lanes_mul(_c0, lanes_mul(K(2.0), lanes_mul(force, force_rate)))) };
 }
 
 /* Velocity and spin after a contact, frame-free.
-   momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
+   momentum, angular momentum and Coulomb's law of friction. 80 operations: 8 additions, 19 subtractions, 41 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
 typedef struct {
     V vx;
     V vy;
@@ -2704,26 +2677,25 @@ typedef struct {
 } LANES(court_ring_impact_out);
 
 LANES_INLINE LANES(court_ring_impact_out)
-LANES(court_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
+LANES(court_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
-    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s2 = lanes_sub(_s1, lanes_mul(_c0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
     const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
-    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s4 = lanes_sub(_s3, lanes_mul(_c0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
     const V _s5 = lanes_sub(vy, lanes_mul(ny, _s0));
-    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s6 = lanes_sub(_s5, lanes_mul(_c0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
     const V _s7 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s6, _s6)), lanes_mul(_s2, _s2));
-    const V _s8 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-    const V _s9 = lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed)));
-    const V _s10 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), _s9), _s0)));
-    const V _s11 = lanes_select(lanes_less(K(0.0), p_ring_friction), lanes_select(lanes_less(p_ring_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, lanes_mul(_s8, _s8)), lanes_mul(_s10, _s10)), _s8, lanes_div(_s10, lanes_sqrt(_s7))), _s8), K(0.0));
-    const V _s12 = lanes_div(lanes_mul(K(1.5), _s11), p_ball_radius);
-    return (LANES(court_ring_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s11)), lanes_mul(lanes_mul(nx, _s9), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s11)), lanes_mul(lanes_mul(ny, _s9), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s11)), lanes_mul(lanes_mul(nz, _s9), _s0)), lanes_add(wx, lanes_mul(_s12, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s12, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s12, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
+    const V _s8 = lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s0, _c1)));
+    const V _s9 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), _s8), _s0)));
+    const V _s10 = lanes_select(lanes_less(K(0.0), p_ring_friction), lanes_select(lanes_less(p_ring_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, _c3), lanes_mul(_s9, _s9)), _c2, lanes_div(_s9, lanes_sqrt(_s7))), _c2), K(0.0));
+    const V _s11 = lanes_div(lanes_mul(K(1.5), _s10), _c0);
+    return (LANES(court_ring_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s10)), lanes_mul(lanes_mul(nx, _s8), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s10)), lanes_mul(lanes_mul(ny, _s8), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s10)), lanes_mul(lanes_mul(nz, _s8), _s0)), lanes_add(wx, lanes_mul(_s11, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s11, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s11, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the contact with friction, with roundings. 315 operations: 41 additions, 56 subtractions, 126 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
+   derivative of the contact with friction, with roundings. 312 operations: 40 additions, 56 subtractions, 124 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
 typedef struct {
     V dvx;
     V dvy;
@@ -2734,76 +2706,75 @@ typedef struct {
 } LANES(court_carry_ring_impact_out);
 
 LANES_INLINE LANES(court_carry_ring_impact_out)
-LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V lifting, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
+LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V lifting, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
     const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
-    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
-    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
-    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
     const V _s6 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s3, _s3));
-    const V _s7 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-    const V _s8 = lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed));
-    const V _s9 = lanes_div(p_ring_restitution, _s8);
-    const V _s10 = lanes_add(K(1.0), _s9);
-    const V _s11 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(_s10, _s0)));
-    const V _s12 = lanes_neg(lanes_div(lanes_mul(p_ring_restitution, lanes_neg(lanes_div(_s1, p_restitution_speed))), lanes_mul(_s8, _s8)));
-    const V _s13 = lanes_sqrt(_s6);
-    const V _s14 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
-    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
-    const V _s16 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
-    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
-    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
-    const V _s19 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s11), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s15), lanes_mul(lanes_mul(K(2.0), _s5), _s17)), lanes_mul(lanes_mul(K(2.0), _s3), _s18))), lanes_mul(_s13, _s6));
-    const V _s20 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_ring_friction, lanes_add(lanes_mul(_s10, _s1), lanes_mul(_s12, _s0)))), _s13), _s19);
-    const M _s21 = lanes_at_most(lanes_mul(_s6, lanes_mul(_s7, _s7)), lanes_mul(_s11, _s11));
-    const M _s22 = lanes_less(p_ring_friction, K(INFINITY));
-    const M _s23 = lanes_less(K(0.0), p_ring_friction);
-    const V _s24 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, K(0.0), _s20), K(0.0)), K(0.0));
-    const V _s25 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, _s7, lanes_div(_s11, _s13)), _s7), K(0.0));
-    const V _s26 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s24)), lanes_mul(_s18, _s25)), lanes_mul(lanes_mul(dnx, _s9), _s0)), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0));
-    const V _s27 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s28 = lanes_add(_s27, lanes_abs(vz));
-    const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
-    const V _s30 = lanes_neg(_s29);
-    const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
-    const V _s32 = lanes_abs(dwx);
-    const V _s33 = lanes_abs(dwy);
-    const V _s34 = lanes_max(_s32, _s33);
-    const V _s35 = lanes_abs(dwz);
-    const V _s36 = lanes_abs(dvx);
-    const V _s37 = lanes_abs(dvy);
-    const V _s38 = lanes_max(_s36, _s37);
-    const V _s39 = lanes_abs(dvz);
-    const V _s40 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s34, _s35)), lanes_mul(turn, _s28)), lanes_max(_s38, _s39));
-    const V _s41 = lanes_div(_s40, lifting);
-    const V _s42 = lanes_neg(_s41);
-    const V _s43 = lanes_select(lanes_less(lanes_abs(_s31), _s41), lanes_select(lanes_less(_s31, K(0.0)), _s42, _s41), _s31);
-    const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
-    const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
-    const V _s46 = lanes_select(lanes_less(lanes_abs(_s45), _s41), lanes_select(lanes_less(_s45, K(0.0)), _s42, _s41), _s45);
-    const V _s47 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
-    const V _s48 = lanes_add(_s47, lanes_select(lanes_less(_s47, K(0.0)), _s30, _s29));
-    const V _s49 = lanes_select(lanes_less(lanes_abs(_s48), _s41), lanes_select(lanes_less(_s48, K(0.0)), _s42, _s41), _s48);
-    const V _s50 = lanes_add(lanes_add(lanes_mul(nx, lanes_sub(_s43, _s31)), lanes_mul(ny, lanes_sub(_s46, _s45))), lanes_mul(nz, lanes_sub(_s49, _s48)));
-    const V _s51 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
-    const V _s52 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
-    const V _s53 = lanes_add(lanes_add(dwx, lanes_mul(_s51, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s52, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
-    const V _s54 = lanes_div(_s29, p_ball_radius);
-    const V _s55 = lanes_neg(_s54);
-    const V _s56 = lanes_add(_s53, lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54));
-    const V _s57 = lanes_div(_s40, lanes_mul(p_ball_radius, lifting));
-    const V _s58 = lanes_neg(_s57);
-    const V _s59 = lanes_add(lanes_add(dwy, lanes_mul(_s51, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s52, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
-    const V _s60 = lanes_add(_s59, lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54));
-    const V _s61 = lanes_add(lanes_add(dwz, lanes_mul(_s51, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s52, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
-    const V _s62 = lanes_add(_s61, lanes_select(lanes_less(_s61, K(0.0)), _s55, _s54));
-    return (LANES(court_carry_ring_impact_out)){ lanes_sub(_s43, lanes_mul(nx, _s50)), lanes_sub(_s46, lanes_mul(ny, _s50)), lanes_sub(_s49, lanes_mul(nz, _s50)), lanes_select(lanes_less(lanes_abs(_s56), _s57), lanes_select(lanes_less(_s56, K(0.0)), _s58, _s57), _s56), lanes_select(lanes_less(lanes_abs(_s60), _s57), lanes_select(lanes_less(_s60, K(0.0)), _s58, _s57), _s60), lanes_select(lanes_less(lanes_abs(_s62), _s57), lanes_select(lanes_less(_s62, K(0.0)), _s58, _s57), _s62) };
+    const V _s7 = lanes_sub(K(1.0), lanes_div(_s0, _c1));
+    const V _s8 = lanes_div(p_ring_restitution, _s7);
+    const V _s9 = lanes_add(K(1.0), _s8);
+    const V _s10 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(_s9, _s0)));
+    const V _s11 = lanes_neg(lanes_div(lanes_mul(p_ring_restitution, lanes_neg(lanes_div(_s1, _c1))), lanes_mul(_s7, _s7)));
+    const V _s12 = lanes_sqrt(_s6);
+    const V _s13 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
+    const V _s14 = lanes_sub(_s13, lanes_mul(_c0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
+    const V _s15 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
+    const V _s16 = lanes_sub(_s15, lanes_mul(_c0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
+    const V _s17 = lanes_sub(_s2, lanes_mul(_c0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
+    const V _s18 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s10), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s14), lanes_mul(lanes_mul(K(2.0), _s5), _s16)), lanes_mul(lanes_mul(K(2.0), _s3), _s17))), lanes_mul(_s12, _s6));
+    const V _s19 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_ring_friction, lanes_add(lanes_mul(_s9, _s1), lanes_mul(_s11, _s0)))), _s12), _s18);
+    const M _s20 = lanes_at_most(lanes_mul(_s6, _c3), lanes_mul(_s10, _s10));
+    const M _s21 = lanes_less(p_ring_friction, K(INFINITY));
+    const M _s22 = lanes_less(K(0.0), p_ring_friction);
+    const V _s23 = lanes_select(_s22, lanes_select(_s21, lanes_select(_s20, K(0.0), _s19), K(0.0)), K(0.0));
+    const V _s24 = lanes_select(_s22, lanes_select(_s21, lanes_select(_s20, _c2, lanes_div(_s10, _s12)), _c2), K(0.0));
+    const V _s25 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s23)), lanes_mul(_s17, _s24)), lanes_mul(lanes_mul(dnx, _s8), _s0)), lanes_mul(lanes_mul(nx, _s8), _s1)), lanes_mul(lanes_mul(nx, _s11), _s0));
+    const V _s26 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s27 = lanes_add(_s26, lanes_abs(vz));
+    const V _s28 = lanes_mul(K(2.220446049250313e-16), _s27);
+    const V _s29 = lanes_neg(_s28);
+    const V _s30 = lanes_add(_s25, lanes_select(lanes_less(_s25, K(0.0)), _s29, _s28));
+    const V _s31 = lanes_abs(dwx);
+    const V _s32 = lanes_abs(dwy);
+    const V _s33 = lanes_max(_s31, _s32);
+    const V _s34 = lanes_abs(dwz);
+    const V _s35 = lanes_abs(dvx);
+    const V _s36 = lanes_abs(dvy);
+    const V _s37 = lanes_max(_s35, _s36);
+    const V _s38 = lanes_abs(dvz);
+    const V _s39 = lanes_add(lanes_add(lanes_mul(_c0, lanes_max(_s33, _s34)), lanes_mul(turn, _s27)), lanes_max(_s37, _s38));
+    const V _s40 = lanes_div(_s39, lifting);
+    const V _s41 = lanes_neg(_s40);
+    const V _s42 = lanes_select(lanes_less(lanes_abs(_s30), _s40), lanes_select(lanes_less(_s30, K(0.0)), _s41, _s40), _s30);
+    const V _s43 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s15, lanes_mul(_s5, _s23)), lanes_mul(_s16, _s24)), lanes_mul(lanes_mul(dny, _s8), _s0)), lanes_mul(lanes_mul(ny, _s8), _s1)), lanes_mul(lanes_mul(ny, _s11), _s0));
+    const V _s44 = lanes_add(_s43, lanes_select(lanes_less(_s43, K(0.0)), _s29, _s28));
+    const V _s45 = lanes_select(lanes_less(lanes_abs(_s44), _s40), lanes_select(lanes_less(_s44, K(0.0)), _s41, _s40), _s44);
+    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s13, lanes_mul(_s4, _s23)), lanes_mul(_s14, _s24)), lanes_mul(lanes_mul(dnz, _s8), _s0)), lanes_mul(lanes_mul(nz, _s8), _s1)), lanes_mul(lanes_mul(nz, _s11), _s0));
+    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s29, _s28));
+    const V _s48 = lanes_select(lanes_less(lanes_abs(_s47), _s40), lanes_select(lanes_less(_s47, K(0.0)), _s41, _s40), _s47);
+    const V _s49 = lanes_add(lanes_add(lanes_mul(nx, lanes_sub(_s42, _s30)), lanes_mul(ny, lanes_sub(_s45, _s44))), lanes_mul(nz, lanes_sub(_s48, _s47)));
+    const V _s50 = lanes_div(lanes_mul(K(1.5), _s23), _c0);
+    const V _s51 = lanes_div(lanes_mul(K(1.5), _s24), _c0);
+    const V _s52 = lanes_add(lanes_add(dwx, lanes_mul(_s50, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s51, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s14)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s16))));
+    const V _s53 = lanes_div(_s28, _c0);
+    const V _s54 = lanes_neg(_s53);
+    const V _s55 = lanes_add(_s52, lanes_select(lanes_less(_s52, K(0.0)), _s54, _s53));
+    const V _s56 = lanes_div(_s39, lanes_mul(_c0, lifting));
+    const V _s57 = lanes_neg(_s56);
+    const V _s58 = lanes_add(lanes_add(dwy, lanes_mul(_s50, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s51, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s17)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s14))));
+    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s54, _s53));
+    const V _s60 = lanes_add(lanes_add(dwz, lanes_mul(_s50, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s51, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s16)), lanes_mul(dny, _s3)), lanes_mul(ny, _s17))));
+    const V _s61 = lanes_add(_s60, lanes_select(lanes_less(_s60, K(0.0)), _s54, _s53));
+    return (LANES(court_carry_ring_impact_out)){ lanes_sub(_s42, lanes_mul(nx, _s49)), lanes_sub(_s45, lanes_mul(ny, _s49)), lanes_sub(_s48, lanes_mul(nz, _s49)), lanes_select(lanes_less(lanes_abs(_s55), _s56), lanes_select(lanes_less(_s55, K(0.0)), _s57, _s56), _s55), lanes_select(lanes_less(lanes_abs(_s59), _s56), lanes_select(lanes_less(_s59, K(0.0)), _s57, _s56), _s59), lanes_select(lanes_less(lanes_abs(_s61), _s56), lanes_select(lanes_less(_s61, K(0.0)), _s57, _s56), _s61) };
 }
 
 /* Outward unit normal n3 at a contact.
-   Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root. */
+   Table 2. 11 operations: 1 addition, 1 subtraction, 7 multiplications, 1 division, 1 square root. */
 typedef struct {
     V nx;
     V ny;
@@ -2811,30 +2782,27 @@ typedef struct {
 } LANES(court_ring_normal_out);
 
 LANES_INLINE LANES(court_ring_normal_out)
-LANES(court_ring_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+LANES(court_ring_normal)(V x, V y, V z, V _c0, V _c1)
 {
-    const V _s0 = lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius));
-    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s2 = lanes_mul(lanes_mul(_s0, lanes_sub(_s1, p_ring_radius)), lanes_div(K(1.0), _s1));
-    return (LANES(court_ring_normal_out)){ lanes_mul(x, _s2), lanes_mul(y, _s2), lanes_mul(z, _s0) };
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_mul(lanes_mul(_c1, lanes_sub(_s0, _c0)), lanes_div(K(1.0), _s0));
+    return (LANES(court_ring_normal_out)){ lanes_mul(x, _s1), lanes_mul(y, _s1), lanes_mul(z, _c1) };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection. */
+   Table 2. No operations. */
 typedef struct {
     V curvature;
 } LANES(court_ring_curvature_out);
 
 LANES_INLINE LANES(court_ring_curvature_out)
-LANES(court_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
+LANES(court_ring_curvature)(V _c0)
 {
-    const V _s0 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
-    return (LANES(court_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(_s0, _s1)) };
+    return (LANES(court_ring_curvature_out)){ _c0 };
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
+   derivative of Table 2's normal. 31 operations: 5 additions, 1 subtraction, 21 multiplications, 2 divisions, 1 square root, 1 negation. */
 typedef struct {
     V dnx;
     V dny;
@@ -2843,76 +2811,59 @@ typedef struct {
 } LANES(court_ring_carry_normal_out);
 
 LANES_INLINE LANES(court_ring_carry_normal_out)
-LANES(court_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+LANES(court_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_div(K(1.0), _s0);
-    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s3 = lanes_sub(_s2, p_ring_radius);
-    const V _s4 = lanes_div(K(1.0), _s2);
-    const V _s5 = lanes_mul(lanes_mul(_s1, _s3), _s4);
-    const V _s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s2);
-    const V _s7 = lanes_add(lanes_mul(lanes_mul(_s6, _s1), _s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s1), _s3));
-    const V _s8 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-    return (LANES(court_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(_s8, _s0))) };
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_sub(_s0, _c0);
+    const V _s2 = lanes_div(K(1.0), _s0);
+    const V _s3 = lanes_mul(lanes_mul(_c1, _s1), _s2);
+    const V _s4 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s0);
+    const V _s5 = lanes_add(lanes_mul(lanes_mul(_s4, _c1), _s2), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _c1), _s1));
+    return (LANES(court_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s3), lanes_mul(x, _s5)), lanes_add(lanes_mul(dy, _s3), lanes_mul(y, _s5)), lanes_mul(dz, _c1), lanes_mul(shift, _c2) };
 }
 
 /* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 161 operations: 31 additions, 19 subtractions, 74 multiplications, 1 division, 4 square roots, 16 comparisons, 16 selections. */
+   bounds of the event condition. 131 operations: 28 additions, 16 subtractions, 54 multiplications, 3 square roots, 15 comparisons, 15 selections. */
 typedef struct {
     V clear;
 } LANES(court_ring_clear_out);
 
 LANES_INLINE LANES(court_ring_clear_out)
-LANES(court_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(court_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14, V _c15, V _c16, V _c17, V _c18, V _c19, V _c20, V _c21, V _c22)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0));
-    const V _s2 = lanes_div(K(1.0), p_gravity);
-    const V _s3 = lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s2, lanes_add(lanes_add(lanes_mul(K(2.0), p_ball_radius), extent), lanes_mul(K(2.0), p_wire_radius)))));
-    const V _s4 = lanes_add(_s3, lanes_mul(lanes_mul(K(2.0), speed), _s2));
-    const V _s5 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s4, horizon))), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
-    const V _s6 = lanes_mul(K(1.00006103515625), _s0);
-    const V _s7 = lanes_add(p_ring_radius, _s6);
-    const V _s8 = lanes_mul(vz, vz);
-    const V _s9 = lanes_add(_s8, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s6)));
+    const V _s0 = lanes_add(lanes_mul(_c3, lanes_sqrt(lanes_mul(_c4, lanes_add(lanes_add(_c5, extent), _c6)))), lanes_mul(lanes_mul(K(2.0), speed), _c4));
+    const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s0, horizon))), _c7), _c8);
+    const V _s2 = lanes_mul(vz, vz);
+    const V _s3 = lanes_add(_s2, lanes_mul(_c12, lanes_sub(z, _c9)));
+    const V _s4 = lanes_sqrt(_s3);
+    const V _s5 = lanes_mul(_c4, lanes_sub(vz, _s4));
+    const V _s6 = lanes_mul(_c4, lanes_add(vz, _s4));
+    const V _s7 = lanes_add(x, lanes_mul(vx, _s6));
+    const V _s8 = lanes_add(y, lanes_mul(vy, _s6));
+    const V _s9 = lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s8, _s8));
     const V _s10 = lanes_sqrt(_s9);
-    const V _s11 = lanes_mul(_s2, lanes_sub(vz, _s10));
-    const V _s12 = lanes_mul(_s2, lanes_add(vz, _s10));
-    const V _s13 = lanes_add(x, lanes_mul(vx, _s12));
-    const V _s14 = lanes_add(y, lanes_mul(vy, _s12));
-    const V _s15 = lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14));
-    const V _s16 = lanes_sqrt(_s15);
-    const V _s17 = lanes_sub(_s16, p_ring_radius);
-    const V _s18 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s12)), _s12));
-    const V _s19 = lanes_mul(_s7, _s7);
-    const V _s20 = lanes_mul(K(9.313225746154785e-10), _s19);
-    const V _s21 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s17, _s17), lanes_mul(_s18, _s18)), lanes_mul(_s0, _s0)), _s20);
-    const V _s22 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V _s23 = lanes_sub(p_ring_radius, _s6);
-    const V _s24 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s25 = lanes_max(_s23, _s24);
-    const V _s26 = lanes_mul(_s25, _s25);
-    const V _s27 = lanes_mul(_s25, _s26);
-    const V _s28 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s8), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s22)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s27);
-    const V _s29 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
-    const V _s30 = lanes_mul(_s29, _s29);
-    const V _s31 = lanes_sub(_s28, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s30));
-    const V _s32 = lanes_add(lanes_mul(_s17, lanes_add(lanes_mul(vx, _s13), lanes_mul(vy, _s14))), lanes_mul(lanes_mul(_s18, lanes_sub(vz, lanes_mul(p_gravity, _s12))), _s16));
-    const V _s33 = lanes_add(x, lanes_mul(horizon, vx));
-    const V _s34 = lanes_add(y, lanes_mul(horizon, vy));
-    const V _s35 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s20, lanes_mul(_s33, _s33)), lanes_mul(_s34, _s34)), _s26), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s22, lanes_add(_s20, _s26)), _s30), K(0.0)), K(1.0), K(0.0)));
-    const V _s36 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s32, _s32)), _s27), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s31), _s15), _s21)), K(0.0)), _s35, K(0.0));
-    const V _s37 = lanes_select(lanes_less(horizon, lanes_sub(_s12, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s21), lanes_select(lanes_less(K(0.0), _s31), _s36, K(0.0)), K(0.0)));
-    const V _s38 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
-    const V _s39 = lanes_add(lanes_mul(_s11, _s22), _s38);
-    const V _s40 = lanes_select(lanes_less(_s39, K(0.0)), lanes_select(lanes_less(_s19, lanes_add(lanes_mul(_s11, lanes_add(_s38, _s39)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s37, K(0.0)), K(0.0));
-    const V _s41 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s7)), lanes_select(lanes_less(K(0.0), _s9), lanes_select(lanes_less(_s11, K(0.0)), _s37, _s40), K(0.0)), K(0.0));
-    return (LANES(court_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_s1, _s5)), K(0.0), lanes_select(lanes_less(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(5.820766091346741e-11), _s7)), _s41, K(0.0))) };
+    const V _s11 = lanes_sub(_s10, _c0);
+    const V _s12 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(_c13, _s6)), _s6));
+    const V _s13 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), _c14), _c16);
+    const V _s14 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s15 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s16 = lanes_mul(_s15, _s15);
+    const V _s17 = lanes_sub(lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s2), lanes_mul(_c17, z)), lanes_mul(K(2.0), _s14)), _c18), _c20), lanes_mul(_c21, _s16));
+    const V _s18 = lanes_add(lanes_mul(_s11, lanes_add(lanes_mul(vx, _s7), lanes_mul(vy, _s8))), lanes_mul(lanes_mul(_s12, lanes_sub(vz, lanes_mul(_c1, _s6))), _s10));
+    const V _s19 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s20 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s21 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_c16, lanes_mul(_s19, _s19)), lanes_mul(_s20, _s20)), _c19), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s14, _c22), _s16), K(0.0)), K(1.0), K(0.0)));
+    const V _s22 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s18, _s18)), _c20), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s17), _s9), _s13)), K(0.0)), _s21, K(0.0));
+    const V _s23 = lanes_select(lanes_less(horizon, lanes_sub(_s6, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s13), lanes_select(lanes_less(K(0.0), _s17), _s22, K(0.0)), K(0.0)));
+    const V _s24 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s25 = lanes_add(lanes_mul(_s5, _s14), _s24);
+    const V _s26 = lanes_select(lanes_less(_s25, K(0.0)), lanes_select(lanes_less(_c15, lanes_add(lanes_mul(_s5, lanes_add(_s24, _s25)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s23, K(0.0)), K(0.0));
+    const V _s27 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c1, horizon)))), _c11), lanes_select(lanes_less(K(0.0), _s3), lanes_select(lanes_less(_s5, K(0.0)), _s23, _s26), K(0.0)), K(0.0));
+    return (LANES(court_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_c2, _s1)), K(0.0), lanes_select(lanes_less(lanes_add(position_error, lanes_mul(horizon, velocity_error)), _c10), _s27, K(0.0))) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections. */
+   bounds of the event condition. 164 operations: 29 additions, 17 subtractions, 38 multiplications, 1 division, 6 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
 typedef struct {
     V steady;
     V swing;
@@ -2929,75 +2880,63 @@ typedef struct {
 } LANES(court_ring_prepare_out);
 
 LANES_INLINE LANES(court_ring_prepare_out)
-LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
 {
     const V _s0 = lanes_mul(vz, vz);
     const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V _s2 = lanes_add(lanes_add(lanes_mul(K(2.0), _s0), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s1));
+    const V _s2 = lanes_add(lanes_add(lanes_mul(K(2.0), _s0), lanes_mul(_c0, z)), lanes_mul(K(2.0), _s1));
     const V _s3 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
     const V _s4 = lanes_mul(_s3, _s3);
-    const V _s5 = lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s4);
+    const V _s5 = lanes_mul(_c1, _s4);
     const V _s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
-    const V _s7 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s8 = lanes_mul(K(1.00006103515625), _s7);
-    const V _s9 = lanes_mul(K(2.0), p_gravity);
-    const V _s10 = lanes_mul(K(8.881784197001252e-16), lanes_add(_s0, lanes_mul(_s9, lanes_add(lanes_abs(z), _s8))));
-    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(_s9, lanes_add(z, _s8))), _s10);
-    const V _s12 = lanes_div(K(1.0), p_gravity);
-    const V _s13 = lanes_sqrt(_s11);
-    const V _s14 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), _s13));
-    const M _s15 = lanes_at_most(K(0.0), _s11);
-    const V _s16 = lanes_select(_s15, lanes_mul(_s12, lanes_sub(lanes_sub(vz, _s13), _s14)), K(INFINITY));
-    const V _s17 = lanes_add(p_ring_radius, _s8);
-    const V _s18 = lanes_mul(_s17, _s17);
-    const V _s19 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_s18, _s6));
-    const V _s20 = lanes_sub(lanes_add(lanes_mul(_s18, _s1), _s19), _s4);
-    const V _s21 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
-    const V _s22 = lanes_sqrt(_s20);
-    const V _s23 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s21), lanes_abs(_s3)), _s22));
-    const V _s24 = lanes_div(K(1.0), _s1);
-    const M _s25 = lanes_at_most(K(0.0), _s20);
-    const M _s26 = lanes_less(K(2.409919865102884e-181), _s1);
-    const V _s27 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_neg(lanes_add(lanes_add(_s21, _s22), _s23)), _s24), K(INFINITY)), K(-INFINITY));
-    const V _s28 = lanes_max(_s16, _s27);
-    const V _s29 = lanes_sub(p_ring_radius, _s8);
-    const V _s30 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s31 = lanes_max(_s29, _s30);
-    const V _s32 = lanes_sub(lanes_sub(lanes_mul(_s1, lanes_mul(_s31, _s31)), _s19), _s4);
-    const V _s33 = lanes_sqrt(lanes_max(_s32, K(0.0)));
-    const V _s34 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_sub(lanes_add(_s22, _s23), _s21), _s24), K(-INFINITY)), K(INFINITY));
-    const M _s35 = lanes_less(K(0.0), lanes_select(_s26, _s32, K(0.0)));
-    const V _s36 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s23, _s21), _s33), _s24), _s34);
-    const V _s37 = lanes_sub(lanes_add(_s0, lanes_mul(_s9, lanes_sub(z, _s8))), _s10);
-    const V _s38 = lanes_sqrt(lanes_max(_s37, K(0.0)));
-    const V _s39 = lanes_select(_s15, lanes_mul(_s12, lanes_add(lanes_add(vz, _s13), _s14)), K(-INFINITY));
-    const M _s40 = lanes_less(K(0.0), _s37);
-    const V _s41 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s14), _s38)), _s39);
-    const V _s42 = lanes_min(_s36, _s41);
-    const V _s43 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s33, _s21), _s23), _s24), K(INFINITY));
-    const V _s44 = lanes_max(_s43, _s36);
-    const V _s45 = lanes_max(_s16, _s44);
-    const V _s46 = lanes_min(_s34, _s41);
-    const V _s47 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s38), _s14)), K(INFINITY));
-    const V _s48 = lanes_max(_s47, _s41);
-    const M _s49 = lanes_at_most(_s45, _s46);
-    const V _s50 = lanes_select(_s49, _s45, lanes_max(_s48, _s27));
-    const V _s51 = lanes_select(_s49, _s46, lanes_min(_s36, _s39));
-    const V _s52 = lanes_max(_s48, _s44);
-    const V _s53 = lanes_min(_s34, _s39);
-    const V _s54 = lanes_div(K(1.0), _s31);
-    const V _s55 = lanes_max(K(0.0), _s42);
-    const V _s56 = lanes_max(_s55, _s51);
-    const V _s57 = lanes_max(_s56, _s53);
-    const V _s58 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s7));
-    const V _s59 = lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s12, lanes_add(lanes_add(lanes_mul(K(2.0), p_ball_radius), extent), lanes_mul(K(2.0), p_wire_radius)))));
-    const V _s60 = lanes_add(_s59, lanes_mul(lanes_mul(K(2.0), speed), _s12));
-    const V _s61 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s60, horizon))), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
-    return (LANES(court_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s28), lanes_min(_s42, horizon), lanes_max(K(0.0), _s50), lanes_min(_s51, horizon), lanes_max(K(0.0), _s52), lanes_min(_s53, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s54, lanes_mul(_s54, _s54)))), lanes_abs(_s2)), lanes_min(_s57, horizon), lanes_max(_s58, _s61) };
+    const V _s7 = lanes_mul(K(8.881784197001252e-16), lanes_add(_s0, lanes_mul(_c3, lanes_add(lanes_abs(z), _c2))));
+    const V _s8 = lanes_add(lanes_add(_s0, lanes_mul(_c3, lanes_add(z, _c2))), _s7);
+    const V _s9 = lanes_sqrt(_s8);
+    const V _s10 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), _s9));
+    const M _s11 = lanes_at_most(K(0.0), _s8);
+    const V _s12 = lanes_select(_s11, lanes_mul(_c4, lanes_sub(lanes_sub(vz, _s9), _s10)), K(INFINITY));
+    const V _s13 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_c5, _s6));
+    const V _s14 = lanes_sub(lanes_add(lanes_mul(_c5, _s1), _s13), _s4);
+    const V _s15 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s16 = lanes_sqrt(_s14);
+    const V _s17 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s15), lanes_abs(_s3)), _s16));
+    const V _s18 = lanes_div(K(1.0), _s1);
+    const M _s19 = lanes_at_most(K(0.0), _s14);
+    const M _s20 = lanes_less(K(2.409919865102884e-181), _s1);
+    const V _s21 = lanes_select(_s20, lanes_select(_s19, lanes_mul(lanes_neg(lanes_add(lanes_add(_s15, _s16), _s17)), _s18), K(INFINITY)), K(-INFINITY));
+    const V _s22 = lanes_max(_s12, _s21);
+    const V _s23 = lanes_sub(lanes_sub(lanes_mul(_s1, _c6), _s13), _s4);
+    const V _s24 = lanes_sqrt(lanes_max(_s23, K(0.0)));
+    const V _s25 = lanes_select(_s20, lanes_select(_s19, lanes_mul(lanes_sub(lanes_add(_s16, _s17), _s15), _s18), K(-INFINITY)), K(INFINITY));
+    const M _s26 = lanes_less(K(0.0), lanes_select(_s20, _s23, K(0.0)));
+    const V _s27 = lanes_select(_s26, lanes_mul(lanes_sub(lanes_sub(_s17, _s15), _s24), _s18), _s25);
+    const V _s28 = lanes_sub(lanes_add(_s0, lanes_mul(_c3, lanes_sub(z, _c2))), _s7);
+    const V _s29 = lanes_sqrt(lanes_max(_s28, K(0.0)));
+    const V _s30 = lanes_select(_s11, lanes_mul(_c4, lanes_add(lanes_add(vz, _s9), _s10)), K(-INFINITY));
+    const M _s31 = lanes_less(K(0.0), _s28);
+    const V _s32 = lanes_select(_s31, lanes_mul(_c4, lanes_sub(lanes_add(vz, _s10), _s29)), _s30);
+    const V _s33 = lanes_min(_s27, _s32);
+    const V _s34 = lanes_select(_s26, lanes_mul(lanes_sub(lanes_sub(_s24, _s15), _s17), _s18), K(INFINITY));
+    const V _s35 = lanes_max(_s34, _s27);
+    const V _s36 = lanes_max(_s12, _s35);
+    const V _s37 = lanes_min(_s25, _s32);
+    const V _s38 = lanes_select(_s31, lanes_mul(_c4, lanes_sub(lanes_add(vz, _s29), _s10)), K(INFINITY));
+    const V _s39 = lanes_max(_s38, _s32);
+    const M _s40 = lanes_at_most(_s36, _s37);
+    const V _s41 = lanes_select(_s40, _s36, lanes_max(_s39, _s21));
+    const V _s42 = lanes_select(_s40, _s37, lanes_min(_s27, _s30));
+    const V _s43 = lanes_max(_s39, _s35);
+    const V _s44 = lanes_min(_s25, _s30);
+    const V _s45 = lanes_max(K(0.0), _s33);
+    const V _s46 = lanes_max(_s45, _s42);
+    const V _s47 = lanes_max(_s46, _s44);
+    const V _s48 = lanes_add(lanes_mul(_c10, lanes_sqrt(lanes_mul(_c4, lanes_add(lanes_add(_c11, extent), _c12)))), lanes_mul(lanes_mul(K(2.0), speed), _c4));
+    const V _s49 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s48, horizon))), _c13), _c14);
+    return (LANES(court_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s22), lanes_min(_s33, horizon), lanes_max(K(0.0), _s41), lanes_min(_s42, horizon), lanes_max(K(0.0), _s43), lanes_min(_s44, horizon), lanes_add(lanes_add(_c7, lanes_mul(_s5, _c8)), lanes_abs(_s2)), lanes_min(_s47, horizon), lanes_max(_c9, _s49) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
-   running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
+   running error analysis. 34 operations: 12 additions, 22 multiplications. */
 typedef struct {
     V margin;
     V leaving_margin;
@@ -3005,26 +2944,19 @@ typedef struct {
 } LANES(court_ring_margins_out);
 
 LANES_INLINE LANES(court_ring_margins_out)
-LANES(court_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(court_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(speed, lanes_mul(p_gravity, horizon));
-    const V _s2 = lanes_mul(K(1.00006103515625), _s0);
-    const V _s3 = lanes_mul(_s2, _s1);
-    const V _s4 = lanes_add(p_ring_radius, _s2);
-    const V _s5 = lanes_add(extent, lanes_mul(horizon, _s1));
-    const V _s6 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s5));
-    const V _s7 = lanes_sub(p_ring_radius, _s2);
-    const V _s8 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s9 = lanes_div(_s2, lanes_max(_s7, _s8));
-    const V _s10 = lanes_max(K(1.0), _s9);
-    const V _s11 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s1, _s10), _s6), lanes_mul(_s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s1)))));
-    const V _s12 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s1), lanes_add(lanes_mul(_s5, _s10), _s4)), lanes_mul(K(4.440892098500626e-16), _s3)), _s11));
-    return (LANES(court_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s4)), lanes_mul(lanes_mul(K(5.00030517578125), _s0), _s6))), _s12, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_s4, _s1)), _s11)) };
+    const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
+    const V _s1 = lanes_mul(_c1, _s0);
+    const V _s2 = lanes_add(extent, lanes_mul(horizon, _s0));
+    const V _s3 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s2));
+    const V _s4 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s0, _c5), _s3), lanes_mul(_c1, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s0)))));
+    const V _s5 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s0), lanes_add(lanes_mul(_s2, _c5), _c2)), lanes_mul(K(4.440892098500626e-16), _s1)), _s4));
+    return (LANES(court_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s1), _c3), lanes_mul(_c4, _s3))), _s5, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_c2, _s0)), _s4)) };
 }
 
 /* Newton's next value of a root near t, and gap and rate there.
-   Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
+   Newton's method. 53 operations: 14 additions, 6 subtractions, 28 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
 typedef struct {
     V time;
     V gap;
@@ -3032,25 +2964,24 @@ typedef struct {
 } LANES(court_ring_refine_out);
 
 LANES_INLINE LANES(court_ring_refine_out)
-LANES(court_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(court_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_add(x, lanes_mul(t, vx));
     const V _s1 = lanes_add(y, lanes_mul(t, vy));
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
     const V _s3 = lanes_add(rho_start, _s2);
     const V _s4 = lanes_div(K(1.0), lanes_mul(_s3, _s2));
-    const V _s5 = lanes_sub(_s2, p_ring_radius);
-    const V _s6 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s5 = lanes_sub(_s2, _c0);
+    const V _s6 = lanes_sub(vz, lanes_mul(_c2, t));
     const V _s7 = lanes_add(z, lanes_mul(t, _s6));
-    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s7)));
-    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s5)), lanes_mul(_s2, _s4));
-    const V _s10 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s11 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), lanes_mul(_s10, _s10)));
-    return (LANES(court_ring_refine_out)){ lanes_sub(t, lanes_div(_s11, _s8)), _s11, _s8 };
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(_c1, t)), _s7)));
+    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, _c0), _s5)), lanes_mul(_s2, _s4));
+    const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), _c3));
+    return (LANES(court_ring_refine_out)){ lanes_sub(t, lanes_div(_s10, _s8)), _s10, _s8 };
 }
 
 /* Gap, rate, bend, a step without a root, its end, and the clearance of a root.
-   Newton from the left under a curvature bound. 143 operations: 29 additions, 16 subtractions, 53 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
+   Newton from the left under a curvature bound. 132 operations: 27 additions, 15 subtractions, 47 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 15 comparisons, 18 selections. */
 typedef struct {
     V gap;
     V rate;
@@ -3061,56 +2992,49 @@ typedef struct {
 } LANES(court_ring_advance_out);
 
 LANES_INLINE LANES(court_ring_advance_out)
-LANES(court_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(court_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7)
 {
     const V _s0 = lanes_add(x, lanes_mul(t, vx));
     const V _s1 = lanes_add(y, lanes_mul(t, vy));
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
-    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s3 = lanes_sub(_s2, _c0);
     const V _s4 = lanes_add(rho_start, _s2);
     const V _s5 = lanes_div(K(1.0), lanes_mul(_s4, _s2));
-    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s3)), lanes_mul(_s2, _s5));
-    const V _s7 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, _c0), _s3)), lanes_mul(_s2, _s5));
+    const V _s7 = lanes_sub(vz, lanes_mul(_c2, t));
     const V _s8 = lanes_add(z, lanes_mul(t, _s7));
-    const V _s9 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), lanes_mul(_s9, _s9)));
-    const V _s11 = lanes_mul(_s4, _s5);
-    const V _s12 = lanes_mul(_s11, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
-    const V _s13 = lanes_sub(vz, lanes_mul(p_gravity, t));
-    const V _s14 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s12, _s3), lanes_mul(_s13, _s8)));
-    const V _s15 = lanes_mul(K(6.0), p_gravity);
-    const V _s16 = lanes_mul(_s15, _s8);
-    const V _s17 = lanes_mul(swing, lanes_mul(_s11, lanes_mul(_s11, _s11)));
-    const V _s18 = lanes_mul(K(1.00006103515625), _s9);
-    const V _s19 = lanes_mul(K(9.094947017729282e-13), lanes_add(p_ring_radius, _s18));
-    const V _s20 = lanes_sub(_s14, rate_margin);
-    const V _s21 = lanes_sub(_s10, margin);
-    const V _s22 = lanes_max(_s21, K(0.0));
-    const V _s23 = lanes_sub(lanes_add(_s16, _s17), steady);
-    const M _s24 = lanes_less(_s20, K(0.0));
-    const V _s25 = lanes_mul(K(2.0), _s22);
-    const V _s26 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s20), _s22, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s24, _s25, lanes_mul(K(4.0), _s20)), lanes_select(_s24, lanes_neg(_s20), lanes_max(K(0.0), _s23))));
-    const V _s27 = lanes_sub(end, t);
-    const V _s28 = lanes_min(_s26, _s27);
-    const V _s29 = lanes_add(_s19, lanes_add(lanes_mul(_s28, lanes_max(_s13, K(0.0))), _s8));
-    const V _s30 = lanes_mul(_s15, lanes_min(_s18, _s29));
-    const V _s31 = lanes_sub(lanes_add(lanes_mul(_s28, lanes_min(K(0.0), _s12)), _s2), _s19);
-    const V _s32 = lanes_sub(p_ring_radius, _s18);
-    const V _s33 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s34 = lanes_max(_s32, _s33);
-    const V _s35 = lanes_div(K(1.0), lanes_max(_s31, _s34));
-    const V _s36 = lanes_mul(swing, lanes_mul(_s35, lanes_mul(_s35, _s35)));
-    const V _s37 = lanes_sub(lanes_add(lanes_add(_s30, _s36), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s36, lanes_abs(steady)), lanes_abs(_s30)))), steady);
-    const V _s38 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s37), _s22), lanes_mul(_s20, _s20));
-    const V _s39 = lanes_sqrt(_s38);
-    const V _s40 = lanes_select(lanes_at_most(K(0.0), _s38), lanes_div(lanes_select(_s24, _s25, lanes_add(_s20, _s39)), lanes_select(_s24, lanes_sub(_s39, _s20), lanes_max(K(0.0), _s37))), K(INFINITY));
-    const V _s41 = lanes_min(_s40, _s28);
-    const V _s42 = lanes_neg(lanes_add(rate_margin, _s14));
-    return (LANES(court_ring_advance_out)){ _s10, _s14, lanes_sub(lanes_sub(steady, _s16), _s17), _s41, lanes_add(t, _s41), lanes_select(lanes_less(K(0.0), _s42), lanes_sub(lanes_mul(_s42, _s42), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s25))), _s42) };
+    const V _s9 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), _c3));
+    const V _s10 = lanes_mul(_s4, _s5);
+    const V _s11 = lanes_mul(_s10, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
+    const V _s12 = lanes_sub(vz, lanes_mul(_c1, t));
+    const V _s13 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s11, _s3), lanes_mul(_s12, _s8)));
+    const V _s14 = lanes_mul(_c4, _s8);
+    const V _s15 = lanes_mul(swing, lanes_mul(_s10, lanes_mul(_s10, _s10)));
+    const V _s16 = lanes_sub(_s13, rate_margin);
+    const V _s17 = lanes_sub(_s9, margin);
+    const V _s18 = lanes_max(_s17, K(0.0));
+    const V _s19 = lanes_sub(lanes_add(_s14, _s15), steady);
+    const M _s20 = lanes_less(_s16, K(0.0));
+    const V _s21 = lanes_mul(K(2.0), _s18);
+    const V _s22 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s16), _s18, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s20, _s21, lanes_mul(K(4.0), _s16)), lanes_select(_s20, lanes_neg(_s16), lanes_max(K(0.0), _s19))));
+    const V _s23 = lanes_sub(end, t);
+    const V _s24 = lanes_min(_s22, _s23);
+    const V _s25 = lanes_add(_c6, lanes_add(lanes_mul(_s24, lanes_max(_s12, K(0.0))), _s8));
+    const V _s26 = lanes_mul(_c4, lanes_min(_c5, _s25));
+    const V _s27 = lanes_sub(lanes_add(lanes_mul(_s24, lanes_min(K(0.0), _s11)), _s2), _c6);
+    const V _s28 = lanes_div(K(1.0), lanes_max(_s27, _c7));
+    const V _s29 = lanes_mul(swing, lanes_mul(_s28, lanes_mul(_s28, _s28)));
+    const V _s30 = lanes_sub(lanes_add(lanes_add(_s26, _s29), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s29, lanes_abs(steady)), lanes_abs(_s26)))), steady);
+    const V _s31 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s30), _s18), lanes_mul(_s16, _s16));
+    const V _s32 = lanes_sqrt(_s31);
+    const V _s33 = lanes_select(lanes_at_most(K(0.0), _s31), lanes_div(lanes_select(_s20, _s21, lanes_add(_s16, _s32)), lanes_select(_s20, lanes_sub(_s32, _s16), lanes_max(K(0.0), _s30))), K(INFINITY));
+    const V _s34 = lanes_min(_s33, _s24);
+    const V _s35 = lanes_neg(lanes_add(rate_margin, _s13));
+    return (LANES(court_ring_advance_out)){ _s9, _s13, lanes_sub(lanes_sub(steady, _s14), _s15), _s34, lanes_add(t, _s34), lanes_select(lanes_less(K(0.0), _s35), lanes_sub(lanes_mul(_s35, _s35), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s21))), _s35) };
 }
 
 /* Windows of the search along a flight, and whether single precision serves for it.
-   bounds of the event condition. 186 operations: 24 additions, 16 subtractions, 37 multiplications, 2 divisions, 4 square roots, 1 negation, 4 absolute values, 43 comparisons, 7 conjunctions, 3 disjunctions, 45 selections. */
+   bounds of the event condition. 171 operations: 21 additions, 15 subtractions, 29 multiplications, 1 division, 4 square roots, 1 negation, 4 absolute values, 42 comparisons, 7 conjunctions, 3 disjunctions, 44 selections. */
 typedef struct {
     S t;
     S end;
@@ -3124,80 +3048,72 @@ typedef struct {
 } LANES(court_ring_opened_out);
 
 LANES_INLINE LANES(court_ring_opened_out)
-LANES(court_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
+LANES(court_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
 {
     const S _s0 = singles_mul(vz, vz);
-    const S _s1 = singles_mul(KS(1.00006103515625), singles_add(p_ball_radius, p_wire_radius));
-    const S _s2 = singles_mul(KS(2.0), p_gravity);
-    const S _s3 = singles_mul(KS(4.76837158203125e-07), singles_add(_s0, singles_mul(_s2, singles_add(singles_abs(z), _s1))));
-    const S _s4 = singles_add(singles_add(_s0, singles_mul(_s2, singles_add(z, _s1))), _s3);
-    const S _s5 = singles_div(KS(1.0), p_gravity);
-    const S _s6 = singles_sqrt(_s4);
-    const S _s7 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_abs(vz), _s6));
-    const Q _s8 = singles_at_most(KS(0.0), _s4);
-    const S _s9 = singles_select(_s8, singles_mul(_s5, singles_sub(singles_sub(vz, _s6), _s7)), KS(INFINITY));
-    const S _s10 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
-    const S _s11 = singles_add(p_ring_radius, _s1);
-    const S _s12 = singles_mul(_s11, _s11);
-    const S _s13 = singles_mul(singles_mul(KS(9.5367431640625e-07), _s10), singles_add(_s12, singles_add(singles_mul(x, x), singles_mul(y, y))));
-    const S _s14 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
-    const S _s15 = singles_mul(_s14, _s14);
-    const S _s16 = singles_sub(singles_add(singles_mul(_s12, _s10), _s13), _s15);
-    const S _s17 = singles_add(singles_mul(vx, x), singles_mul(vy, y));
-    const S _s18 = singles_sqrt(_s16);
-    const S _s19 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_abs(_s17), singles_abs(_s14)), _s18));
-    const S _s20 = singles_div(KS(1.0), _s10);
-    const Q _s21 = singles_at_most(KS(0.0), _s16);
-    const Q _s22 = singles_less(KS(8.673617379884035e-19), _s10);
-    const S _s23 = singles_select(_s22, singles_select(_s21, singles_mul(singles_neg(singles_add(singles_add(_s17, _s18), _s19)), _s20), KS(INFINITY)), KS(-INFINITY));
-    const S _s24 = singles_max(_s9, _s23);
-    const S _s25 = singles_max(KS(0.0), _s24);
-    const S _s26 = singles_max(KS(0.0), _s25);
-    const S _s27 = singles_sub(p_ring_radius, _s1);
-    const S _s28 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s29 = singles_max(_s27, _s28);
-    const S _s30 = singles_sub(singles_sub(singles_mul(_s10, singles_mul(_s29, _s29)), _s13), _s15);
-    const S _s31 = singles_sqrt(singles_max(_s30, KS(0.0)));
-    const S _s32 = singles_select(_s22, singles_select(_s21, singles_mul(singles_sub(singles_add(_s18, _s19), _s17), _s20), KS(-INFINITY)), KS(INFINITY));
-    const Q _s33 = singles_less(KS(0.0), singles_select(_s22, _s30, KS(0.0)));
-    const S _s34 = singles_select(_s33, singles_mul(singles_sub(singles_sub(_s19, _s17), _s31), _s20), _s32);
-    const S _s35 = singles_sub(singles_add(_s0, singles_mul(_s2, singles_sub(z, _s1))), _s3);
-    const S _s36 = singles_sqrt(singles_max(_s35, KS(0.0)));
-    const S _s37 = singles_select(_s8, singles_mul(_s5, singles_add(singles_add(vz, _s6), _s7)), KS(-INFINITY));
-    const Q _s38 = singles_less(KS(0.0), _s35);
-    const S _s39 = singles_select(_s38, singles_mul(_s5, singles_sub(singles_add(vz, _s7), _s36)), _s37);
-    const S _s40 = singles_min(_s34, _s39);
-    const S _s41 = singles_mul(KS(1.000000238418579), horizon);
-    const S _s42 = singles_min(_s40, _s41);
-    const Q _s43 = singles_less(_s26, _s42);
-    const S _s44 = singles_select(_s33, singles_mul(singles_sub(singles_sub(_s31, _s17), _s19), _s20), KS(INFINITY));
-    const S _s45 = singles_max(_s44, _s34);
-    const S _s46 = singles_max(_s9, _s45);
-    const S _s47 = singles_min(_s32, _s39);
-    const S _s48 = singles_select(_s38, singles_mul(_s5, singles_sub(singles_add(vz, _s36), _s7)), KS(INFINITY));
-    const S _s49 = singles_max(_s48, _s39);
-    const Q _s50 = singles_at_most(_s46, _s47);
-    const S _s51 = singles_select(_s50, _s46, singles_max(_s49, _s23));
-    const S _s52 = singles_max(KS(0.0), _s51);
-    const S _s53 = singles_max(KS(0.0), _s52);
-    const S _s54 = singles_select(_s50, _s47, singles_min(_s34, _s37));
-    const S _s55 = singles_min(_s54, _s41);
-    const Q _s56 = singles_less(_s53, _s55);
-    const S _s57 = singles_max(_s49, _s45);
-    const S _s58 = singles_max(KS(0.0), _s57);
-    const S _s59 = singles_max(KS(0.0), _s58);
-    const S _s60 = singles_min(_s32, _s37);
-    const S _s61 = singles_min(_s60, _s41);
-    const Q _s62 = singles_less(_s59, _s61);
-    const S _s63 = singles_max(KS(0.0), _s40);
-    const S _s64 = singles_max(_s63, _s54);
-    const S _s65 = singles_max(_s64, _s60);
-    const Q _s66 = singles_both(singles_both(singles_both(singles_at_most(_s11, singles_mul(KS(32.0), _s29)), singles_at_most(_s11, singles_add(singles_mul(KS(32.0), p_ball_radius), singles_mul(KS(32.0), p_wire_radius)))), singles_at_most(_s11, KS(4096.0))), singles_at_most(KS(0.000244140625), _s29));
-    return (LANES(court_ring_opened_out)){ singles_select(_s43, _s26, singles_select(_s56, _s53, singles_select(_s62, _s59, KS(0.0)))), singles_select(_s43, _s42, singles_select(_s56, _s55, singles_select(_s62, _s61, KS(0.0)))), singles_truth(singles_either(singles_either(singles_either(singles_nowhere(), _s62), _s56), _s43)), _s52, _s55, _s58, _s61, singles_min(_s65, _s41), singles_truth(singles_both(singles_both(singles_both(singles_both(_s66, singles_at_most(p_gravity, KS(4096.0))), singles_at_most(KS(0.000244140625), p_gravity)), singles_at_most(extent, KS(4096.0))), singles_at_most(speed, KS(4096.0)))) };
+    const S _s1 = singles_mul(KS(4.76837158203125e-07), singles_add(_s0, singles_mul(_c2, singles_add(singles_abs(z), _c1))));
+    const S _s2 = singles_add(singles_add(_s0, singles_mul(_c2, singles_add(z, _c1))), _s1);
+    const S _s3 = singles_sqrt(_s2);
+    const S _s4 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_abs(vz), _s3));
+    const Q _s5 = singles_at_most(KS(0.0), _s2);
+    const S _s6 = singles_select(_s5, singles_mul(_c3, singles_sub(singles_sub(vz, _s3), _s4)), KS(INFINITY));
+    const S _s7 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
+    const S _s8 = singles_mul(singles_mul(KS(9.5367431640625e-07), _s7), singles_add(_c5, singles_add(singles_mul(x, x), singles_mul(y, y))));
+    const S _s9 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s10 = singles_mul(_s9, _s9);
+    const S _s11 = singles_sub(singles_add(singles_mul(_c5, _s7), _s8), _s10);
+    const S _s12 = singles_add(singles_mul(vx, x), singles_mul(vy, y));
+    const S _s13 = singles_sqrt(_s11);
+    const S _s14 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_abs(_s12), singles_abs(_s9)), _s13));
+    const S _s15 = singles_div(KS(1.0), _s7);
+    const Q _s16 = singles_at_most(KS(0.0), _s11);
+    const Q _s17 = singles_less(KS(8.673617379884035e-19), _s7);
+    const S _s18 = singles_select(_s17, singles_select(_s16, singles_mul(singles_neg(singles_add(singles_add(_s12, _s13), _s14)), _s15), KS(INFINITY)), KS(-INFINITY));
+    const S _s19 = singles_max(_s6, _s18);
+    const S _s20 = singles_max(KS(0.0), _s19);
+    const S _s21 = singles_max(KS(0.0), _s20);
+    const S _s22 = singles_sub(singles_sub(singles_mul(_s7, _c7), _s8), _s10);
+    const S _s23 = singles_sqrt(singles_max(_s22, KS(0.0)));
+    const S _s24 = singles_select(_s17, singles_select(_s16, singles_mul(singles_sub(singles_add(_s13, _s14), _s12), _s15), KS(-INFINITY)), KS(INFINITY));
+    const Q _s25 = singles_less(KS(0.0), singles_select(_s17, _s22, KS(0.0)));
+    const S _s26 = singles_select(_s25, singles_mul(singles_sub(singles_sub(_s14, _s12), _s23), _s15), _s24);
+    const S _s27 = singles_sub(singles_add(_s0, singles_mul(_c2, singles_sub(z, _c1))), _s1);
+    const S _s28 = singles_sqrt(singles_max(_s27, KS(0.0)));
+    const S _s29 = singles_select(_s5, singles_mul(_c3, singles_add(singles_add(vz, _s3), _s4)), KS(-INFINITY));
+    const Q _s30 = singles_less(KS(0.0), _s27);
+    const S _s31 = singles_select(_s30, singles_mul(_c3, singles_sub(singles_add(vz, _s4), _s28)), _s29);
+    const S _s32 = singles_min(_s26, _s31);
+    const S _s33 = singles_mul(KS(1.000000238418579), horizon);
+    const S _s34 = singles_min(_s32, _s33);
+    const Q _s35 = singles_less(_s21, _s34);
+    const S _s36 = singles_select(_s25, singles_mul(singles_sub(singles_sub(_s23, _s12), _s14), _s15), KS(INFINITY));
+    const S _s37 = singles_max(_s36, _s26);
+    const S _s38 = singles_max(_s6, _s37);
+    const S _s39 = singles_min(_s24, _s31);
+    const S _s40 = singles_select(_s30, singles_mul(_c3, singles_sub(singles_add(vz, _s28), _s4)), KS(INFINITY));
+    const S _s41 = singles_max(_s40, _s31);
+    const Q _s42 = singles_at_most(_s38, _s39);
+    const S _s43 = singles_select(_s42, _s38, singles_max(_s41, _s18));
+    const S _s44 = singles_max(KS(0.0), _s43);
+    const S _s45 = singles_max(KS(0.0), _s44);
+    const S _s46 = singles_select(_s42, _s39, singles_min(_s26, _s29));
+    const S _s47 = singles_min(_s46, _s33);
+    const Q _s48 = singles_less(_s45, _s47);
+    const S _s49 = singles_max(_s41, _s37);
+    const S _s50 = singles_max(KS(0.0), _s49);
+    const S _s51 = singles_max(KS(0.0), _s50);
+    const S _s52 = singles_min(_s24, _s29);
+    const S _s53 = singles_min(_s52, _s33);
+    const Q _s54 = singles_less(_s51, _s53);
+    const S _s55 = singles_max(KS(0.0), _s32);
+    const S _s56 = singles_max(_s55, _s46);
+    const S _s57 = singles_max(_s56, _s52);
+    const Q _s58 = singles_both(singles_both(singles_both(singles_both(singles_both(singles_at_most(_c4, _c8), singles_at_most(_c4, _c9)), singles_at_most(_c4, KS(4096.0))), singles_at_most(KS(0.000244140625), _c6)), singles_at_most(_c0, KS(4096.0))), singles_at_most(KS(0.000244140625), _c0));
+    return (LANES(court_ring_opened_out)){ singles_select(_s35, _s21, singles_select(_s48, _s45, singles_select(_s54, _s51, KS(0.0)))), singles_select(_s35, _s34, singles_select(_s48, _s47, singles_select(_s54, _s53, KS(0.0)))), singles_truth(singles_either(singles_either(singles_either(singles_nowhere(), _s54), _s48), _s35)), _s44, _s47, _s50, _s53, singles_min(_s57, _s33), singles_truth(singles_both(singles_both(_s58, singles_at_most(extent, KS(4096.0))), singles_at_most(speed, KS(4096.0)))) };
 }
 
 /* What a search in single precision is given, from where it begins.
-   running error analysis. 109 operations: 21 additions, 8 subtractions, 55 multiplications, 5 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections. */
+   running error analysis. 85 operations: 18 additions, 7 subtractions, 42 multiplications, 2 divisions, 1 square root, 5 absolute values, 5 comparisons, 1 conjunction, 4 selections. */
 typedef struct {
     S share;
     S t;
@@ -3227,39 +3143,29 @@ typedef struct {
 } LANES(court_ring_grain_out);
 
 LANES_INLINE LANES(court_ring_grain_out)
-LANES(court_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S parting, S drift, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
+LANES(court_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S parting, S drift, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11)
 {
     const Q _s0 = singles_less(KS(0.0), leaving);
-    const S _s1 = singles_add(speed, singles_mul(p_gravity, horizon));
-    const S _s2 = singles_add(p_ball_radius, p_wire_radius);
-    const S _s3 = singles_mul(KS(1.00006103515625), _s2);
-    const S _s4 = singles_sub(p_ring_radius, _s3);
-    const S _s5 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s6 = singles_max(_s4, _s5);
-    const S _s7 = singles_div(_s2, _s6);
-    const S _s8 = singles_max(KS(1.0), _s7);
-    const S _s9 = singles_mul(_s1, _s8);
-    const S _s10 = singles_add(extent, singles_mul(horizon, _s1));
-    const S _s11 = singles_mul(KS(5.0), singles_add(singles_mul(_s9, _s10), singles_mul(_s2, _s1)));
-    const S _s12 = singles_div(singles_mul(KS(0.00390625), parting), _s11);
-    const S _s13 = singles_min(_s12, KS(2.9802322387695312e-08));
-    const S _s14 = singles_select(_s0, singles_max(KS(2.842170943040401e-14), _s13), KS(2.9802322387695312e-08));
-    const S _s15 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(singles_mul(KS(4.0), p_gravity), z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
-    const S _s16 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
-    const S _s17 = singles_mul(singles_mul(KS(2.0), p_ring_radius), singles_mul(_s16, _s16));
-    const S _s18 = singles_div(KS(1.0), _s6);
-    const S _s19 = singles_mul(_s18, singles_mul(_s18, _s18));
-    const S _s20 = singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s2), singles_mul(_s17, _s19)), singles_abs(_s15));
-    const S _s21 = singles_sub(horizon, t);
-    const S _s22 = singles_mul(p_gravity, singles_mul(_s21, _s21));
-    const S _s23 = singles_add(p_ring_radius, _s3);
-    const S _s24 = singles_add(singles_mul(_s10, _s14), singles_mul(KS(9.5367431640625e-07), singles_add(_s22, _s23)));
-    const S _s25 = singles_div(singles_mul(KS(0.5), singles_mul(singles_mul(_s17, singles_add(singles_abs(vx), singles_abs(vy))), _s19)), _s6);
-    return (LANES(court_ring_grain_out)){ _s14, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s15, _s17, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s20), singles_mul(singles_mul(KS(5.0048828125), _s2), _s24), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s14), _s11))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(p_gravity, singles_add(singles_mul(p_gravity, _s21), singles_abs(vz))), _s25)), singles_mul(singles_mul(KS(7.62939453125e-06), singles_mul(singles_div(_s23, _s6), _s8)), _s20), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s9), _s24), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s14), _s2), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s22, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
+    const S _s1 = singles_add(speed, singles_mul(_c0, horizon));
+    const S _s2 = singles_mul(_s1, _c3);
+    const S _s3 = singles_add(extent, singles_mul(horizon, _s1));
+    const S _s4 = singles_mul(KS(5.0), singles_add(singles_mul(_s2, _s3), singles_mul(_c1, _s1)));
+    const S _s5 = singles_div(singles_mul(KS(0.00390625), parting), _s4);
+    const S _s6 = singles_min(_s5, KS(2.9802322387695312e-08));
+    const S _s7 = singles_select(_s0, singles_max(KS(2.842170943040401e-14), _s6), KS(2.9802322387695312e-08));
+    const S _s8 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(_c4, z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
+    const S _s9 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s10 = singles_mul(_c5, singles_mul(_s9, _s9));
+    const S _s11 = singles_add(singles_add(_c6, singles_mul(_s10, _c7)), singles_abs(_s8));
+    const S _s12 = singles_sub(horizon, t);
+    const S _s13 = singles_mul(_c0, singles_mul(_s12, _s12));
+    const S _s14 = singles_add(singles_mul(_s3, _s7), singles_mul(KS(9.5367431640625e-07), singles_add(_s13, _c8)));
+    const S _s15 = singles_div(singles_mul(KS(0.5), singles_mul(singles_mul(_s10, singles_add(singles_abs(vx), singles_abs(vy))), _c7)), _c2);
+    return (LANES(court_ring_grain_out)){ _s7, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s8, _s10, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s11), singles_mul(_c9, _s14), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s7), _s4))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(_c0, singles_add(singles_mul(_c0, _s12), singles_abs(vz))), _s15)), singles_mul(_c10, _s11), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s2), _s14), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s7), _c1), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s13, _c11), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
 }
 
 /* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
-   Newton from the left under a curvature bound. 237 operations: 42 additions, 20 subtractions, 82 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections. */
+   Newton from the left under a curvature bound. 220 operations: 38 additions, 19 subtractions, 72 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 29 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 33 selections. */
 typedef struct {
     S t;
     S end;
@@ -3268,7 +3174,7 @@ typedef struct {
 } LANES(court_ring_leap_out);
 
 LANES_INLINE LANES(court_ring_leap_out)
-LANES(court_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S jerk, S parting, S drift, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
+LANES(court_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S jerk, S parting, S drift, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
 {
     const S _s0 = singles_add(tilt, singles_mul(grit, t));
     const S _s1 = singles_mul(t, _s0);
@@ -3283,63 +3189,57 @@ LANES(court_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx
     const S _s10 = singles_div(KS(1.0), singles_mul(_s9, _s8));
     const S _s11 = singles_mul(_s8, _s10);
     const S _s12 = singles_mul(_s11, singles_add(singles_mul(t, _s5), singles_mul(KS(2.0), singles_add(singles_mul(vx, x), singles_mul(vy, y)))));
-    const S _s13 = singles_sub(vz, singles_mul(singles_mul(KS(0.5), p_gravity), t));
-    const S _s14 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, p_ring_radius)), singles_sub(_s5, singles_mul(drift, _s12))), _s11), singles_mul(_s12, _s12)), singles_mul(_s13, _s13));
-    const S _s15 = singles_add(parting, singles_mul(t, singles_sub(_s14, singles_mul(p_gravity, z))));
+    const S _s13 = singles_sub(vz, singles_mul(_c2, t));
+    const S _s14 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, _c0)), singles_sub(_s5, singles_mul(drift, _s12))), _s11), singles_mul(_s12, _s12)), singles_mul(_s13, _s13));
+    const S _s15 = singles_add(parting, singles_mul(t, singles_sub(_s14, singles_mul(_c1, z))));
     const S _s16 = singles_mul(_s9, _s10);
     const S _s17 = singles_mul(_s16, singles_add(singles_mul(vx, _s6), singles_mul(vy, _s7)));
-    const S _s18 = singles_sub(_s8, p_ring_radius);
-    const S _s19 = singles_sub(vz, singles_mul(p_gravity, t));
+    const S _s18 = singles_sub(_s8, _c0);
+    const S _s19 = singles_sub(vz, singles_mul(_c1, t));
     const S _s20 = singles_add(z, singles_mul(t, _s13));
     const S _s21 = singles_select(_s4, singles_sub(singles_mul(KS(2.0), _s15), parting), singles_mul(KS(2.0), singles_add(singles_mul(_s17, _s18), singles_mul(_s19, _s20))));
     const S _s22 = singles_select(_s4, singles_add(_s3, singles_mul(KS(2.0), _s0)), rate_margin);
     const S _s23 = singles_neg(singles_add(_s21, _s22));
     const S _s24 = singles_select(_s2, _s1, flat);
-    const S _s25 = singles_add(p_ball_radius, p_wire_radius);
-    const S _s26 = singles_sub(singles_select(_s2, singles_mul(t, _s15), singles_sub(singles_add(singles_mul(_s18, _s18), singles_mul(_s20, _s20)), singles_mul(_s25, _s25))), _s24);
-    const S _s27 = singles_max(_s26, KS(0.0));
-    const S _s28 = singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s24), _s27));
-    const S _s29 = singles_sub(_s21, _s22);
-    const S _s30 = singles_mul(KS(6.0), p_gravity);
-    const S _s31 = singles_mul(_s30, _s20);
-    const S _s32 = singles_mul(swing, singles_mul(_s16, singles_mul(_s16, _s16)));
-    const S _s33 = singles_sub(singles_add(_s31, _s32), steady);
-    const Q _s34 = singles_less(_s29, KS(0.0));
-    const S _s35 = singles_mul(KS(2.0), _s27);
-    const S _s36 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s29), _s27, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s34, singles_add(singles_mul(KS(8.0), _s24), _s35), singles_mul(KS(4.0), _s29)), singles_select(_s34, singles_neg(_s29), singles_max(KS(0.0), _s33))));
-    const S _s37 = singles_sub(end, t);
-    const S _s38 = singles_min(_s36, _s37);
-    const S _s39 = singles_mul(KS(1.00006103515625), _s25);
-    const S _s40 = singles_add(singles_add(singles_mul(KS(0.0001220703125), p_ball_radius), singles_mul(KS(0.0001220703125), p_wire_radius)), singles_add(singles_mul(_s38, singles_max(_s19, KS(0.0))), _s20));
-    const S _s41 = singles_mul(_s30, singles_min(_s39, _s40));
-    const S _s42 = singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s38);
-    const S _s43 = singles_sub(singles_sub(singles_add(singles_mul(_s38, singles_min(KS(0.0), _s17)), _s8), singles_mul(KS(0.0001220703125), _s42)), singles_mul(KS(9.5367431640625e-07), singles_add(p_ring_radius, _s39)));
-    const S _s44 = singles_sub(p_ring_radius, _s39);
-    const S _s45 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s46 = singles_max(_s44, _s45);
-    const S _s47 = singles_div(KS(1.0), singles_max(_s43, _s46));
-    const S _s48 = singles_mul(swing, singles_mul(_s47, singles_mul(_s47, _s47)));
-    const S _s49 = singles_abs(steady);
-    const S _s50 = singles_sub(singles_add(singles_add(_s41, _s48), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s48, _s49), singles_abs(_s41)))), steady);
-    const S _s51 = singles_neg(_s19);
-    const S _s52 = singles_add(singles_mul(_s30, singles_add(singles_add(singles_mul(KS(0.000244140625), p_ball_radius), singles_mul(KS(0.000244140625), p_wire_radius)), singles_mul(singles_add(singles_mul(p_gravity, _s38), singles_max(_s51, KS(0.0))), _s38))), singles_mul(singles_mul(KS(3.0), singles_mul(_s32, _s16)), _s42));
-    const S _s53 = singles_add(steady, singles_add(_s52, singles_mul(KS(0.000244140625), singles_add(singles_add(_s49, singles_abs(_s31)), _s32))));
-    const S _s54 = singles_sub(singles_sub(_s53, _s31), _s32);
-    const S _s55 = singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s28, singles_mul(_s23, _s38)), singles_max(_s50, _s54), ceiling)), _s28));
-    const Q _s56 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s23), _s55, _s23));
-    const S _s57 = singles_add(singles_mul(singles_mul(KS(2.0), _s50), _s27), singles_mul(_s29, _s29));
-    const S _s58 = singles_sqrt(_s57);
-    const S _s59 = singles_select(singles_at_most(KS(0.0), _s57), singles_div(singles_select(_s34, _s35, singles_add(_s58, _s29)), singles_select(_s34, singles_sub(_s58, _s29), singles_max(KS(0.0), _s50))), KS(INFINITY));
-    const S _s60 = singles_min(_s59, _s38);
-    const S _s61 = singles_add(t, _s60);
-    const Q _s62 = singles_both(singles_not(_s56), singles_either(singles_both(singles_less(_s21, KS(0.0)), singles_at_most(_s26, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s61)))));
-    const Q _s63 = singles_not(singles_either(_s56, _s62));
-    const Q _s64 = singles_both(_s63, singles_at_most(_s37, _s60));
-    const S _s65 = singles_max(end, low1);
-    const Q _s66 = singles_less(_s65, high1);
-    const S _s67 = singles_max(end, low2);
-    const Q _s68 = singles_less(_s67, high2);
-    return (LANES(court_ring_leap_out)){ singles_select(_s64, singles_select(_s66, _s65, singles_select(_s68, _s67, KS(INFINITY))), singles_select(_s62, t, _s61)), singles_select(_s64, singles_select(_s66, high1, singles_select(_s68, high2, end)), end), singles_truth(_s56), singles_truth(singles_both(_s63, singles_either(singles_not(_s64), singles_either(singles_either(singles_nowhere(), _s68), _s66)))) };
+    const S _s25 = singles_sub(singles_select(_s2, singles_mul(t, _s15), singles_sub(singles_add(singles_mul(_s18, _s18), singles_mul(_s20, _s20)), _c3)), _s24);
+    const S _s26 = singles_max(_s25, KS(0.0));
+    const S _s27 = singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s24), _s26));
+    const S _s28 = singles_sub(_s21, _s22);
+    const S _s29 = singles_mul(_c4, _s20);
+    const S _s30 = singles_mul(swing, singles_mul(_s16, singles_mul(_s16, _s16)));
+    const S _s31 = singles_sub(singles_add(_s29, _s30), steady);
+    const Q _s32 = singles_less(_s28, KS(0.0));
+    const S _s33 = singles_mul(KS(2.0), _s26);
+    const S _s34 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s28), _s26, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s32, singles_add(singles_mul(KS(8.0), _s24), _s33), singles_mul(KS(4.0), _s28)), singles_select(_s32, singles_neg(_s28), singles_max(KS(0.0), _s31))));
+    const S _s35 = singles_sub(end, t);
+    const S _s36 = singles_min(_s34, _s35);
+    const S _s37 = singles_add(_c6, singles_add(singles_mul(_s36, singles_max(_s19, KS(0.0))), _s20));
+    const S _s38 = singles_mul(_c4, singles_min(_c5, _s37));
+    const S _s39 = singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s36);
+    const S _s40 = singles_sub(singles_sub(singles_add(singles_mul(_s36, singles_min(KS(0.0), _s17)), _s8), singles_mul(KS(0.0001220703125), _s39)), _c7);
+    const S _s41 = singles_div(KS(1.0), singles_max(_s40, _c8));
+    const S _s42 = singles_mul(swing, singles_mul(_s41, singles_mul(_s41, _s41)));
+    const S _s43 = singles_abs(steady);
+    const S _s44 = singles_sub(singles_add(singles_add(_s38, _s42), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s42, _s43), singles_abs(_s38)))), steady);
+    const S _s45 = singles_neg(_s19);
+    const S _s46 = singles_add(singles_mul(_c4, singles_add(_c9, singles_mul(singles_add(singles_mul(_c1, _s36), singles_max(_s45, KS(0.0))), _s36))), singles_mul(singles_mul(KS(3.0), singles_mul(_s30, _s16)), _s39));
+    const S _s47 = singles_add(steady, singles_add(_s46, singles_mul(KS(0.000244140625), singles_add(singles_add(_s43, singles_abs(_s29)), _s30))));
+    const S _s48 = singles_sub(singles_sub(_s47, _s29), _s30);
+    const S _s49 = singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s27, singles_mul(_s23, _s36)), singles_max(_s44, _s48), ceiling)), _s27));
+    const Q _s50 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s23), _s49, _s23));
+    const S _s51 = singles_add(singles_mul(singles_mul(KS(2.0), _s44), _s26), singles_mul(_s28, _s28));
+    const S _s52 = singles_sqrt(_s51);
+    const S _s53 = singles_select(singles_at_most(KS(0.0), _s51), singles_div(singles_select(_s32, _s33, singles_add(_s52, _s28)), singles_select(_s32, singles_sub(_s52, _s28), singles_max(KS(0.0), _s44))), KS(INFINITY));
+    const S _s54 = singles_min(_s53, _s36);
+    const S _s55 = singles_add(t, _s54);
+    const Q _s56 = singles_both(singles_not(_s50), singles_either(singles_both(singles_less(_s21, KS(0.0)), singles_at_most(_s25, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s55)))));
+    const Q _s57 = singles_not(singles_either(_s50, _s56));
+    const Q _s58 = singles_both(_s57, singles_at_most(_s35, _s54));
+    const S _s59 = singles_max(end, low1);
+    const Q _s60 = singles_less(_s59, high1);
+    const S _s61 = singles_max(end, low2);
+    const Q _s62 = singles_less(_s61, high2);
+    return (LANES(court_ring_leap_out)){ singles_select(_s58, singles_select(_s60, _s59, singles_select(_s62, _s61, KS(INFINITY))), singles_select(_s56, t, _s55)), singles_select(_s58, singles_select(_s60, high1, singles_select(_s62, high2, end)), end), singles_truth(_s50), singles_truth(singles_both(_s57, singles_either(singles_not(_s58), singles_either(singles_either(singles_nowhere(), _s62), _s60)))) };
 }
 
 /* Distance from the axis, its rate and that of the gap, at the start of a flight.
@@ -3351,32 +3251,29 @@ typedef struct {
 } LANES(court_ring_started_out);
 
 LANES_INLINE LANES(court_ring_started_out)
-LANES(court_ring_started)(V x, V y, V z, V vx, V vy, V vz, V p_ring_radius)
+LANES(court_ring_started)(V x, V y, V z, V vx, V vy, V vz, V _c0)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
     const V _s1 = lanes_div(lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)), _s0);
-    return (LANES(court_ring_started_out)){ _s0, lanes_mul(K(2.0), lanes_add(lanes_mul(vz, z), lanes_mul(_s1, lanes_sub(_s0, p_ring_radius)))), _s1 };
+    return (LANES(court_ring_started_out)){ _s0, lanes_mul(K(2.0), lanes_add(lanes_mul(vz, z), lanes_mul(_s1, lanes_sub(_s0, _c0)))), _s1 };
 }
 
 /* Positive where the bounds of the search do not hold.
-   bounds of the event condition. 26 operations: 5 additions, 4 subtractions, 10 multiplications, 1 division, 2 square roots, 2 comparisons, 2 selections. */
+   bounds of the event condition. 16 operations: 4 additions, 2 subtractions, 5 multiplications, 1 square root, 2 comparisons, 2 selections. */
 typedef struct {
     V lost;
 } LANES(court_ring_lost_out);
 
 LANES_INLINE LANES(court_ring_lost_out)
-LANES(court_ring_lost)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(court_ring_lost)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius)));
-    const V _s1 = lanes_div(K(1.0), p_gravity);
-    const V _s2 = lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s1, lanes_add(lanes_add(lanes_mul(K(2.0), p_ball_radius), extent), lanes_mul(K(2.0), p_wire_radius)))));
-    const V _s3 = lanes_add(_s2, lanes_mul(lanes_mul(K(2.0), speed), _s1));
-    const V _s4 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s3, horizon))), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
-    return (LANES(court_ring_lost_out)){ lanes_max(_s0, _s4) };
+    const V _s0 = lanes_add(lanes_mul(_c1, lanes_sqrt(lanes_mul(_c2, lanes_add(lanes_add(_c3, extent), _c4)))), lanes_mul(lanes_mul(K(2.0), speed), _c2));
+    const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s0, horizon))), _c5), _c6);
+    return (LANES(court_ring_lost_out)){ lanes_max(_c0, _s1) };
 }
 
 /* The distance, its rate, and how fast it bends down at most, by the squared speed.
-   Table 2. 33 operations: 5 additions, 5 subtractions, 15 multiplications, 4 divisions, 2 square roots, 1 comparison, 1 selection. */
+   Table 2. 31 operations: 4 additions, 5 subtractions, 14 multiplications, 4 divisions, 2 square roots, 1 comparison, 1 selection. */
 typedef struct {
     V gap;
     V nearing;
@@ -3384,15 +3281,14 @@ typedef struct {
 } LANES(court_ring_beside_out);
 
 LANES_INLINE LANES(court_ring_beside_out)
-LANES(court_ring_beside)(V p_ball_radius, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
+LANES(court_ring_beside)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_sub(_s0, p_ring_radius);
+    const V _s1 = lanes_sub(_s0, _c1);
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)));
-    const V _s3 = lanes_mul(K(2.0), p_ring_radius);
-    const V _s4 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_div(lanes_mul(lanes_mul(K(0.5), lanes_sub(lanes_mul(K(2.0), _s0), _s3)), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s0));
-    const V _s5 = lanes_sub(lanes_div(_s3, _s0), K(1.0));
-    return (LANES(court_ring_beside_out)){ lanes_sub(lanes_sub(_s2, p_ball_radius), p_wire_radius), lanes_div(lanes_mul(K(0.5), _s4), _s2), lanes_div(lanes_max(K(0.0), _s5), lanes_add(p_ball_radius, p_wire_radius)) };
+    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_div(lanes_mul(lanes_mul(K(0.5), lanes_sub(lanes_mul(K(2.0), _s0), _c3)), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s0));
+    const V _s4 = lanes_sub(lanes_div(_c3, _s0), K(1.0));
+    return (LANES(court_ring_beside_out)){ lanes_sub(lanes_sub(_s2, _c0), _c2), lanes_div(lanes_mul(K(0.5), _s3), _s2), lanes_div(lanes_max(K(0.0), _s4), _c4) };
 }
 
 /* The distance, its rate and its second derivative, of a ball that rolls on something else.
@@ -3405,11 +3301,11 @@ typedef struct {
 } LANES(court_ring_closing_out);
 
 LANES_INLINE LANES(court_ring_closing_out)
-LANES(court_ring_closing)(V p_ball_radius, V nx, V ny, V nz, V p_ring_radius, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V p_wire_radius, V x, V y, V z)
+LANES(court_ring_closing)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V x, V y, V z, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
     const V _s1 = lanes_sqrt(_s0);
-    const V _s2 = lanes_sub(_s1, p_ring_radius);
+    const V _s2 = lanes_sub(_s1, _c1);
     const V _s3 = lanes_add(lanes_mul(z, z), lanes_mul(_s2, _s2));
     const V _s4 = lanes_sqrt(_s3);
     const V _s5 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y));
@@ -3419,7 +3315,7 @@ LANES(court_ring_closing)(V p_ball_radius, V nx, V ny, V nz, V p_ring_radius, V 
     const V _s9 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), lanes_sub(_s8, lanes_div(lanes_mul(K(0.25), lanes_mul(_s5, _s5)), lanes_mul(_s1, _s0)))), lanes_mul(K(2.0), lanes_mul(_s6, _s6)));
     const V _s10 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(K(2.0), lanes_mul(rolled_z, rolled_z)), lanes_mul(lanes_mul(K(2.0), thrust_z), z)), _s9)), _s4);
     const V _s11 = lanes_mul(K(2.0), lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nx), x), lanes_mul(lanes_mul(K(2.0), ny), y))), _s1));
-    return (LANES(court_ring_closing_out)){ lanes_sub(lanes_sub(_s4, p_ball_radius), p_wire_radius), lanes_div(lanes_mul(K(0.5), _s7), _s4), lanes_sub(_s10, lanes_div(lanes_mul(K(0.25), lanes_mul(_s7, _s7)), lanes_mul(_s4, _s3))), lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nz), z), lanes_mul(_s11, _s2))), _s4) };
+    return (LANES(court_ring_closing_out)){ lanes_sub(lanes_sub(_s4, _c0), _c2), lanes_div(lanes_mul(K(0.5), _s7), _s4), lanes_sub(_s10, lanes_div(lanes_mul(K(0.25), lanes_mul(_s7, _s7)), lanes_mul(_s4, _s3))), lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nz), z), lanes_mul(_s11, _s2))), _s4) };
 }
 
 /* The distance.
@@ -3429,14 +3325,14 @@ typedef struct {
 } LANES(court_ring_off_out);
 
 LANES_INLINE LANES(court_ring_off_out)
-LANES(court_ring_off)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V x, V y, V z)
+LANES(court_ring_off)(V x, V y, V z, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius);
-    return (LANES(court_ring_off_out)){ lanes_sub(lanes_sub(lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s0, _s0))), p_ball_radius), p_wire_radius) };
+    const V _s0 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), _c1);
+    return (LANES(court_ring_off_out)){ lanes_sub(lanes_sub(lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s0, _s0))), _c0), _c2) };
 }
 
 /* What a ball that stays on it rolls on.
-   Table 2. 2 operations: 1 addition, 1 division. */
+   Table 2. No operations. */
 typedef struct {
     V bent_x;
     V bent_y;
@@ -3445,13 +3341,13 @@ typedef struct {
 } LANES(court_ring_tube_out);
 
 LANES_INLINE LANES(court_ring_tube_out)
-LANES(court_ring_tube)(V p_ball_radius, V p_wire_radius)
+LANES(court_ring_tube)(V _c0)
 {
-    return (LANES(court_ring_tube_out)){ K(1.0), K(1.0), K(1.0), lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)) };
+    return (LANES(court_ring_tube_out)){ K(1.0), K(1.0), K(1.0), _c0 };
 }
 
 /* The rate at which the normal turns.
-   derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation. */
+   derivative of Table 2's normal. 30 operations: 5 additions, 1 subtraction, 20 multiplications, 2 divisions, 1 square root, 1 negation. */
 typedef struct {
     V turning_x;
     V turning_y;
@@ -3459,20 +3355,19 @@ typedef struct {
 } LANES(court_ring_turning_out);
 
 LANES_INLINE LANES(court_ring_turning_out)
-LANES(court_ring_turning)(V p_ball_radius, V p_ring_radius, V rolled_x, V rolled_y, V rolled_z, V p_wire_radius, V x, V y)
+LANES(court_ring_turning)(V rolled_x, V rolled_y, V rolled_z, V x, V y, V _c0, V _c1)
 {
-    const V _s0 = lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius));
-    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s2 = lanes_sub(_s1, p_ring_radius);
-    const V _s3 = lanes_div(K(1.0), _s1);
-    const V _s4 = lanes_mul(lanes_mul(_s0, _s2), _s3);
-    const V _s5 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y))), _s1);
-    const V _s6 = lanes_add(lanes_mul(lanes_mul(_s5, _s0), _s3), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s5, lanes_mul(_s3, _s3))), _s0), _s2));
-    return (LANES(court_ring_turning_out)){ lanes_add(lanes_mul(rolled_x, _s4), lanes_mul(x, _s6)), lanes_add(lanes_mul(rolled_y, _s4), lanes_mul(y, _s6)), lanes_mul(rolled_z, _s0) };
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_sub(_s0, _c0);
+    const V _s2 = lanes_div(K(1.0), _s0);
+    const V _s3 = lanes_mul(lanes_mul(_c1, _s1), _s2);
+    const V _s4 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y))), _s0);
+    const V _s5 = lanes_add(lanes_mul(lanes_mul(_s4, _c1), _s2), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _c1), _s1));
+    return (LANES(court_ring_turning_out)){ lanes_add(lanes_mul(rolled_x, _s3), lanes_mul(x, _s5)), lanes_add(lanes_mul(rolled_y, _s3), lanes_mul(y, _s5)), lanes_mul(rolled_z, _c1) };
 }
 
 /* The second to the fourth derivative of the distance along a flight.
-   derivatives of Table 2's distance. 120 operations: 14 additions, 11 subtractions, 74 multiplications, 18 divisions, 2 square roots, 1 negation. */
+   derivatives of Table 2's distance. 116 operations: 14 additions, 11 subtractions, 70 multiplications, 18 divisions, 2 square roots, 1 negation. */
 typedef struct {
     V lift;
     V surge;
@@ -3480,11 +3375,11 @@ typedef struct {
 } LANES(court_ring_parting_out);
 
 LANES_INLINE LANES(court_ring_parting_out)
-LANES(court_ring_parting)(V p_gravity, V p_ring_radius, V vx, V vy, V vz, V x, V y, V z)
+LANES(court_ring_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
     const V _s1 = lanes_sqrt(_s0);
-    const V _s2 = lanes_sub(_s1, p_ring_radius);
+    const V _s2 = lanes_sub(_s1, _c0);
     const V _s3 = lanes_add(lanes_mul(z, z), lanes_mul(_s2, _s2));
     const V _s4 = lanes_sqrt(_s3);
     const V _s5 = lanes_add(lanes_mul(K(2.0), lanes_mul(vx, vx)), lanes_mul(K(2.0), lanes_mul(vy, vy)));
@@ -3494,7 +3389,7 @@ LANES(court_ring_parting)(V p_gravity, V p_ring_radius, V vx, V vy, V vz, V x, V
     const V _s9 = lanes_sub(lanes_div(lanes_mul(K(0.5), _s5), _s1), lanes_div(lanes_mul(K(0.25), _s8), _s6));
     const V _s10 = lanes_mul(K(2.0), _s2);
     const V _s11 = lanes_div(lanes_mul(K(0.5), _s7), _s1);
-    const V _s12 = lanes_add(lanes_sub(lanes_mul(K(2.0), lanes_mul(vz, vz)), lanes_mul(lanes_mul(K(2.0), p_gravity), z)), lanes_add(lanes_mul(_s10, _s9), lanes_mul(K(2.0), lanes_mul(_s11, _s11))));
+    const V _s12 = lanes_add(lanes_sub(lanes_mul(K(2.0), lanes_mul(vz, vz)), lanes_mul(_c1, z)), lanes_add(lanes_mul(_s10, _s9), lanes_mul(K(2.0), lanes_mul(_s11, _s11))));
     const V _s13 = lanes_mul(_s4, _s3);
     const V _s14 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_mul(lanes_mul(K(2.0), _s11), _s2));
     const V _s15 = lanes_mul(_s14, _s14);
@@ -3503,15 +3398,15 @@ LANES(court_ring_parting)(V p_gravity, V p_ring_radius, V vx, V vy, V vz, V x, V
     const V _s18 = lanes_mul(_s0, _s0);
     const V _s19 = lanes_mul(_s1, _s18);
     const V _s20 = lanes_sub(lanes_div(lanes_mul(K(0.375), lanes_mul(_s7, _s8)), _s19), lanes_div(lanes_mul(lanes_mul(K(0.75), _s5), _s7), _s6));
-    const V _s21 = lanes_add(lanes_neg(lanes_mul(lanes_mul(K(6.0), p_gravity), vz)), lanes_add(lanes_mul(lanes_mul(K(6.0), _s11), _s9), lanes_mul(_s10, _s20)));
+    const V _s21 = lanes_add(lanes_neg(lanes_mul(_c2, vz)), lanes_add(lanes_mul(lanes_mul(K(6.0), _s11), _s9), lanes_mul(_s10, _s20)));
     const V _s22 = lanes_mul(_s10, lanes_sub(lanes_sub(lanes_div(lanes_mul(lanes_mul(K(2.25), _s5), _s8), _s19), lanes_div(lanes_mul(K(0.75), lanes_mul(_s5, _s5)), _s6)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s8, _s8)), lanes_mul(_s6, _s18))));
-    const V _s23 = lanes_mul(K(0.5), lanes_add(lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)), lanes_add(lanes_add(lanes_mul(lanes_mul(K(8.0), _s11), _s20), _s22), lanes_mul(K(6.0), lanes_mul(_s9, _s9)))));
+    const V _s23 = lanes_mul(K(0.5), lanes_add(_c3, lanes_add(lanes_add(lanes_mul(lanes_mul(K(8.0), _s11), _s20), _s22), lanes_mul(K(6.0), lanes_mul(_s9, _s9)))));
     const V _s24 = lanes_sub(lanes_sub(lanes_add(lanes_div(_s23, _s4), lanes_div(lanes_mul(lanes_mul(K(2.25), _s15), _s12), _s17)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s15, _s15)), lanes_mul(_s13, _s16))), lanes_div(lanes_mul(K(0.75), lanes_mul(_s12, _s12)), _s13));
     return (LANES(court_ring_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s12), _s4), lanes_div(lanes_mul(K(0.25), _s15), _s13)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.375), lanes_mul(_s14, _s15)), _s17), lanes_div(lanes_mul(K(0.5), _s21), _s4)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s14), _s12), _s13)), lanes_sub(_s24, lanes_div(lanes_mul(_s21, _s14), _s13)) };
 }
 
 /* The constant terms, in the ring's coordinates.
-   Routh's equations. 36 operations: 7 additions, 3 subtractions, 20 multiplications, 4 divisions, 2 square roots. */
+   Routh's equations. 35 operations: 6 additions, 3 subtractions, 20 multiplications, 4 divisions, 2 square roots. */
 typedef struct {
     V cosine_0;
     V sine_0;
@@ -3524,22 +3419,21 @@ typedef struct {
 } LANES(court_ring_round_start_out);
 
 LANES_INLINE LANES(court_ring_round_start_out)
-LANES(court_ring_round_start)(V p_ball_radius, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V wx, V wy, V wz, V x, V y, V z)
+LANES(court_ring_round_start)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_sub(_s0, p_ring_radius);
+    const V _s1 = lanes_sub(_s0, _c1);
     const V _s2 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1))));
     const V _s3 = lanes_mul(_s1, _s2);
     const V _s4 = lanes_mul(z, _s2);
-    const V _s5 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s6 = lanes_div(K(1.0), _s0);
-    const V _s7 = lanes_mul(x, _s6);
-    const V _s8 = lanes_mul(y, _s6);
-    return (LANES(court_ring_round_start_out)){ _s3, _s4, lanes_div(lanes_sub(lanes_mul(vz, _s3), lanes_mul(_s4, lanes_add(lanes_mul(vx, _s7), lanes_mul(vy, _s8)))), _s5), lanes_sub(lanes_mul(vy, _s7), lanes_mul(vx, _s8)), lanes_mul(p_ball_radius, lanes_add(lanes_mul(wz, _s4), lanes_mul(_s3, lanes_add(lanes_mul(wx, _s7), lanes_mul(wy, _s8))))), _s7, _s8, lanes_div(K(1.0), lanes_add(p_ring_radius, lanes_mul(_s3, _s5))) };
+    const V _s5 = lanes_div(K(1.0), _s0);
+    const V _s6 = lanes_mul(x, _s5);
+    const V _s7 = lanes_mul(y, _s5);
+    return (LANES(court_ring_round_start_out)){ _s3, _s4, lanes_div(lanes_sub(lanes_mul(vz, _s3), lanes_mul(_s4, lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s7)))), _c2), lanes_sub(lanes_mul(vy, _s6), lanes_mul(vx, _s7)), lanes_mul(_c0, lanes_add(lanes_mul(wz, _s4), lanes_mul(_s3, lanes_add(lanes_mul(wx, _s6), lanes_mul(wy, _s7))))), _s6, _s7, lanes_div(K(1.0), lanes_add(_c1, lanes_mul(_s3, _c2))) };
 }
 
 /* Where a ball that rolls on the ring is at time t.
-   Routh's equations. 214 operations: 91 additions, 3 subtractions, 114 multiplications, 3 divisions, 2 square roots, 1 negation. */
+   Routh's equations. 212 operations: 90 additions, 3 subtractions, 114 multiplications, 2 divisions, 2 square roots, 1 negation. */
 typedef struct {
     V x;
     V y;
@@ -3554,7 +3448,7 @@ typedef struct {
 } LANES(court_ring_round_moved_out);
 
 LANES_INLINE LANES(court_ring_round_moved_out)
-LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_11, V cos_12, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_12, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_ring_radius, V sin_0, V sin_1, V sin_10, V sin_11, V sin_12, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_11, V sine_12, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V t, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_12, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_11, V cos_12, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_12, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V sin_0, V sin_1, V sin_10, V sin_11, V sin_12, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_11, V sine_12, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V t, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_12, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_add(cos_9, lanes_mul(t, lanes_add(cos_10, lanes_mul(t, lanes_add(cos_11, lanes_mul(cos_12, t))))));
     const V _s1 = lanes_add(cos_6, lanes_mul(t, lanes_add(cos_7, lanes_mul(t, lanes_add(cos_8, lanes_mul(t, _s0))))));
@@ -3576,31 +3470,29 @@ LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V al
     const V _s17 = lanes_add(sine_0, lanes_mul(t, lanes_add(sine_1, lanes_mul(t, lanes_add(sine_2, lanes_mul(t, _s16))))));
     const V _s18 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s17, _s17))));
     const V _s19 = lanes_mul(_s13, _s18);
-    const V _s20 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s21 = lanes_add(p_ring_radius, lanes_mul(_s19, _s20));
-    const V _s22 = lanes_mul(_s7, _s8);
-    const V _s23 = lanes_mul(_s17, _s18);
-    const V _s24 = lanes_add(climb_9, lanes_mul(t, lanes_add(climb_10, lanes_mul(t, lanes_add(climb_11, lanes_mul(climb_12, t))))));
-    const V _s25 = lanes_add(climb_6, lanes_mul(t, lanes_add(climb_7, lanes_mul(t, lanes_add(climb_8, lanes_mul(t, _s24))))));
-    const V _s26 = lanes_add(climb_3, lanes_mul(t, lanes_add(climb_4, lanes_mul(t, lanes_add(climb_5, lanes_mul(t, _s25))))));
-    const V _s27 = lanes_add(climb_0, lanes_mul(t, lanes_add(climb_1, lanes_mul(t, lanes_add(climb_2, lanes_mul(t, _s26))))));
-    const V _s28 = lanes_mul(_s20, _s27);
-    const V _s29 = lanes_neg(lanes_mul(_s28, _s23));
-    const V _s30 = lanes_add(along_9, lanes_mul(t, lanes_add(along_10, lanes_mul(t, lanes_add(along_11, lanes_mul(along_12, t))))));
-    const V _s31 = lanes_add(along_6, lanes_mul(t, lanes_add(along_7, lanes_mul(t, lanes_add(along_8, lanes_mul(t, _s30))))));
-    const V _s32 = lanes_add(along_3, lanes_mul(t, lanes_add(along_4, lanes_mul(t, lanes_add(along_5, lanes_mul(t, _s31))))));
-    const V _s33 = lanes_add(along_0, lanes_mul(t, lanes_add(along_1, lanes_mul(t, lanes_add(along_2, lanes_mul(t, _s32))))));
-    const V _s34 = lanes_div(K(1.0), p_ball_radius);
-    const V _s35 = lanes_add(turn_rate_9, lanes_mul(t, lanes_add(turn_rate_10, lanes_mul(t, lanes_add(turn_rate_11, lanes_mul(t, turn_rate_12))))));
-    const V _s36 = lanes_add(turn_rate_6, lanes_mul(t, lanes_add(turn_rate_7, lanes_mul(t, lanes_add(turn_rate_8, lanes_mul(t, _s35))))));
-    const V _s37 = lanes_add(turn_rate_3, lanes_mul(t, lanes_add(turn_rate_4, lanes_mul(t, lanes_add(turn_rate_5, lanes_mul(t, _s36))))));
-    const V _s38 = lanes_add(turn_rate_0, lanes_mul(t, lanes_add(turn_rate_1, lanes_mul(t, lanes_add(turn_rate_2, lanes_mul(t, _s37))))));
-    const V _s39 = lanes_sub(lanes_mul(_s19, _s38), lanes_mul(_s23, _s33));
-    return (LANES(court_ring_round_moved_out)){ lanes_mul(_s9, _s21), lanes_mul(_s22, _s21), lanes_mul(_s23, _s20), lanes_sub(lanes_mul(_s29, _s9), lanes_mul(_s22, _s33)), lanes_add(lanes_mul(_s29, _s22), lanes_mul(_s9, _s33)), lanes_mul(_s28, _s19), lanes_mul(_s34, lanes_add(lanes_mul(_s28, _s22), lanes_mul(_s9, _s39))), lanes_mul(_s34, lanes_sub(lanes_mul(_s22, _s39), lanes_mul(_s28, _s9))), lanes_mul(_s34, lanes_add(lanes_mul(_s19, _s33), lanes_mul(_s23, _s38))), _s27 };
+    const V _s20 = lanes_add(_c0, lanes_mul(_s19, _c1));
+    const V _s21 = lanes_mul(_s7, _s8);
+    const V _s22 = lanes_mul(_s17, _s18);
+    const V _s23 = lanes_add(climb_9, lanes_mul(t, lanes_add(climb_10, lanes_mul(t, lanes_add(climb_11, lanes_mul(climb_12, t))))));
+    const V _s24 = lanes_add(climb_6, lanes_mul(t, lanes_add(climb_7, lanes_mul(t, lanes_add(climb_8, lanes_mul(t, _s23))))));
+    const V _s25 = lanes_add(climb_3, lanes_mul(t, lanes_add(climb_4, lanes_mul(t, lanes_add(climb_5, lanes_mul(t, _s24))))));
+    const V _s26 = lanes_add(climb_0, lanes_mul(t, lanes_add(climb_1, lanes_mul(t, lanes_add(climb_2, lanes_mul(t, _s25))))));
+    const V _s27 = lanes_mul(_c1, _s26);
+    const V _s28 = lanes_neg(lanes_mul(_s27, _s22));
+    const V _s29 = lanes_add(along_9, lanes_mul(t, lanes_add(along_10, lanes_mul(t, lanes_add(along_11, lanes_mul(along_12, t))))));
+    const V _s30 = lanes_add(along_6, lanes_mul(t, lanes_add(along_7, lanes_mul(t, lanes_add(along_8, lanes_mul(t, _s29))))));
+    const V _s31 = lanes_add(along_3, lanes_mul(t, lanes_add(along_4, lanes_mul(t, lanes_add(along_5, lanes_mul(t, _s30))))));
+    const V _s32 = lanes_add(along_0, lanes_mul(t, lanes_add(along_1, lanes_mul(t, lanes_add(along_2, lanes_mul(t, _s31))))));
+    const V _s33 = lanes_add(turn_rate_9, lanes_mul(t, lanes_add(turn_rate_10, lanes_mul(t, lanes_add(turn_rate_11, lanes_mul(t, turn_rate_12))))));
+    const V _s34 = lanes_add(turn_rate_6, lanes_mul(t, lanes_add(turn_rate_7, lanes_mul(t, lanes_add(turn_rate_8, lanes_mul(t, _s33))))));
+    const V _s35 = lanes_add(turn_rate_3, lanes_mul(t, lanes_add(turn_rate_4, lanes_mul(t, lanes_add(turn_rate_5, lanes_mul(t, _s34))))));
+    const V _s36 = lanes_add(turn_rate_0, lanes_mul(t, lanes_add(turn_rate_1, lanes_mul(t, lanes_add(turn_rate_2, lanes_mul(t, _s35))))));
+    const V _s37 = lanes_sub(lanes_mul(_s19, _s36), lanes_mul(_s22, _s32));
+    return (LANES(court_ring_round_moved_out)){ lanes_mul(_s9, _s20), lanes_mul(_s21, _s20), lanes_mul(_s22, _c1), lanes_sub(lanes_mul(_s28, _s9), lanes_mul(_s21, _s32)), lanes_add(lanes_mul(_s28, _s21), lanes_mul(_s9, _s32)), lanes_mul(_s27, _s19), lanes_mul(_c2, lanes_add(lanes_mul(_s27, _s21), lanes_mul(_s9, _s37))), lanes_mul(_c2, lanes_sub(lanes_mul(_s21, _s37), lanes_mul(_s27, _s9))), lanes_mul(_c2, lanes_add(lanes_mul(_s19, _s32), lanes_mul(_s22, _s36))), _s26 };
 }
 
 /* A step of the series, and bounds of the motion in it.
-   Routh's equations. 268 operations: 77 additions, 4 subtractions, 126 multiplications, 6 divisions, 7 square roots, 1 negation, 43 absolute values, 2 comparisons, 2 selections. */
+   Routh's equations. 261 operations: 76 additions, 3 subtractions, 124 multiplications, 4 divisions, 6 square roots, 1 negation, 43 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride;
     V strongest;
@@ -3616,72 +3508,70 @@ typedef struct {
 } LANES(court_ring_round_pace_out);
 
 LANES_INLINE LANES(court_ring_round_pace_out)
-LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_12, V cosine_0, V cosine_12, V force_0, V force_1, V force_10, V force_11, V force_2, V force_3, V force_4, V force_5, V force_6, V force_7, V force_8, V force_9, V p_gravity, V omega_0, V p_ring_radius, V sin_0, V sin_12, V sine_0, V sine_12, V turn_rate_0, V turn_rate_11, V turn_rate_12, V p_wire_radius)
+LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_12, V cosine_0, V cosine_12, V force_0, V force_1, V force_10, V force_11, V force_2, V force_3, V force_4, V force_5, V force_6, V force_7, V force_8, V force_9, V omega_0, V sin_0, V sin_12, V sine_0, V sine_12, V turn_rate_0, V turn_rate_11, V turn_rate_12, V _c0, V _c1, V _c2, V _c3, V _c4)
 {
     const V _s0 = lanes_abs(climb_0);
-    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s2 = lanes_abs(along_0);
-    const V _s3 = lanes_add(lanes_mul(_s0, _s1), lanes_add(_s2, lanes_abs(turn_rate_0)));
-    const V _s4 = lanes_add(lanes_mul(K(0.015625), p_gravity), _s3);
-    const V _s5 = lanes_abs(climb_11);
-    const V _s6 = lanes_abs(along_11);
-    const V _s7 = lanes_abs(climb_12);
-    const V _s8 = lanes_abs(along_12);
-    const V _s9 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(_s5, _s1), lanes_add(_s6, lanes_abs(turn_rate_11)))), lanes_add(lanes_div(_s3, _s1), lanes_sqrt(lanes_div(p_gravity, _s1)))), lanes_add(lanes_mul(_s7, _s1), lanes_add(_s8, lanes_abs(turn_rate_12))));
-    const V _s10 = lanes_mul(_s4, lanes_add(lanes_add(lanes_add(lanes_abs(cos_12), lanes_abs(cosine_12)), lanes_abs(sin_12)), lanes_abs(sine_12)));
-    const V _s11 = lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.7763568394002505e-15), _s4), lanes_max(_s9, _s10))));
-    const V _s12 = lanes_sqrt(lanes_sqrt(_s11));
-    const V _s13 = lanes_mul(_s12, lanes_sqrt(lanes_sqrt(_s12)));
-    const V _s14 = lanes_add(lanes_div(_s11, lanes_mul(K(3.0), lanes_mul(_s13, _s13))), lanes_mul(K(0.6666666666666666), _s13));
-    const V _s15 = lanes_add(lanes_div(_s11, lanes_mul(K(3.0), lanes_mul(_s14, _s14))), lanes_mul(K(0.6666666666666666), _s14));
-    const V _s16 = lanes_min(_s15, K(0.0625));
-    const V _s17 = lanes_abs(climb_10);
-    const V _s18 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s7), _s16), lanes_mul(K(11.0), _s5)), _s16), lanes_mul(K(10.0), _s17)), _s16);
-    const V _s19 = lanes_abs(climb_9);
-    const V _s20 = lanes_abs(climb_8);
-    const V _s21 = lanes_abs(climb_7);
-    const V _s22 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s18, lanes_mul(K(9.0), _s19)), _s16), lanes_mul(K(8.0), _s20)), _s16), lanes_mul(K(7.0), _s21));
-    const V _s23 = lanes_abs(climb_6);
-    const V _s24 = lanes_abs(climb_5);
-    const V _s25 = lanes_abs(climb_4);
-    const V _s26 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s22, _s16), lanes_mul(K(6.0), _s23)), _s16), lanes_mul(K(5.0), _s24)), _s16), lanes_mul(K(4.0), _s25));
-    const V _s27 = lanes_abs(climb_3);
-    const V _s28 = lanes_abs(climb_2);
-    const V _s29 = lanes_abs(climb_1);
-    const V _s30 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s26, _s16), lanes_mul(K(3.0), _s27)), _s16), lanes_mul(K(2.0), _s28)), _s16), _s29);
-    const V _s31 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s16), _s5), _s16), _s17), _s16), _s19);
-    const V _s32 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s31, _s16), _s20), _s16), _s21), _s16), _s23);
-    const V _s33 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s32, _s16), _s24), _s16), _s25), _s16), _s27);
-    const V _s34 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s33, _s16), _s28), _s16), _s29), _s16), _s0);
-    const V _s35 = lanes_mul(_s1, lanes_add(_s30, lanes_mul(_s34, _s34)));
-    const V _s36 = lanes_abs(along_10);
-    const V _s37 = lanes_abs(along_9);
-    const V _s38 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s8, _s16), _s6), _s16), _s36), _s16), _s37);
-    const V _s39 = lanes_abs(along_8);
-    const V _s40 = lanes_abs(along_7);
-    const V _s41 = lanes_abs(along_6);
-    const V _s42 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s38, _s16), _s39), _s16), _s40), _s16), _s41);
-    const V _s43 = lanes_abs(along_5);
-    const V _s44 = lanes_abs(along_4);
-    const V _s45 = lanes_abs(along_3);
-    const V _s46 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s42, _s16), _s43), _s16), _s44), _s16), _s45);
-    const V _s47 = lanes_abs(along_2);
-    const V _s48 = lanes_abs(along_1);
-    const V _s49 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s46, _s16), _s47), _s16), _s48), _s16), _s2);
-    const V _s50 = lanes_add(lanes_mul(_s1, _s34), _s49);
-    const V _s51 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s8), _s16), lanes_mul(K(11.0), _s6)), _s16), lanes_mul(K(10.0), _s36)), _s16);
-    const V _s52 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s51, lanes_mul(K(9.0), _s37)), _s16), lanes_mul(K(8.0), _s39)), _s16), lanes_mul(K(7.0), _s40));
-    const V _s53 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s52, _s16), lanes_mul(K(6.0), _s41)), _s16), lanes_mul(K(5.0), _s43)), _s16), lanes_mul(K(4.0), _s44));
-    const V _s54 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s53, _s16), lanes_mul(K(3.0), _s45)), _s16), lanes_mul(K(2.0), _s47)), _s16), _s48);
-    const V _s55 = lanes_add(_s35, lanes_add(lanes_mul(lanes_mul(_s49, lanes_div(K(1.0), lanes_sub(p_ring_radius, _s1))), _s50), _s54));
-    const V _s56 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(110.0), lanes_abs(force_11)), _s16), lanes_mul(K(90.0), lanes_abs(force_10))), _s16), lanes_mul(K(72.0), lanes_abs(force_9)));
-    const V _s57 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s56, _s16), lanes_mul(K(56.0), lanes_abs(force_8))), _s16), lanes_mul(K(42.0), lanes_abs(force_7))), _s16);
-    const V _s58 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s57, lanes_mul(K(30.0), lanes_abs(force_6))), _s16), lanes_mul(K(20.0), lanes_abs(force_5))), _s16);
-    const V _s59 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s58, lanes_mul(K(12.0), lanes_abs(force_4))), _s16), lanes_mul(K(6.0), lanes_abs(force_3))), _s16);
-    const V _s60 = lanes_mul(lanes_mul(climb_0, climb_0), _s1);
-    const V _s61 = lanes_neg(lanes_add(lanes_add(lanes_mul(along_0, omega_0), lanes_mul(cosine_0, _s60)), lanes_mul(lanes_mul(climb_1, sine_0), _s1)));
-    const V _s62 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _s1)));
-    return (LANES(court_ring_round_pace_out)){ _s16, _s55, _s50, _s35, force_0, force_1, lanes_add(_s59, lanes_mul(K(2.0), lanes_abs(force_2))), lanes_mul(lanes_mul(K(0.8), p_gravity), lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s61), lanes_mul(sin_0, _s62)), lanes_add(lanes_mul(cos_0, _s62), lanes_mul(sin_0, _s61)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _s1), lanes_mul(sine_0, _s60)) };
+    const V _s1 = lanes_abs(along_0);
+    const V _s2 = lanes_add(lanes_mul(_s0, _c1), lanes_add(_s1, lanes_abs(turn_rate_0)));
+    const V _s3 = lanes_add(_c0, _s2);
+    const V _s4 = lanes_abs(climb_11);
+    const V _s5 = lanes_abs(along_11);
+    const V _s6 = lanes_abs(climb_12);
+    const V _s7 = lanes_abs(along_12);
+    const V _s8 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(_s4, _c1), lanes_add(_s5, lanes_abs(turn_rate_11)))), lanes_add(lanes_div(_s2, _c1), _c2)), lanes_add(lanes_mul(_s6, _c1), lanes_add(_s7, lanes_abs(turn_rate_12))));
+    const V _s9 = lanes_mul(_s3, lanes_add(lanes_add(lanes_add(lanes_abs(cos_12), lanes_abs(cosine_12)), lanes_abs(sin_12)), lanes_abs(sine_12)));
+    const V _s10 = lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.7763568394002505e-15), _s3), lanes_max(_s8, _s9))));
+    const V _s11 = lanes_sqrt(lanes_sqrt(_s10));
+    const V _s12 = lanes_mul(_s11, lanes_sqrt(lanes_sqrt(_s11)));
+    const V _s13 = lanes_add(lanes_div(_s10, lanes_mul(K(3.0), lanes_mul(_s12, _s12))), lanes_mul(K(0.6666666666666666), _s12));
+    const V _s14 = lanes_add(lanes_div(_s10, lanes_mul(K(3.0), lanes_mul(_s13, _s13))), lanes_mul(K(0.6666666666666666), _s13));
+    const V _s15 = lanes_min(_s14, K(0.0625));
+    const V _s16 = lanes_abs(climb_10);
+    const V _s17 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s6), _s15), lanes_mul(K(11.0), _s4)), _s15), lanes_mul(K(10.0), _s16)), _s15);
+    const V _s18 = lanes_abs(climb_9);
+    const V _s19 = lanes_abs(climb_8);
+    const V _s20 = lanes_abs(climb_7);
+    const V _s21 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s17, lanes_mul(K(9.0), _s18)), _s15), lanes_mul(K(8.0), _s19)), _s15), lanes_mul(K(7.0), _s20));
+    const V _s22 = lanes_abs(climb_6);
+    const V _s23 = lanes_abs(climb_5);
+    const V _s24 = lanes_abs(climb_4);
+    const V _s25 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s21, _s15), lanes_mul(K(6.0), _s22)), _s15), lanes_mul(K(5.0), _s23)), _s15), lanes_mul(K(4.0), _s24));
+    const V _s26 = lanes_abs(climb_3);
+    const V _s27 = lanes_abs(climb_2);
+    const V _s28 = lanes_abs(climb_1);
+    const V _s29 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s25, _s15), lanes_mul(K(3.0), _s26)), _s15), lanes_mul(K(2.0), _s27)), _s15), _s28);
+    const V _s30 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s6, _s15), _s4), _s15), _s16), _s15), _s18);
+    const V _s31 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s30, _s15), _s19), _s15), _s20), _s15), _s22);
+    const V _s32 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s31, _s15), _s23), _s15), _s24), _s15), _s26);
+    const V _s33 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s32, _s15), _s27), _s15), _s28), _s15), _s0);
+    const V _s34 = lanes_mul(_c1, lanes_add(_s29, lanes_mul(_s33, _s33)));
+    const V _s35 = lanes_abs(along_10);
+    const V _s36 = lanes_abs(along_9);
+    const V _s37 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s15), _s5), _s15), _s35), _s15), _s36);
+    const V _s38 = lanes_abs(along_8);
+    const V _s39 = lanes_abs(along_7);
+    const V _s40 = lanes_abs(along_6);
+    const V _s41 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s37, _s15), _s38), _s15), _s39), _s15), _s40);
+    const V _s42 = lanes_abs(along_5);
+    const V _s43 = lanes_abs(along_4);
+    const V _s44 = lanes_abs(along_3);
+    const V _s45 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s41, _s15), _s42), _s15), _s43), _s15), _s44);
+    const V _s46 = lanes_abs(along_2);
+    const V _s47 = lanes_abs(along_1);
+    const V _s48 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s45, _s15), _s46), _s15), _s47), _s15), _s1);
+    const V _s49 = lanes_add(lanes_mul(_c1, _s33), _s48);
+    const V _s50 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s7), _s15), lanes_mul(K(11.0), _s5)), _s15), lanes_mul(K(10.0), _s35)), _s15);
+    const V _s51 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s50, lanes_mul(K(9.0), _s36)), _s15), lanes_mul(K(8.0), _s38)), _s15), lanes_mul(K(7.0), _s39));
+    const V _s52 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s51, _s15), lanes_mul(K(6.0), _s40)), _s15), lanes_mul(K(5.0), _s42)), _s15), lanes_mul(K(4.0), _s43));
+    const V _s53 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s52, _s15), lanes_mul(K(3.0), _s44)), _s15), lanes_mul(K(2.0), _s46)), _s15), _s47);
+    const V _s54 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(110.0), lanes_abs(force_11)), _s15), lanes_mul(K(90.0), lanes_abs(force_10))), _s15), lanes_mul(K(72.0), lanes_abs(force_9)));
+    const V _s55 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s54, _s15), lanes_mul(K(56.0), lanes_abs(force_8))), _s15), lanes_mul(K(42.0), lanes_abs(force_7))), _s15);
+    const V _s56 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s55, lanes_mul(K(30.0), lanes_abs(force_6))), _s15), lanes_mul(K(20.0), lanes_abs(force_5))), _s15);
+    const V _s57 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s56, lanes_mul(K(12.0), lanes_abs(force_4))), _s15), lanes_mul(K(6.0), lanes_abs(force_3))), _s15);
+    const V _s58 = lanes_mul(lanes_mul(climb_0, climb_0), _c1);
+    const V _s59 = lanes_neg(lanes_add(lanes_add(lanes_mul(along_0, omega_0), lanes_mul(cosine_0, _s58)), lanes_mul(lanes_mul(climb_1, sine_0), _c1)));
+    const V _s60 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _c1)));
+    return (LANES(court_ring_round_pace_out)){ _s15, lanes_add(_s34, lanes_add(lanes_mul(lanes_mul(_s48, _c3), _s49), _s53)), _s49, _s34, force_0, force_1, lanes_add(_s57, lanes_mul(K(2.0), lanes_abs(force_2))), lanes_mul(_c4, lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s59), lanes_mul(sin_0, _s60)), lanes_add(lanes_mul(cos_0, _s60), lanes_mul(sin_0, _s59)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _c1), lanes_mul(sine_0, _s58)) };
 }
 
 /* The square of the friction that rolling on the ring takes, and its rate.
@@ -3694,10 +3584,10 @@ typedef struct {
 } LANES(court_ring_round_pulled_out);
 
 LANES_INLINE LANES(court_ring_round_pulled_out)
-LANES(court_ring_round_pulled)(V climb_0, V climb_1, V cosine_0, V cosine_1, V p_gravity, V omega_0, V omega_1, V turn_rate_0, V turn_rate_1)
+LANES(court_ring_round_pulled)(V climb_0, V climb_1, V cosine_0, V cosine_1, V omega_0, V omega_1, V turn_rate_0, V turn_rate_1, V _c0)
 {
     const V _s0 = lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0));
-    const V _s1 = lanes_add(p_gravity, lanes_mul(omega_0, turn_rate_0));
+    const V _s1 = lanes_add(_c0, lanes_mul(omega_0, turn_rate_0));
     const V _s2 = lanes_mul(K(0.4), lanes_mul(cosine_0, _s1));
     const V _s3 = lanes_mul(_s2, lanes_mul(K(0.4), lanes_add(lanes_mul(cosine_0, lanes_add(lanes_mul(omega_0, turn_rate_1), lanes_mul(omega_1, turn_rate_0))), lanes_mul(cosine_1, _s1))));
     const V _s4 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s0, lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0)))), _s3));
@@ -3705,7 +3595,7 @@ LANES(court_ring_round_pulled)(V climb_0, V climb_1, V cosine_0, V cosine_1, V p
 }
 
 /* Whether it is certain to roll for ever.
-   Routh's equations. 49 operations: 4 additions, 3 subtractions, 21 multiplications, 1 division, 1 absolute value, 8 comparisons, 6 conjunctions, 1 complement, 4 selections. */
+   Routh's equations. 41 operations: 3 additions, 3 subtractions, 15 multiplications, 1 absolute value, 8 comparisons, 6 conjunctions, 1 complement, 4 selections. */
 typedef struct {
     V circled;
     M endless;
@@ -3713,21 +3603,20 @@ typedef struct {
 } LANES(court_ring_swung_out);
 
 LANES_INLINE LANES(court_ring_swung_out)
-LANES(court_ring_swung)(V p_ball_radius, V berth, V circled, V climb, V climb_0, V doubt, V fastest, V force, V force_bend, V force_rate, V p_gravity, V position_error, V stride, V sway, V velocity_error, V which, V p_wire_radius)
+LANES(court_ring_swung)(V berth, V circled, V climb, V climb_0, V doubt, V fastest, V force, V force_bend, V force_rate, V position_error, V stride, V sway, V velocity_error, V which, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_mul(stride, stride);
-    const M _s2 = lanes_both(lanes_less(lanes_mul(K(0.000244140625), _s0), lanes_sub(berth, lanes_mul(lanes_mul(K(0.125), sway), _s1))), lanes_less(lanes_mul(K(0.00390625), p_gravity), lanes_sub(lanes_add(force, lanes_mul(stride, lanes_min(force_rate, K(0.0)))), lanes_mul(lanes_mul(K(0.5), force_bend), _s1))));
-    const M _s3 = lanes_both(_s2, lanes_equal(which, K(-1.0)));
-    const M _s4 = lanes_both(lanes_less(lanes_mul(climb, climb_0), K(0.0)), lanes_less(lanes_mul(lanes_mul(K(0.015625), p_gravity), stride), lanes_mul(lanes_abs(lanes_sub(climb, climb_0)), _s0)));
-    const M _s5 = lanes_both(lanes_both(_s3, _s4), lanes_less(K(0.0), circled));
-    const V _s6 = lanes_add(p_gravity, lanes_mul(lanes_mul(fastest, fastest), lanes_div(K(1.0), _s0)));
-    const M _s7 = lanes_not(lanes_less(lanes_mul(_s6, lanes_mul(K(512.0), lanes_add(lanes_mul(fastest, velocity_error), lanes_mul(position_error, _s6)))), lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s0)));
-    return (LANES(court_ring_swung_out)){ lanes_select(_s3, lanes_select(_s4, K(1.0), circled), K(0.0)), _s5, lanes_select(lanes_both(_s5, _s7), K(0.0), doubt) };
+    const V _s0 = lanes_mul(stride, stride);
+    const M _s1 = lanes_both(lanes_less(_c2, lanes_sub(berth, lanes_mul(lanes_mul(K(0.125), sway), _s0))), lanes_less(_c3, lanes_sub(lanes_add(force, lanes_mul(stride, lanes_min(force_rate, K(0.0)))), lanes_mul(lanes_mul(K(0.5), force_bend), _s0))));
+    const M _s2 = lanes_both(_s1, lanes_equal(which, K(-1.0)));
+    const M _s3 = lanes_both(lanes_less(lanes_mul(climb, climb_0), K(0.0)), lanes_less(lanes_mul(_c4, stride), lanes_mul(lanes_abs(lanes_sub(climb, climb_0)), _c1)));
+    const M _s4 = lanes_both(lanes_both(_s2, _s3), lanes_less(K(0.0), circled));
+    const V _s5 = lanes_add(_c0, lanes_mul(lanes_mul(fastest, fastest), _c5));
+    const M _s6 = lanes_not(lanes_less(lanes_mul(_s5, lanes_mul(K(512.0), lanes_add(lanes_mul(fastest, velocity_error), lanes_mul(position_error, _s5)))), _c6));
+    return (LANES(court_ring_swung_out)){ lanes_select(_s2, lanes_select(_s3, K(1.0), circled), K(0.0)), _s4, lanes_select(lanes_both(_s4, _s6), K(0.0), doubt) };
 }
 
 /* The terms of order 1, from those before.
-   Routh's equations. 32 operations: 2 additions, 4 subtractions, 22 multiplications, 1 division, 3 negations. */
+   Routh's equations. 31 operations: 1 addition, 4 subtractions, 22 multiplications, 1 division, 3 negations. */
 typedef struct {
     V omega_0;
     V around_0;
@@ -3744,18 +3633,17 @@ typedef struct {
 } LANES(court_ring_round_0_out);
 
 LANES_INLINE LANES(court_ring_round_0_out)
-LANES(court_ring_round_0)(V along_0, V p_ball_radius, V climb_0, V cos_0, V cosine_0, V p_gravity, V near_0, V p_ring_radius, V sin_0, V sine_0, V turn_rate_0, V p_wire_radius)
+LANES(court_ring_round_0)(V along_0, V climb_0, V cos_0, V cosine_0, V near_0, V sin_0, V sine_0, V turn_rate_0, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_mul(along_0, near_0);
     const V _s1 = lanes_mul(climb_0, _s0);
     const V _s2 = lanes_sub(lanes_mul(along_0, sine_0), lanes_mul(K(0.4), lanes_mul(cosine_0, turn_rate_0)));
     const V _s3 = lanes_mul(along_0, cosine_0);
-    const V _s4 = lanes_add(p_ball_radius, p_wire_radius);
-    return (LANES(court_ring_round_0_out)){ _s0, _s1, _s2, _s3, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_0), lanes_mul(lanes_mul(climb_0, climb_0), _s4)), lanes_mul(_s3, _s0)), lanes_neg(lanes_mul(climb_0, sine_0)), lanes_mul(climb_0, cosine_0), lanes_neg(lanes_div(lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_0), p_gravity), lanes_mul(_s0, _s2)), _s4)), lanes_sub(lanes_mul(lanes_mul(sine_0, _s1), _s4), lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0))), lanes_mul(p_ring_radius, _s1), lanes_neg(lanes_mul(sin_0, _s0)), lanes_mul(cos_0, _s0) };
+    return (LANES(court_ring_round_0_out)){ _s0, _s1, _s2, _s3, lanes_sub(lanes_sub(lanes_mul(_c0, sine_0), lanes_mul(lanes_mul(climb_0, climb_0), _c2)), lanes_mul(_s3, _s0)), lanes_neg(lanes_mul(climb_0, sine_0)), lanes_mul(climb_0, cosine_0), lanes_neg(lanes_div(lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_0), _c0), lanes_mul(_s0, _s2)), _c2)), lanes_sub(lanes_mul(lanes_mul(sine_0, _s1), _c2), lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0))), lanes_mul(_c1, _s1), lanes_neg(lanes_mul(sin_0, _s0)), lanes_mul(cos_0, _s0) };
 }
 
 /* The terms of order 2, from those before.
-   Routh's equations. 70 operations: 15 additions, 4 subtractions, 46 multiplications, 1 division, 4 negations. */
+   Routh's equations. 68 operations: 14 additions, 4 subtractions, 45 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_1;
     V omega_1;
@@ -3773,20 +3661,19 @@ typedef struct {
 } LANES(court_ring_round_1_out);
 
 LANES_INLINE LANES(court_ring_round_1_out)
-LANES(court_ring_round_1)(V along_0, V along_1, V around_0, V p_ball_radius, V climb_0, V climb_1, V cos_0, V cos_1, V cosine_0, V cosine_1, V p_gravity, V near_0, V omega_0, V pressed_0, V p_ring_radius, V sin_0, V sin_1, V sine_0, V sine_1, V tilted_0, V turn_rate_0, V turn_rate_1, V p_wire_radius)
+LANES(court_ring_round_1)(V along_0, V along_1, V around_0, V climb_0, V climb_1, V cos_0, V cos_1, V cosine_0, V cosine_1, V near_0, V omega_0, V pressed_0, V sin_0, V sin_1, V sine_0, V sine_1, V tilted_0, V turn_rate_0, V turn_rate_1, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, lanes_mul(cosine_1, near_0)), _s0));
-    const V _s2 = lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_0));
-    const V _s3 = lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_0));
-    const V _s4 = lanes_sub(lanes_add(lanes_mul(along_0, sine_1), lanes_mul(along_1, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_mul(cosine_0, turn_rate_1), lanes_mul(cosine_1, turn_rate_0))));
-    const V _s5 = lanes_add(lanes_mul(along_0, cosine_1), lanes_mul(along_1, cosine_0));
-    const V _s6 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_1), p_gravity), lanes_add(lanes_mul(omega_0, _s4), lanes_mul(tilted_0, _s2)))), _s0));
-    return (LANES(court_ring_round_1_out)){ _s1, _s2, _s3, _s4, _s5, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_1), lanes_mul(lanes_mul(lanes_mul(K(2.0), climb_0), climb_1), _s0)), lanes_add(lanes_mul(omega_0, _s5), lanes_mul(pressed_0, _s2))), lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, sine_1), lanes_mul(climb_1, sine_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, cosine_1), lanes_mul(climb_1, cosine_0))), _s6, lanes_mul(K(0.5), lanes_sub(lanes_mul(_s0, lanes_add(lanes_mul(around_0, sine_1), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0))))), lanes_mul(lanes_mul(K(0.5), p_ring_radius), _s3), lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(omega_0, sin_1), lanes_mul(sin_0, _s2)))), lanes_mul(K(0.5), lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_0))) };
+    const V _s0 = lanes_neg(lanes_mul(lanes_mul(near_0, lanes_mul(cosine_1, near_0)), _c1));
+    const V _s1 = lanes_add(lanes_mul(along_0, _s0), lanes_mul(along_1, near_0));
+    const V _s2 = lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_0));
+    const V _s3 = lanes_sub(lanes_add(lanes_mul(along_0, sine_1), lanes_mul(along_1, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_mul(cosine_0, turn_rate_1), lanes_mul(cosine_1, turn_rate_0))));
+    const V _s4 = lanes_add(lanes_mul(along_0, cosine_1), lanes_mul(along_1, cosine_0));
+    const V _s5 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_1), _c0), lanes_add(lanes_mul(omega_0, _s3), lanes_mul(tilted_0, _s1)))), _c1));
+    return (LANES(court_ring_round_1_out)){ _s0, _s1, _s2, _s3, _s4, lanes_sub(lanes_sub(lanes_mul(_c0, sine_1), lanes_mul(lanes_mul(lanes_mul(K(2.0), climb_0), climb_1), _c1)), lanes_add(lanes_mul(omega_0, _s4), lanes_mul(pressed_0, _s1))), lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, sine_1), lanes_mul(climb_1, sine_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, cosine_1), lanes_mul(climb_1, cosine_0))), _s5, lanes_mul(K(0.5), lanes_sub(lanes_mul(_c1, lanes_add(lanes_mul(around_0, sine_1), lanes_mul(sine_0, _s2))), lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0))))), lanes_mul(_c2, _s2), lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(omega_0, sin_1), lanes_mul(sin_0, _s1)))), lanes_mul(K(0.5), lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, omega_0))) };
 }
 
 /* The terms of order 3, from those before.
-   Routh's equations. 100 operations: 30 additions, 4 subtractions, 61 multiplications, 1 division, 4 negations. */
+   Routh's equations. 98 operations: 29 additions, 4 subtractions, 60 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_2;
     V omega_2;
@@ -3804,22 +3691,21 @@ typedef struct {
 } LANES(court_ring_round_2_out);
 
 LANES_INLINE LANES(court_ring_round_2_out)
-LANES(court_ring_round_2)(V along_0, V along_1, V along_2, V around_0, V around_1, V p_ball_radius, V climb_0, V climb_1, V climb_2, V cos_0, V cos_1, V cos_2, V cosine_0, V cosine_1, V cosine_2, V p_gravity, V near_0, V near_1, V omega_0, V omega_1, V pressed_0, V pressed_1, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sine_0, V sine_1, V sine_2, V tilted_0, V tilted_1, V turn_rate_0, V turn_rate_1, V turn_rate_2, V p_wire_radius)
+LANES(court_ring_round_2)(V along_0, V along_1, V along_2, V around_0, V around_1, V climb_0, V climb_1, V climb_2, V cos_0, V cos_1, V cos_2, V cosine_0, V cosine_1, V cosine_2, V near_0, V near_1, V omega_0, V omega_1, V pressed_0, V pressed_1, V sin_0, V sin_1, V sin_2, V sine_0, V sine_1, V sine_2, V tilted_0, V tilted_1, V turn_rate_0, V turn_rate_1, V turn_rate_2, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_mul(cosine_1, near_1), lanes_mul(cosine_2, near_0))));
-    const V _s2 = lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_1)), lanes_mul(along_2, near_0));
-    const V _s3 = lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_1)), lanes_mul(climb_2, omega_0));
-    const V _s4 = lanes_sub(lanes_add(lanes_add(lanes_mul(along_0, sine_2), lanes_mul(along_1, sine_1)), lanes_mul(along_2, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_2), lanes_mul(cosine_1, turn_rate_1)), lanes_mul(cosine_2, turn_rate_0))));
-    const V _s5 = lanes_add(lanes_add(lanes_mul(along_0, cosine_2), lanes_mul(along_1, cosine_1)), lanes_mul(along_2, cosine_0));
-    const V _s6 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_2), lanes_mul(_s0, lanes_add(lanes_mul(climb_1, climb_1), lanes_mul(lanes_mul(K(2.0), climb_0), climb_2)))), lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, pressed_1)), lanes_mul(pressed_0, _s2)));
-    const V _s7 = lanes_div(lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_2), p_gravity), lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, tilted_1)), lanes_mul(tilted_0, _s2)))), _s0);
-    const V _s8 = lanes_mul(K(0.3333333333333333), lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(around_0, sine_2), lanes_mul(around_1, sine_1)), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_2), lanes_mul(climb_1, turn_rate_1)), lanes_mul(climb_2, turn_rate_0)))));
-    return (LANES(court_ring_round_2_out)){ _s1, _s2, _s3, _s4, _s5, _s6, lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, sine_2), lanes_mul(climb_1, sine_1)), lanes_mul(climb_2, sine_0)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, cosine_2), lanes_mul(climb_1, cosine_1)), lanes_mul(climb_2, cosine_0))), lanes_neg(_s7), _s8, lanes_mul(lanes_mul(K(0.3333333333333333), p_ring_radius), _s3), lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(omega_0, sin_2), lanes_mul(omega_1, sin_1)), lanes_mul(sin_0, _s2)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_1)), lanes_mul(cos_2, omega_0))) };
+    const V _s0 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_mul(cosine_1, near_1), lanes_mul(cosine_2, near_0))));
+    const V _s1 = lanes_add(lanes_add(lanes_mul(along_0, _s0), lanes_mul(along_1, near_1)), lanes_mul(along_2, near_0));
+    const V _s2 = lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_1)), lanes_mul(climb_2, omega_0));
+    const V _s3 = lanes_sub(lanes_add(lanes_add(lanes_mul(along_0, sine_2), lanes_mul(along_1, sine_1)), lanes_mul(along_2, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_2), lanes_mul(cosine_1, turn_rate_1)), lanes_mul(cosine_2, turn_rate_0))));
+    const V _s4 = lanes_add(lanes_add(lanes_mul(along_0, cosine_2), lanes_mul(along_1, cosine_1)), lanes_mul(along_2, cosine_0));
+    const V _s5 = lanes_sub(lanes_sub(lanes_mul(_c0, sine_2), lanes_mul(_c1, lanes_add(lanes_mul(climb_1, climb_1), lanes_mul(lanes_mul(K(2.0), climb_0), climb_2)))), lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, pressed_1)), lanes_mul(pressed_0, _s1)));
+    const V _s6 = lanes_div(lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_2), _c0), lanes_add(lanes_add(lanes_mul(omega_0, _s3), lanes_mul(omega_1, tilted_1)), lanes_mul(tilted_0, _s1)))), _c1);
+    const V _s7 = lanes_mul(K(0.3333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(around_0, sine_2), lanes_mul(around_1, sine_1)), lanes_mul(sine_0, _s2))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_2), lanes_mul(climb_1, turn_rate_1)), lanes_mul(climb_2, turn_rate_0)))));
+    return (LANES(court_ring_round_2_out)){ _s0, _s1, _s2, _s3, _s4, _s5, lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, sine_2), lanes_mul(climb_1, sine_1)), lanes_mul(climb_2, sine_0)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, cosine_2), lanes_mul(climb_1, cosine_1)), lanes_mul(climb_2, cosine_0))), lanes_neg(_s6), _s7, lanes_mul(_c2, _s2), lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(omega_0, sin_2), lanes_mul(omega_1, sin_1)), lanes_mul(sin_0, _s1)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, omega_1)), lanes_mul(cos_2, omega_0))) };
 }
 
 /* The terms of order 4, from those before.
-   Routh's equations. 129 operations: 44 additions, 4 subtractions, 76 multiplications, 1 division, 4 negations. */
+   Routh's equations. 127 operations: 43 additions, 4 subtractions, 75 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_3;
     V omega_3;
@@ -3837,24 +3723,23 @@ typedef struct {
 } LANES(court_ring_round_3_out);
 
 LANES_INLINE LANES(court_ring_round_3_out)
-LANES(court_ring_round_3)(V along_0, V along_1, V along_2, V along_3, V around_0, V around_1, V around_2, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V cos_0, V cos_1, V cos_2, V cos_3, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V p_gravity, V near_0, V near_1, V near_2, V omega_0, V omega_1, V omega_2, V pressed_0, V pressed_1, V pressed_2, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sine_0, V sine_1, V sine_2, V sine_3, V tilted_0, V tilted_1, V tilted_2, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V p_wire_radius)
+LANES(court_ring_round_3)(V along_0, V along_1, V along_2, V along_3, V around_0, V around_1, V around_2, V climb_0, V climb_1, V climb_2, V climb_3, V cos_0, V cos_1, V cos_2, V cos_3, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V near_0, V near_1, V near_2, V omega_0, V omega_1, V omega_2, V pressed_0, V pressed_1, V pressed_2, V sin_0, V sin_1, V sin_2, V sin_3, V sine_0, V sine_1, V sine_2, V sine_3, V tilted_0, V tilted_1, V tilted_2, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_mul(cosine_1, near_2), lanes_mul(cosine_2, near_1)), lanes_mul(cosine_3, near_0))));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_2)), lanes_mul(along_2, near_1)), lanes_mul(along_3, near_0));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_2)), lanes_mul(climb_2, omega_1)), lanes_mul(climb_3, omega_0));
-    const V _s4 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_3), lanes_mul(along_1, sine_2)), lanes_mul(along_2, sine_1)), lanes_mul(along_3, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_3), lanes_mul(cosine_1, turn_rate_2)), lanes_mul(cosine_2, turn_rate_1)), lanes_mul(cosine_3, turn_rate_0))));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_3), lanes_mul(along_1, cosine_2)), lanes_mul(along_2, cosine_1)), lanes_mul(along_3, cosine_0));
-    const V _s6 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_3), lanes_mul(_s0, lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_3), lanes_mul(lanes_mul(K(2.0), climb_1), climb_2)))), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, pressed_2)), lanes_mul(omega_2, pressed_1)), lanes_mul(pressed_0, _s2)));
-    const V _s7 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_3), lanes_mul(climb_1, sine_2)), lanes_mul(climb_2, sine_1)), lanes_mul(climb_3, sine_0))));
-    const V _s8 = lanes_mul(K(0.25), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_3), p_gravity), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, tilted_2)), lanes_mul(omega_2, tilted_1)), lanes_mul(tilted_0, _s2))));
-    const V _s9 = lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_3), lanes_mul(around_1, sine_2)), lanes_mul(around_2, sine_1)), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_3), lanes_mul(climb_1, turn_rate_2)), lanes_mul(climb_2, turn_rate_1)), lanes_mul(climb_3, turn_rate_0))));
-    const V _s10 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_3), lanes_mul(omega_1, sin_2)), lanes_mul(omega_2, sin_1)), lanes_mul(sin_0, _s2))));
-    return (LANES(court_ring_round_3_out)){ _s1, _s2, _s3, _s4, _s5, _s6, _s7, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_3), lanes_mul(climb_1, cosine_2)), lanes_mul(climb_2, cosine_1)), lanes_mul(climb_3, cosine_0))), lanes_neg(lanes_div(_s8, _s0)), lanes_mul(K(0.25), _s9), lanes_mul(lanes_mul(K(0.25), p_ring_radius), _s3), _s10, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_2)), lanes_mul(cos_2, omega_1)), lanes_mul(cos_3, omega_0))) };
+    const V _s0 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(lanes_mul(cosine_1, near_2), lanes_mul(cosine_2, near_1)), lanes_mul(cosine_3, near_0))));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s0), lanes_mul(along_1, near_2)), lanes_mul(along_2, near_1)), lanes_mul(along_3, near_0));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_2)), lanes_mul(climb_2, omega_1)), lanes_mul(climb_3, omega_0));
+    const V _s3 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_3), lanes_mul(along_1, sine_2)), lanes_mul(along_2, sine_1)), lanes_mul(along_3, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_3), lanes_mul(cosine_1, turn_rate_2)), lanes_mul(cosine_2, turn_rate_1)), lanes_mul(cosine_3, turn_rate_0))));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_3), lanes_mul(along_1, cosine_2)), lanes_mul(along_2, cosine_1)), lanes_mul(along_3, cosine_0));
+    const V _s5 = lanes_sub(lanes_sub(lanes_mul(_c0, sine_3), lanes_mul(_c1, lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_3), lanes_mul(lanes_mul(K(2.0), climb_1), climb_2)))), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, pressed_2)), lanes_mul(omega_2, pressed_1)), lanes_mul(pressed_0, _s1)));
+    const V _s6 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_3), lanes_mul(climb_1, sine_2)), lanes_mul(climb_2, sine_1)), lanes_mul(climb_3, sine_0))));
+    const V _s7 = lanes_mul(K(0.25), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_3), _c0), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s3), lanes_mul(omega_1, tilted_2)), lanes_mul(omega_2, tilted_1)), lanes_mul(tilted_0, _s1))));
+    const V _s8 = lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_3), lanes_mul(around_1, sine_2)), lanes_mul(around_2, sine_1)), lanes_mul(sine_0, _s2))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_3), lanes_mul(climb_1, turn_rate_2)), lanes_mul(climb_2, turn_rate_1)), lanes_mul(climb_3, turn_rate_0))));
+    const V _s9 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_3), lanes_mul(omega_1, sin_2)), lanes_mul(omega_2, sin_1)), lanes_mul(sin_0, _s1))));
+    return (LANES(court_ring_round_3_out)){ _s0, _s1, _s2, _s3, _s4, _s5, _s6, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_3), lanes_mul(climb_1, cosine_2)), lanes_mul(climb_2, cosine_1)), lanes_mul(climb_3, cosine_0))), lanes_neg(lanes_div(_s7, _c1)), lanes_mul(K(0.25), _s8), lanes_mul(_c2, _s2), _s9, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, omega_2)), lanes_mul(cos_2, omega_1)), lanes_mul(cos_3, omega_0))) };
 }
 
 /* The terms of order 5, from those before.
-   Routh's equations. 159 operations: 59 additions, 4 subtractions, 91 multiplications, 1 division, 4 negations. */
+   Routh's equations. 157 operations: 58 additions, 4 subtractions, 90 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_4;
     V omega_4;
@@ -3872,29 +3757,28 @@ typedef struct {
 } LANES(court_ring_round_4_out);
 
 LANES_INLINE LANES(court_ring_round_4_out)
-LANES(court_ring_round_4)(V along_0, V along_1, V along_2, V along_3, V along_4, V around_0, V around_1, V around_2, V around_3, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V p_gravity, V near_0, V near_1, V near_2, V near_3, V omega_0, V omega_1, V omega_2, V omega_3, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V p_wire_radius)
+LANES(court_ring_round_4)(V along_0, V along_1, V along_2, V along_3, V along_4, V around_0, V around_1, V around_2, V around_3, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V near_0, V near_1, V near_2, V near_3, V omega_0, V omega_1, V omega_2, V omega_3, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_3), lanes_mul(cosine_2, near_2)), lanes_mul(cosine_3, near_1)), lanes_mul(cosine_4, near_0))));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_3)), lanes_mul(along_2, near_2)), lanes_mul(along_3, near_1)), lanes_mul(along_4, near_0));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_3)), lanes_mul(climb_2, omega_2)), lanes_mul(climb_3, omega_1)), lanes_mul(climb_4, omega_0));
-    const V _s4 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_4), lanes_mul(cosine_1, turn_rate_3)), lanes_mul(cosine_2, turn_rate_2)), lanes_mul(cosine_3, turn_rate_1)), lanes_mul(cosine_4, turn_rate_0)));
-    const V _s5 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_4), lanes_mul(along_1, sine_3)), lanes_mul(along_2, sine_2)), lanes_mul(along_3, sine_1)), lanes_mul(along_4, sine_0)), _s4);
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_4), lanes_mul(along_1, cosine_3)), lanes_mul(along_2, cosine_2)), lanes_mul(along_3, cosine_1)), lanes_mul(along_4, cosine_0));
-    const V _s7 = lanes_sub(lanes_mul(p_gravity, sine_4), lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(climb_2, climb_2), lanes_mul(lanes_mul(K(2.0), climb_0), climb_4)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_3))));
-    const V _s8 = lanes_sub(_s7, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s6), lanes_mul(omega_1, pressed_3)), lanes_mul(omega_2, pressed_2)), lanes_mul(omega_3, pressed_1)), lanes_mul(pressed_0, _s2)));
-    const V _s9 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_4), lanes_mul(climb_1, sine_3)), lanes_mul(climb_2, sine_2)), lanes_mul(climb_3, sine_1)), lanes_mul(climb_4, sine_0)));
-    const V _s10 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_4), lanes_mul(climb_1, cosine_3)), lanes_mul(climb_2, cosine_2)), lanes_mul(climb_3, cosine_1)), lanes_mul(climb_4, cosine_0)));
-    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_4), p_gravity), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, tilted_3)), lanes_mul(omega_2, tilted_2)), lanes_mul(omega_3, tilted_1)), lanes_mul(tilted_0, _s2)));
-    const V _s12 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_4), lanes_mul(around_1, sine_3)), lanes_mul(around_2, sine_2)), lanes_mul(around_3, sine_1)), lanes_mul(sine_0, _s3)));
-    const V _s13 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_4), lanes_mul(climb_1, turn_rate_3)), lanes_mul(climb_2, turn_rate_2)), lanes_mul(climb_3, turn_rate_1)), lanes_mul(climb_4, turn_rate_0)));
-    const V _s14 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_4), lanes_mul(omega_1, sin_3)), lanes_mul(omega_2, sin_2)), lanes_mul(omega_3, sin_1)), lanes_mul(sin_0, _s2)));
-    const V _s15 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_3)), lanes_mul(cos_2, omega_2)), lanes_mul(cos_3, omega_1)), lanes_mul(cos_4, omega_0)));
-    return (LANES(court_ring_round_4_out)){ _s1, _s2, _s3, _s5, _s6, _s8, lanes_neg(_s9), _s10, lanes_neg(lanes_div(lanes_mul(K(0.2), _s11), _s0)), lanes_mul(K(0.2), lanes_sub(_s12, _s13)), lanes_mul(lanes_mul(K(0.2), p_ring_radius), _s3), lanes_neg(_s14), _s15 };
+    const V _s0 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_3), lanes_mul(cosine_2, near_2)), lanes_mul(cosine_3, near_1)), lanes_mul(cosine_4, near_0))));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s0), lanes_mul(along_1, near_3)), lanes_mul(along_2, near_2)), lanes_mul(along_3, near_1)), lanes_mul(along_4, near_0));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_3)), lanes_mul(climb_2, omega_2)), lanes_mul(climb_3, omega_1)), lanes_mul(climb_4, omega_0));
+    const V _s3 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_4), lanes_mul(cosine_1, turn_rate_3)), lanes_mul(cosine_2, turn_rate_2)), lanes_mul(cosine_3, turn_rate_1)), lanes_mul(cosine_4, turn_rate_0)));
+    const V _s4 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_4), lanes_mul(along_1, sine_3)), lanes_mul(along_2, sine_2)), lanes_mul(along_3, sine_1)), lanes_mul(along_4, sine_0)), _s3);
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_4), lanes_mul(along_1, cosine_3)), lanes_mul(along_2, cosine_2)), lanes_mul(along_3, cosine_1)), lanes_mul(along_4, cosine_0));
+    const V _s6 = lanes_sub(lanes_mul(_c0, sine_4), lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(climb_2, climb_2), lanes_mul(lanes_mul(K(2.0), climb_0), climb_4)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_3))));
+    const V _s7 = lanes_sub(_s6, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, pressed_3)), lanes_mul(omega_2, pressed_2)), lanes_mul(omega_3, pressed_1)), lanes_mul(pressed_0, _s1)));
+    const V _s8 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_4), lanes_mul(climb_1, sine_3)), lanes_mul(climb_2, sine_2)), lanes_mul(climb_3, sine_1)), lanes_mul(climb_4, sine_0)));
+    const V _s9 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_4), lanes_mul(climb_1, cosine_3)), lanes_mul(climb_2, cosine_2)), lanes_mul(climb_3, cosine_1)), lanes_mul(climb_4, cosine_0)));
+    const V _s10 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_4), _c0), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, tilted_3)), lanes_mul(omega_2, tilted_2)), lanes_mul(omega_3, tilted_1)), lanes_mul(tilted_0, _s1)));
+    const V _s11 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_4), lanes_mul(around_1, sine_3)), lanes_mul(around_2, sine_2)), lanes_mul(around_3, sine_1)), lanes_mul(sine_0, _s2)));
+    const V _s12 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_4), lanes_mul(climb_1, turn_rate_3)), lanes_mul(climb_2, turn_rate_2)), lanes_mul(climb_3, turn_rate_1)), lanes_mul(climb_4, turn_rate_0)));
+    const V _s13 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_4), lanes_mul(omega_1, sin_3)), lanes_mul(omega_2, sin_2)), lanes_mul(omega_3, sin_1)), lanes_mul(sin_0, _s1)));
+    const V _s14 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, omega_3)), lanes_mul(cos_2, omega_2)), lanes_mul(cos_3, omega_1)), lanes_mul(cos_4, omega_0)));
+    return (LANES(court_ring_round_4_out)){ _s0, _s1, _s2, _s4, _s5, _s7, lanes_neg(_s8), _s9, lanes_neg(lanes_div(lanes_mul(K(0.2), _s10), _c1)), lanes_mul(K(0.2), lanes_sub(_s11, _s12)), lanes_mul(_c2, _s2), lanes_neg(_s13), _s14 };
 }
 
 /* The terms of order 6, from those before.
-   Routh's equations. 188 operations: 73 additions, 4 subtractions, 106 multiplications, 1 division, 4 negations. */
+   Routh's equations. 186 operations: 72 additions, 4 subtractions, 105 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_5;
     V omega_5;
@@ -3912,32 +3796,31 @@ typedef struct {
 } LANES(court_ring_round_5_out);
 
 LANES_INLINE LANES(court_ring_round_5_out)
-LANES(court_ring_round_5)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V around_0, V around_1, V around_2, V around_3, V around_4, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V p_wire_radius)
+LANES(court_ring_round_5)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V around_0, V around_1, V around_2, V around_3, V around_4, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V near_0, V near_1, V near_2, V near_3, V near_4, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_4), lanes_mul(cosine_2, near_3)), lanes_mul(cosine_3, near_2)), lanes_mul(cosine_4, near_1)), lanes_mul(cosine_5, near_0)));
-    const V _s2 = lanes_neg(_s1);
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_4)), lanes_mul(along_2, near_3)), lanes_mul(along_3, near_2)), lanes_mul(along_4, near_1)), lanes_mul(along_5, near_0));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_4)), lanes_mul(climb_2, omega_3)), lanes_mul(climb_3, omega_2)), lanes_mul(climb_4, omega_1)), lanes_mul(climb_5, omega_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_5), lanes_mul(along_1, sine_4)), lanes_mul(along_2, sine_3)), lanes_mul(along_3, sine_2)), lanes_mul(along_4, sine_1)), lanes_mul(along_5, sine_0));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_5), lanes_mul(cosine_1, turn_rate_4)), lanes_mul(cosine_2, turn_rate_3)), lanes_mul(cosine_3, turn_rate_2)), lanes_mul(cosine_4, turn_rate_1)), lanes_mul(cosine_5, turn_rate_0));
-    const V _s7 = lanes_sub(_s5, lanes_mul(K(0.4), _s6));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_5), lanes_mul(along_1, cosine_4)), lanes_mul(along_2, cosine_3)), lanes_mul(along_3, cosine_2)), lanes_mul(along_4, cosine_1)), lanes_mul(along_5, cosine_0));
-    const V _s9 = lanes_sub(lanes_mul(p_gravity, sine_5), lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_5), lanes_mul(lanes_mul(K(2.0), climb_1), climb_4)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_3))));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s8), lanes_mul(omega_1, pressed_4)), lanes_mul(omega_2, pressed_3)), lanes_mul(omega_3, pressed_2)), lanes_mul(omega_4, pressed_1)), lanes_mul(pressed_0, _s3));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_5), lanes_mul(climb_1, sine_4)), lanes_mul(climb_2, sine_3)), lanes_mul(climb_3, sine_2)), lanes_mul(climb_4, sine_1)), lanes_mul(climb_5, sine_0));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_5), lanes_mul(climb_1, cosine_4)), lanes_mul(climb_2, cosine_3)), lanes_mul(climb_3, cosine_2)), lanes_mul(climb_4, cosine_1)), lanes_mul(climb_5, cosine_0));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s7), lanes_mul(omega_1, tilted_4)), lanes_mul(omega_2, tilted_3)), lanes_mul(omega_3, tilted_2)), lanes_mul(omega_4, tilted_1)), lanes_mul(tilted_0, _s3));
-    const V _s14 = lanes_neg(lanes_div(lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_5), p_gravity), _s13)), _s0));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_5), lanes_mul(around_1, sine_4)), lanes_mul(around_2, sine_3)), lanes_mul(around_3, sine_2)), lanes_mul(around_4, sine_1)), lanes_mul(sine_0, _s4));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_5), lanes_mul(climb_1, turn_rate_4)), lanes_mul(climb_2, turn_rate_3)), lanes_mul(climb_3, turn_rate_2)), lanes_mul(climb_4, turn_rate_1)), lanes_mul(climb_5, turn_rate_0));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_5), lanes_mul(omega_1, sin_4)), lanes_mul(omega_2, sin_3)), lanes_mul(omega_3, sin_2)), lanes_mul(omega_4, sin_1)), lanes_mul(sin_0, _s3));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_4)), lanes_mul(cos_2, omega_3)), lanes_mul(cos_3, omega_2)), lanes_mul(cos_4, omega_1)), lanes_mul(cos_5, omega_0));
-    return (LANES(court_ring_round_5_out)){ _s2, _s3, _s4, _s7, _s8, lanes_sub(_s9, _s10), lanes_neg(lanes_mul(K(0.16666666666666666), _s11)), lanes_mul(K(0.16666666666666666), _s12), _s14, lanes_mul(K(0.16666666666666666), lanes_sub(lanes_mul(_s0, _s15), lanes_mul(K(0.4), _s16))), lanes_mul(lanes_mul(K(0.16666666666666666), p_ring_radius), _s4), lanes_neg(lanes_mul(K(0.16666666666666666), _s17)), lanes_mul(K(0.16666666666666666), _s18) };
+    const V _s0 = lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_4), lanes_mul(cosine_2, near_3)), lanes_mul(cosine_3, near_2)), lanes_mul(cosine_4, near_1)), lanes_mul(cosine_5, near_0)));
+    const V _s1 = lanes_neg(_s0);
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_4)), lanes_mul(along_2, near_3)), lanes_mul(along_3, near_2)), lanes_mul(along_4, near_1)), lanes_mul(along_5, near_0));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_4)), lanes_mul(climb_2, omega_3)), lanes_mul(climb_3, omega_2)), lanes_mul(climb_4, omega_1)), lanes_mul(climb_5, omega_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_5), lanes_mul(along_1, sine_4)), lanes_mul(along_2, sine_3)), lanes_mul(along_3, sine_2)), lanes_mul(along_4, sine_1)), lanes_mul(along_5, sine_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_5), lanes_mul(cosine_1, turn_rate_4)), lanes_mul(cosine_2, turn_rate_3)), lanes_mul(cosine_3, turn_rate_2)), lanes_mul(cosine_4, turn_rate_1)), lanes_mul(cosine_5, turn_rate_0));
+    const V _s6 = lanes_sub(_s4, lanes_mul(K(0.4), _s5));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_5), lanes_mul(along_1, cosine_4)), lanes_mul(along_2, cosine_3)), lanes_mul(along_3, cosine_2)), lanes_mul(along_4, cosine_1)), lanes_mul(along_5, cosine_0));
+    const V _s8 = lanes_sub(lanes_mul(_c0, sine_5), lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_5), lanes_mul(lanes_mul(K(2.0), climb_1), climb_4)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_3))));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s7), lanes_mul(omega_1, pressed_4)), lanes_mul(omega_2, pressed_3)), lanes_mul(omega_3, pressed_2)), lanes_mul(omega_4, pressed_1)), lanes_mul(pressed_0, _s2));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_5), lanes_mul(climb_1, sine_4)), lanes_mul(climb_2, sine_3)), lanes_mul(climb_3, sine_2)), lanes_mul(climb_4, sine_1)), lanes_mul(climb_5, sine_0));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_5), lanes_mul(climb_1, cosine_4)), lanes_mul(climb_2, cosine_3)), lanes_mul(climb_3, cosine_2)), lanes_mul(climb_4, cosine_1)), lanes_mul(climb_5, cosine_0));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s6), lanes_mul(omega_1, tilted_4)), lanes_mul(omega_2, tilted_3)), lanes_mul(omega_3, tilted_2)), lanes_mul(omega_4, tilted_1)), lanes_mul(tilted_0, _s2));
+    const V _s13 = lanes_neg(lanes_div(lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_5), _c0), _s12)), _c1));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_5), lanes_mul(around_1, sine_4)), lanes_mul(around_2, sine_3)), lanes_mul(around_3, sine_2)), lanes_mul(around_4, sine_1)), lanes_mul(sine_0, _s3));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_5), lanes_mul(climb_1, turn_rate_4)), lanes_mul(climb_2, turn_rate_3)), lanes_mul(climb_3, turn_rate_2)), lanes_mul(climb_4, turn_rate_1)), lanes_mul(climb_5, turn_rate_0));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_5), lanes_mul(omega_1, sin_4)), lanes_mul(omega_2, sin_3)), lanes_mul(omega_3, sin_2)), lanes_mul(omega_4, sin_1)), lanes_mul(sin_0, _s2));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_4)), lanes_mul(cos_2, omega_3)), lanes_mul(cos_3, omega_2)), lanes_mul(cos_4, omega_1)), lanes_mul(cos_5, omega_0));
+    return (LANES(court_ring_round_5_out)){ _s1, _s2, _s3, _s6, _s7, lanes_sub(_s8, _s9), lanes_neg(lanes_mul(K(0.16666666666666666), _s10)), lanes_mul(K(0.16666666666666666), _s11), _s13, lanes_mul(K(0.16666666666666666), lanes_sub(lanes_mul(_c1, _s14), lanes_mul(K(0.4), _s15))), lanes_mul(_c2, _s3), lanes_neg(lanes_mul(K(0.16666666666666666), _s16)), lanes_mul(K(0.16666666666666666), _s17) };
 }
 
 /* The terms of order 7, from those before.
-   Routh's equations. 218 operations: 88 additions, 4 subtractions, 121 multiplications, 1 division, 4 negations. */
+   Routh's equations. 216 operations: 87 additions, 4 subtractions, 120 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_6;
     V omega_6;
@@ -3955,35 +3838,34 @@ typedef struct {
 } LANES(court_ring_round_6_out);
 
 LANES_INLINE LANES(court_ring_round_6_out)
-LANES(court_ring_round_6)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V p_wire_radius)
+LANES(court_ring_round_6)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_5), lanes_mul(cosine_2, near_4)), lanes_mul(cosine_3, near_3)), lanes_mul(cosine_4, near_2)), lanes_mul(cosine_5, near_1)), lanes_mul(cosine_6, near_0));
-    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), _s1));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_5)), lanes_mul(along_2, near_4)), lanes_mul(along_3, near_3)), lanes_mul(along_4, near_2)), lanes_mul(along_5, near_1));
-    const V _s4 = lanes_add(_s3, lanes_mul(along_6, near_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_5)), lanes_mul(climb_2, omega_4)), lanes_mul(climb_3, omega_3)), lanes_mul(climb_4, omega_2)), lanes_mul(climb_5, omega_1));
-    const V _s6 = lanes_add(_s5, lanes_mul(climb_6, omega_0));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_6), lanes_mul(along_1, sine_5)), lanes_mul(along_2, sine_4)), lanes_mul(along_3, sine_3)), lanes_mul(along_4, sine_2)), lanes_mul(along_5, sine_1));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_6), lanes_mul(cosine_1, turn_rate_5)), lanes_mul(cosine_2, turn_rate_4)), lanes_mul(cosine_3, turn_rate_3)), lanes_mul(cosine_4, turn_rate_2)), lanes_mul(cosine_5, turn_rate_1));
-    const V _s9 = lanes_sub(lanes_add(_s7, lanes_mul(along_6, sine_0)), lanes_mul(K(0.4), lanes_add(_s8, lanes_mul(cosine_6, turn_rate_0))));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_6), lanes_mul(along_1, cosine_5)), lanes_mul(along_2, cosine_4)), lanes_mul(along_3, cosine_3)), lanes_mul(along_4, cosine_2)), lanes_mul(along_5, cosine_1));
-    const V _s11 = lanes_add(_s10, lanes_mul(along_6, cosine_0));
-    const V _s12 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(climb_3, climb_3), lanes_mul(lanes_mul(K(2.0), climb_0), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_5)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_4)));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_5)), lanes_mul(omega_2, pressed_4)), lanes_mul(omega_3, pressed_3)), lanes_mul(omega_4, pressed_2)), lanes_mul(omega_5, pressed_1));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_6), lanes_mul(climb_1, sine_5)), lanes_mul(climb_2, sine_4)), lanes_mul(climb_3, sine_3)), lanes_mul(climb_4, sine_2)), lanes_mul(climb_5, sine_1));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_6), lanes_mul(climb_1, cosine_5)), lanes_mul(climb_2, cosine_4)), lanes_mul(climb_3, cosine_3)), lanes_mul(climb_4, cosine_2)), lanes_mul(climb_5, cosine_1));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_5)), lanes_mul(omega_2, tilted_4)), lanes_mul(omega_3, tilted_3)), lanes_mul(omega_4, tilted_2)), lanes_mul(omega_5, tilted_1));
-    const V _s17 = lanes_neg(lanes_div(lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_6), p_gravity), lanes_add(_s16, lanes_mul(tilted_0, _s4)))), _s0));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_6), lanes_mul(around_1, sine_5)), lanes_mul(around_2, sine_4)), lanes_mul(around_3, sine_3)), lanes_mul(around_4, sine_2)), lanes_mul(around_5, sine_1));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_6), lanes_mul(climb_1, turn_rate_5)), lanes_mul(climb_2, turn_rate_4)), lanes_mul(climb_3, turn_rate_3)), lanes_mul(climb_4, turn_rate_2)), lanes_mul(climb_5, turn_rate_1));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_6), lanes_mul(omega_1, sin_5)), lanes_mul(omega_2, sin_4)), lanes_mul(omega_3, sin_3)), lanes_mul(omega_4, sin_2)), lanes_mul(omega_5, sin_1));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_5)), lanes_mul(cos_2, omega_4)), lanes_mul(cos_3, omega_3)), lanes_mul(cos_4, omega_2)), lanes_mul(cos_5, omega_1));
-    return (LANES(court_ring_round_6_out)){ _s2, _s4, _s6, _s9, _s11, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_6), _s12), lanes_add(_s13, lanes_mul(pressed_0, _s4))), lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s14, lanes_mul(climb_6, sine_0)))), lanes_mul(K(0.14285714285714285), lanes_add(_s15, lanes_mul(climb_6, cosine_0))), _s17, lanes_mul(K(0.14285714285714285), lanes_sub(lanes_mul(_s0, lanes_add(_s18, lanes_mul(sine_0, _s6))), lanes_mul(K(0.4), lanes_add(_s19, lanes_mul(climb_6, turn_rate_0))))), lanes_mul(lanes_mul(K(0.14285714285714285), p_ring_radius), _s6), lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s20, lanes_mul(sin_0, _s4)))), lanes_mul(K(0.14285714285714285), lanes_add(_s21, lanes_mul(cos_6, omega_0))) };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_5), lanes_mul(cosine_2, near_4)), lanes_mul(cosine_3, near_3)), lanes_mul(cosine_4, near_2)), lanes_mul(cosine_5, near_1)), lanes_mul(cosine_6, near_0));
+    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), _s0));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_5)), lanes_mul(along_2, near_4)), lanes_mul(along_3, near_3)), lanes_mul(along_4, near_2)), lanes_mul(along_5, near_1));
+    const V _s3 = lanes_add(_s2, lanes_mul(along_6, near_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_5)), lanes_mul(climb_2, omega_4)), lanes_mul(climb_3, omega_3)), lanes_mul(climb_4, omega_2)), lanes_mul(climb_5, omega_1));
+    const V _s5 = lanes_add(_s4, lanes_mul(climb_6, omega_0));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_6), lanes_mul(along_1, sine_5)), lanes_mul(along_2, sine_4)), lanes_mul(along_3, sine_3)), lanes_mul(along_4, sine_2)), lanes_mul(along_5, sine_1));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_6), lanes_mul(cosine_1, turn_rate_5)), lanes_mul(cosine_2, turn_rate_4)), lanes_mul(cosine_3, turn_rate_3)), lanes_mul(cosine_4, turn_rate_2)), lanes_mul(cosine_5, turn_rate_1));
+    const V _s8 = lanes_sub(lanes_add(_s6, lanes_mul(along_6, sine_0)), lanes_mul(K(0.4), lanes_add(_s7, lanes_mul(cosine_6, turn_rate_0))));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_6), lanes_mul(along_1, cosine_5)), lanes_mul(along_2, cosine_4)), lanes_mul(along_3, cosine_3)), lanes_mul(along_4, cosine_2)), lanes_mul(along_5, cosine_1));
+    const V _s10 = lanes_add(_s9, lanes_mul(along_6, cosine_0));
+    const V _s11 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(climb_3, climb_3), lanes_mul(lanes_mul(K(2.0), climb_0), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_5)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_4)));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s10), lanes_mul(omega_1, pressed_5)), lanes_mul(omega_2, pressed_4)), lanes_mul(omega_3, pressed_3)), lanes_mul(omega_4, pressed_2)), lanes_mul(omega_5, pressed_1));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_6), lanes_mul(climb_1, sine_5)), lanes_mul(climb_2, sine_4)), lanes_mul(climb_3, sine_3)), lanes_mul(climb_4, sine_2)), lanes_mul(climb_5, sine_1));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_6), lanes_mul(climb_1, cosine_5)), lanes_mul(climb_2, cosine_4)), lanes_mul(climb_3, cosine_3)), lanes_mul(climb_4, cosine_2)), lanes_mul(climb_5, cosine_1));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s8), lanes_mul(omega_1, tilted_5)), lanes_mul(omega_2, tilted_4)), lanes_mul(omega_3, tilted_3)), lanes_mul(omega_4, tilted_2)), lanes_mul(omega_5, tilted_1));
+    const V _s16 = lanes_neg(lanes_div(lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_6), _c0), lanes_add(_s15, lanes_mul(tilted_0, _s3)))), _c1));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_6), lanes_mul(around_1, sine_5)), lanes_mul(around_2, sine_4)), lanes_mul(around_3, sine_3)), lanes_mul(around_4, sine_2)), lanes_mul(around_5, sine_1));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_6), lanes_mul(climb_1, turn_rate_5)), lanes_mul(climb_2, turn_rate_4)), lanes_mul(climb_3, turn_rate_3)), lanes_mul(climb_4, turn_rate_2)), lanes_mul(climb_5, turn_rate_1));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_6), lanes_mul(omega_1, sin_5)), lanes_mul(omega_2, sin_4)), lanes_mul(omega_3, sin_3)), lanes_mul(omega_4, sin_2)), lanes_mul(omega_5, sin_1));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_5)), lanes_mul(cos_2, omega_4)), lanes_mul(cos_3, omega_3)), lanes_mul(cos_4, omega_2)), lanes_mul(cos_5, omega_1));
+    return (LANES(court_ring_round_6_out)){ _s1, _s3, _s5, _s8, _s10, lanes_sub(lanes_sub(lanes_mul(_c0, sine_6), _s11), lanes_add(_s12, lanes_mul(pressed_0, _s3))), lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s13, lanes_mul(climb_6, sine_0)))), lanes_mul(K(0.14285714285714285), lanes_add(_s14, lanes_mul(climb_6, cosine_0))), _s16, lanes_mul(K(0.14285714285714285), lanes_sub(lanes_mul(_c1, lanes_add(_s17, lanes_mul(sine_0, _s5))), lanes_mul(K(0.4), lanes_add(_s18, lanes_mul(climb_6, turn_rate_0))))), lanes_mul(_c2, _s5), lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s19, lanes_mul(sin_0, _s3)))), lanes_mul(K(0.14285714285714285), lanes_add(_s20, lanes_mul(cos_6, omega_0))) };
 }
 
 /* The terms of order 8, from those before.
-   Routh's equations. 247 operations: 102 additions, 4 subtractions, 136 multiplications, 1 division, 4 negations. */
+   Routh's equations. 245 operations: 101 additions, 4 subtractions, 135 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_7;
     V omega_7;
@@ -4001,36 +3883,35 @@ typedef struct {
 } LANES(court_ring_round_7_out);
 
 LANES_INLINE LANES(court_ring_round_7_out)
-LANES(court_ring_round_7)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V p_wire_radius)
+LANES(court_ring_round_7)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_6), lanes_mul(cosine_2, near_5)), lanes_mul(cosine_3, near_4)), lanes_mul(cosine_4, near_3)), lanes_mul(cosine_5, near_2)), lanes_mul(cosine_6, near_1));
-    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(_s1, lanes_mul(cosine_7, near_0))));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_6)), lanes_mul(along_2, near_5)), lanes_mul(along_3, near_4)), lanes_mul(along_4, near_3)), lanes_mul(along_5, near_2));
-    const V _s4 = lanes_add(lanes_add(_s3, lanes_mul(along_6, near_1)), lanes_mul(along_7, near_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_6)), lanes_mul(climb_2, omega_5)), lanes_mul(climb_3, omega_4)), lanes_mul(climb_4, omega_3)), lanes_mul(climb_5, omega_2));
-    const V _s6 = lanes_add(lanes_add(_s5, lanes_mul(climb_6, omega_1)), lanes_mul(climb_7, omega_0));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_7), lanes_mul(along_1, sine_6)), lanes_mul(along_2, sine_5)), lanes_mul(along_3, sine_4)), lanes_mul(along_4, sine_3)), lanes_mul(along_5, sine_2));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_7), lanes_mul(cosine_1, turn_rate_6)), lanes_mul(cosine_2, turn_rate_5)), lanes_mul(cosine_3, turn_rate_4)), lanes_mul(cosine_4, turn_rate_3)), lanes_mul(cosine_5, turn_rate_2));
-    const V _s9 = lanes_sub(lanes_add(lanes_add(_s7, lanes_mul(along_6, sine_1)), lanes_mul(along_7, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(_s8, lanes_mul(cosine_6, turn_rate_1)), lanes_mul(cosine_7, turn_rate_0))));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_7), lanes_mul(along_1, cosine_6)), lanes_mul(along_2, cosine_5)), lanes_mul(along_3, cosine_4)), lanes_mul(along_4, cosine_3)), lanes_mul(along_5, cosine_2));
-    const V _s11 = lanes_add(lanes_add(_s10, lanes_mul(along_6, cosine_1)), lanes_mul(along_7, cosine_0));
-    const V _s12 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_7), lanes_mul(lanes_mul(K(2.0), climb_1), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_5)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_4)));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_6)), lanes_mul(omega_2, pressed_5)), lanes_mul(omega_3, pressed_4)), lanes_mul(omega_4, pressed_3)), lanes_mul(omega_5, pressed_2));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_7), lanes_mul(climb_1, sine_6)), lanes_mul(climb_2, sine_5)), lanes_mul(climb_3, sine_4)), lanes_mul(climb_4, sine_3)), lanes_mul(climb_5, sine_2));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_7), lanes_mul(climb_1, cosine_6)), lanes_mul(climb_2, cosine_5)), lanes_mul(climb_3, cosine_4)), lanes_mul(climb_4, cosine_3)), lanes_mul(climb_5, cosine_2));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_6)), lanes_mul(omega_2, tilted_5)), lanes_mul(omega_3, tilted_4)), lanes_mul(omega_4, tilted_3)), lanes_mul(omega_5, tilted_2));
-    const V _s17 = lanes_div(lanes_mul(K(0.125), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_7), p_gravity), lanes_add(lanes_add(_s16, lanes_mul(omega_6, tilted_1)), lanes_mul(tilted_0, _s4)))), _s0);
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_7), lanes_mul(around_1, sine_6)), lanes_mul(around_2, sine_5)), lanes_mul(around_3, sine_4)), lanes_mul(around_4, sine_3)), lanes_mul(around_5, sine_2));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_7), lanes_mul(climb_1, turn_rate_6)), lanes_mul(climb_2, turn_rate_5)), lanes_mul(climb_3, turn_rate_4)), lanes_mul(climb_4, turn_rate_3)), lanes_mul(climb_5, turn_rate_2));
-    const V _s20 = lanes_mul(K(0.125), lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(_s18, lanes_mul(around_6, sine_1)), lanes_mul(sine_0, _s6))), lanes_mul(K(0.4), lanes_add(lanes_add(_s19, lanes_mul(climb_6, turn_rate_1)), lanes_mul(climb_7, turn_rate_0)))));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_7), lanes_mul(omega_1, sin_6)), lanes_mul(omega_2, sin_5)), lanes_mul(omega_3, sin_4)), lanes_mul(omega_4, sin_3)), lanes_mul(omega_5, sin_2));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_6)), lanes_mul(cos_2, omega_5)), lanes_mul(cos_3, omega_4)), lanes_mul(cos_4, omega_3)), lanes_mul(cos_5, omega_2));
-    return (LANES(court_ring_round_7_out)){ _s2, _s4, _s6, _s9, _s11, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_7), _s12), lanes_add(lanes_add(_s13, lanes_mul(omega_6, pressed_1)), lanes_mul(pressed_0, _s4))), lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s14, lanes_mul(climb_6, sine_1)), lanes_mul(climb_7, sine_0)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s15, lanes_mul(climb_6, cosine_1)), lanes_mul(climb_7, cosine_0))), lanes_neg(_s17), _s20, lanes_mul(lanes_mul(K(0.125), p_ring_radius), _s6), lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s21, lanes_mul(omega_6, sin_1)), lanes_mul(sin_0, _s4)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s22, lanes_mul(cos_6, omega_1)), lanes_mul(cos_7, omega_0))) };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_6), lanes_mul(cosine_2, near_5)), lanes_mul(cosine_3, near_4)), lanes_mul(cosine_4, near_3)), lanes_mul(cosine_5, near_2)), lanes_mul(cosine_6, near_1));
+    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(_s0, lanes_mul(cosine_7, near_0))));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_6)), lanes_mul(along_2, near_5)), lanes_mul(along_3, near_4)), lanes_mul(along_4, near_3)), lanes_mul(along_5, near_2));
+    const V _s3 = lanes_add(lanes_add(_s2, lanes_mul(along_6, near_1)), lanes_mul(along_7, near_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_6)), lanes_mul(climb_2, omega_5)), lanes_mul(climb_3, omega_4)), lanes_mul(climb_4, omega_3)), lanes_mul(climb_5, omega_2));
+    const V _s5 = lanes_add(lanes_add(_s4, lanes_mul(climb_6, omega_1)), lanes_mul(climb_7, omega_0));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_7), lanes_mul(along_1, sine_6)), lanes_mul(along_2, sine_5)), lanes_mul(along_3, sine_4)), lanes_mul(along_4, sine_3)), lanes_mul(along_5, sine_2));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_7), lanes_mul(cosine_1, turn_rate_6)), lanes_mul(cosine_2, turn_rate_5)), lanes_mul(cosine_3, turn_rate_4)), lanes_mul(cosine_4, turn_rate_3)), lanes_mul(cosine_5, turn_rate_2));
+    const V _s8 = lanes_sub(lanes_add(lanes_add(_s6, lanes_mul(along_6, sine_1)), lanes_mul(along_7, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(_s7, lanes_mul(cosine_6, turn_rate_1)), lanes_mul(cosine_7, turn_rate_0))));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_7), lanes_mul(along_1, cosine_6)), lanes_mul(along_2, cosine_5)), lanes_mul(along_3, cosine_4)), lanes_mul(along_4, cosine_3)), lanes_mul(along_5, cosine_2));
+    const V _s10 = lanes_add(lanes_add(_s9, lanes_mul(along_6, cosine_1)), lanes_mul(along_7, cosine_0));
+    const V _s11 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_7), lanes_mul(lanes_mul(K(2.0), climb_1), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_5)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_4)));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s10), lanes_mul(omega_1, pressed_6)), lanes_mul(omega_2, pressed_5)), lanes_mul(omega_3, pressed_4)), lanes_mul(omega_4, pressed_3)), lanes_mul(omega_5, pressed_2));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_7), lanes_mul(climb_1, sine_6)), lanes_mul(climb_2, sine_5)), lanes_mul(climb_3, sine_4)), lanes_mul(climb_4, sine_3)), lanes_mul(climb_5, sine_2));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_7), lanes_mul(climb_1, cosine_6)), lanes_mul(climb_2, cosine_5)), lanes_mul(climb_3, cosine_4)), lanes_mul(climb_4, cosine_3)), lanes_mul(climb_5, cosine_2));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s8), lanes_mul(omega_1, tilted_6)), lanes_mul(omega_2, tilted_5)), lanes_mul(omega_3, tilted_4)), lanes_mul(omega_4, tilted_3)), lanes_mul(omega_5, tilted_2));
+    const V _s16 = lanes_div(lanes_mul(K(0.125), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_7), _c0), lanes_add(lanes_add(_s15, lanes_mul(omega_6, tilted_1)), lanes_mul(tilted_0, _s3)))), _c1);
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_7), lanes_mul(around_1, sine_6)), lanes_mul(around_2, sine_5)), lanes_mul(around_3, sine_4)), lanes_mul(around_4, sine_3)), lanes_mul(around_5, sine_2));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_7), lanes_mul(climb_1, turn_rate_6)), lanes_mul(climb_2, turn_rate_5)), lanes_mul(climb_3, turn_rate_4)), lanes_mul(climb_4, turn_rate_3)), lanes_mul(climb_5, turn_rate_2));
+    const V _s19 = lanes_mul(K(0.125), lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(_s17, lanes_mul(around_6, sine_1)), lanes_mul(sine_0, _s5))), lanes_mul(K(0.4), lanes_add(lanes_add(_s18, lanes_mul(climb_6, turn_rate_1)), lanes_mul(climb_7, turn_rate_0)))));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_7), lanes_mul(omega_1, sin_6)), lanes_mul(omega_2, sin_5)), lanes_mul(omega_3, sin_4)), lanes_mul(omega_4, sin_3)), lanes_mul(omega_5, sin_2));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_6)), lanes_mul(cos_2, omega_5)), lanes_mul(cos_3, omega_4)), lanes_mul(cos_4, omega_3)), lanes_mul(cos_5, omega_2));
+    return (LANES(court_ring_round_7_out)){ _s1, _s3, _s5, _s8, _s10, lanes_sub(lanes_sub(lanes_mul(_c0, sine_7), _s11), lanes_add(lanes_add(_s12, lanes_mul(omega_6, pressed_1)), lanes_mul(pressed_0, _s3))), lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s13, lanes_mul(climb_6, sine_1)), lanes_mul(climb_7, sine_0)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s14, lanes_mul(climb_6, cosine_1)), lanes_mul(climb_7, cosine_0))), lanes_neg(_s16), _s19, lanes_mul(_c2, _s5), lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s20, lanes_mul(omega_6, sin_1)), lanes_mul(sin_0, _s3)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s21, lanes_mul(cos_6, omega_1)), lanes_mul(cos_7, omega_0))) };
 }
 
 /* The terms of order 9, from those before.
-   Routh's equations. 277 operations: 117 additions, 4 subtractions, 151 multiplications, 1 division, 4 negations. */
+   Routh's equations. 275 operations: 116 additions, 4 subtractions, 150 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_8;
     V omega_8;
@@ -4048,38 +3929,37 @@ typedef struct {
 } LANES(court_ring_round_8_out);
 
 LANES_INLINE LANES(court_ring_round_8_out)
-LANES(court_ring_round_8)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V p_wire_radius)
+LANES(court_ring_round_8)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_7), lanes_mul(cosine_2, near_6)), lanes_mul(cosine_3, near_5)), lanes_mul(cosine_4, near_4)), lanes_mul(cosine_5, near_3)), lanes_mul(cosine_6, near_2));
-    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(_s1, lanes_mul(cosine_7, near_1)), lanes_mul(cosine_8, near_0))));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_7)), lanes_mul(along_2, near_6)), lanes_mul(along_3, near_5)), lanes_mul(along_4, near_4)), lanes_mul(along_5, near_3));
-    const V _s4 = lanes_add(lanes_add(lanes_add(_s3, lanes_mul(along_6, near_2)), lanes_mul(along_7, near_1)), lanes_mul(along_8, near_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_7)), lanes_mul(climb_2, omega_6)), lanes_mul(climb_3, omega_5)), lanes_mul(climb_4, omega_4)), lanes_mul(climb_5, omega_3));
-    const V _s6 = lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_6, omega_2)), lanes_mul(climb_7, omega_1)), lanes_mul(climb_8, omega_0));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_8), lanes_mul(along_1, sine_7)), lanes_mul(along_2, sine_6)), lanes_mul(along_3, sine_5)), lanes_mul(along_4, sine_4)), lanes_mul(along_5, sine_3));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_8), lanes_mul(cosine_1, turn_rate_7)), lanes_mul(cosine_2, turn_rate_6)), lanes_mul(cosine_3, turn_rate_5)), lanes_mul(cosine_4, turn_rate_4)), lanes_mul(cosine_5, turn_rate_3));
-    const V _s9 = lanes_sub(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(along_6, sine_2)), lanes_mul(along_7, sine_1)), lanes_mul(along_8, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s8, lanes_mul(cosine_6, turn_rate_2)), lanes_mul(cosine_7, turn_rate_1)), lanes_mul(cosine_8, turn_rate_0))));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_8), lanes_mul(along_1, cosine_7)), lanes_mul(along_2, cosine_6)), lanes_mul(along_3, cosine_5)), lanes_mul(along_4, cosine_4)), lanes_mul(along_5, cosine_3));
-    const V _s11 = lanes_add(lanes_add(lanes_add(_s10, lanes_mul(along_6, cosine_2)), lanes_mul(along_7, cosine_1)), lanes_mul(along_8, cosine_0));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_4, climb_4), lanes_mul(lanes_mul(K(2.0), climb_0), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_7)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_5));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_7)), lanes_mul(omega_2, pressed_6)), lanes_mul(omega_3, pressed_5)), lanes_mul(omega_4, pressed_4)), lanes_mul(omega_5, pressed_3));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_8), lanes_mul(climb_1, sine_7)), lanes_mul(climb_2, sine_6)), lanes_mul(climb_3, sine_5)), lanes_mul(climb_4, sine_4)), lanes_mul(climb_5, sine_3));
-    const V _s15 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s14, lanes_mul(climb_6, sine_2)), lanes_mul(climb_7, sine_1)), lanes_mul(climb_8, sine_0))));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_8), lanes_mul(climb_1, cosine_7)), lanes_mul(climb_2, cosine_6)), lanes_mul(climb_3, cosine_5)), lanes_mul(climb_4, cosine_4)), lanes_mul(climb_5, cosine_3));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_7)), lanes_mul(omega_2, tilted_6)), lanes_mul(omega_3, tilted_5)), lanes_mul(omega_4, tilted_4)), lanes_mul(omega_5, tilted_3));
-    const V _s18 = lanes_mul(K(0.1111111111111111), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_8), p_gravity), lanes_add(lanes_add(lanes_add(_s17, lanes_mul(omega_6, tilted_2)), lanes_mul(omega_7, tilted_1)), lanes_mul(tilted_0, _s4))));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_8), lanes_mul(around_1, sine_7)), lanes_mul(around_2, sine_6)), lanes_mul(around_3, sine_5)), lanes_mul(around_4, sine_4)), lanes_mul(around_5, sine_3));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_8), lanes_mul(climb_1, turn_rate_7)), lanes_mul(climb_2, turn_rate_6)), lanes_mul(climb_3, turn_rate_5)), lanes_mul(climb_4, turn_rate_4)), lanes_mul(climb_5, turn_rate_3));
-    const V _s21 = lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_add(_s19, lanes_mul(around_6, sine_2)), lanes_mul(around_7, sine_1)), lanes_mul(sine_0, _s6))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s20, lanes_mul(climb_6, turn_rate_2)), lanes_mul(climb_7, turn_rate_1)), lanes_mul(climb_8, turn_rate_0))));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_8), lanes_mul(omega_1, sin_7)), lanes_mul(omega_2, sin_6)), lanes_mul(omega_3, sin_5)), lanes_mul(omega_4, sin_4)), lanes_mul(omega_5, sin_3));
-    const V _s23 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s22, lanes_mul(omega_6, sin_2)), lanes_mul(omega_7, sin_1)), lanes_mul(sin_0, _s4))));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_7)), lanes_mul(cos_2, omega_6)), lanes_mul(cos_3, omega_5)), lanes_mul(cos_4, omega_4)), lanes_mul(cos_5, omega_3));
-    return (LANES(court_ring_round_8_out)){ _s2, _s4, _s6, _s9, _s11, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_8), lanes_mul(_s0, _s12)), lanes_add(lanes_add(lanes_add(_s13, lanes_mul(omega_6, pressed_2)), lanes_mul(omega_7, pressed_1)), lanes_mul(pressed_0, _s4))), _s15, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s16, lanes_mul(climb_6, cosine_2)), lanes_mul(climb_7, cosine_1)), lanes_mul(climb_8, cosine_0))), lanes_neg(lanes_div(_s18, _s0)), lanes_mul(K(0.1111111111111111), _s21), lanes_mul(lanes_mul(K(0.1111111111111111), p_ring_radius), _s6), _s23, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s24, lanes_mul(cos_6, omega_2)), lanes_mul(cos_7, omega_1)), lanes_mul(cos_8, omega_0))) };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_7), lanes_mul(cosine_2, near_6)), lanes_mul(cosine_3, near_5)), lanes_mul(cosine_4, near_4)), lanes_mul(cosine_5, near_3)), lanes_mul(cosine_6, near_2));
+    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(_s0, lanes_mul(cosine_7, near_1)), lanes_mul(cosine_8, near_0))));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_7)), lanes_mul(along_2, near_6)), lanes_mul(along_3, near_5)), lanes_mul(along_4, near_4)), lanes_mul(along_5, near_3));
+    const V _s3 = lanes_add(lanes_add(lanes_add(_s2, lanes_mul(along_6, near_2)), lanes_mul(along_7, near_1)), lanes_mul(along_8, near_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_7)), lanes_mul(climb_2, omega_6)), lanes_mul(climb_3, omega_5)), lanes_mul(climb_4, omega_4)), lanes_mul(climb_5, omega_3));
+    const V _s5 = lanes_add(lanes_add(lanes_add(_s4, lanes_mul(climb_6, omega_2)), lanes_mul(climb_7, omega_1)), lanes_mul(climb_8, omega_0));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_8), lanes_mul(along_1, sine_7)), lanes_mul(along_2, sine_6)), lanes_mul(along_3, sine_5)), lanes_mul(along_4, sine_4)), lanes_mul(along_5, sine_3));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_8), lanes_mul(cosine_1, turn_rate_7)), lanes_mul(cosine_2, turn_rate_6)), lanes_mul(cosine_3, turn_rate_5)), lanes_mul(cosine_4, turn_rate_4)), lanes_mul(cosine_5, turn_rate_3));
+    const V _s8 = lanes_sub(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(along_6, sine_2)), lanes_mul(along_7, sine_1)), lanes_mul(along_8, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s7, lanes_mul(cosine_6, turn_rate_2)), lanes_mul(cosine_7, turn_rate_1)), lanes_mul(cosine_8, turn_rate_0))));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_8), lanes_mul(along_1, cosine_7)), lanes_mul(along_2, cosine_6)), lanes_mul(along_3, cosine_5)), lanes_mul(along_4, cosine_4)), lanes_mul(along_5, cosine_3));
+    const V _s10 = lanes_add(lanes_add(lanes_add(_s9, lanes_mul(along_6, cosine_2)), lanes_mul(along_7, cosine_1)), lanes_mul(along_8, cosine_0));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_4, climb_4), lanes_mul(lanes_mul(K(2.0), climb_0), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_7)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_5));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s10), lanes_mul(omega_1, pressed_7)), lanes_mul(omega_2, pressed_6)), lanes_mul(omega_3, pressed_5)), lanes_mul(omega_4, pressed_4)), lanes_mul(omega_5, pressed_3));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_8), lanes_mul(climb_1, sine_7)), lanes_mul(climb_2, sine_6)), lanes_mul(climb_3, sine_5)), lanes_mul(climb_4, sine_4)), lanes_mul(climb_5, sine_3));
+    const V _s14 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s13, lanes_mul(climb_6, sine_2)), lanes_mul(climb_7, sine_1)), lanes_mul(climb_8, sine_0))));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_8), lanes_mul(climb_1, cosine_7)), lanes_mul(climb_2, cosine_6)), lanes_mul(climb_3, cosine_5)), lanes_mul(climb_4, cosine_4)), lanes_mul(climb_5, cosine_3));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s8), lanes_mul(omega_1, tilted_7)), lanes_mul(omega_2, tilted_6)), lanes_mul(omega_3, tilted_5)), lanes_mul(omega_4, tilted_4)), lanes_mul(omega_5, tilted_3));
+    const V _s17 = lanes_mul(K(0.1111111111111111), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_8), _c0), lanes_add(lanes_add(lanes_add(_s16, lanes_mul(omega_6, tilted_2)), lanes_mul(omega_7, tilted_1)), lanes_mul(tilted_0, _s3))));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_8), lanes_mul(around_1, sine_7)), lanes_mul(around_2, sine_6)), lanes_mul(around_3, sine_5)), lanes_mul(around_4, sine_4)), lanes_mul(around_5, sine_3));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_8), lanes_mul(climb_1, turn_rate_7)), lanes_mul(climb_2, turn_rate_6)), lanes_mul(climb_3, turn_rate_5)), lanes_mul(climb_4, turn_rate_4)), lanes_mul(climb_5, turn_rate_3));
+    const V _s20 = lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_add(_s18, lanes_mul(around_6, sine_2)), lanes_mul(around_7, sine_1)), lanes_mul(sine_0, _s5))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s19, lanes_mul(climb_6, turn_rate_2)), lanes_mul(climb_7, turn_rate_1)), lanes_mul(climb_8, turn_rate_0))));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_8), lanes_mul(omega_1, sin_7)), lanes_mul(omega_2, sin_6)), lanes_mul(omega_3, sin_5)), lanes_mul(omega_4, sin_4)), lanes_mul(omega_5, sin_3));
+    const V _s22 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s21, lanes_mul(omega_6, sin_2)), lanes_mul(omega_7, sin_1)), lanes_mul(sin_0, _s3))));
+    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_7)), lanes_mul(cos_2, omega_6)), lanes_mul(cos_3, omega_5)), lanes_mul(cos_4, omega_4)), lanes_mul(cos_5, omega_3));
+    return (LANES(court_ring_round_8_out)){ _s1, _s3, _s5, _s8, _s10, lanes_sub(lanes_sub(lanes_mul(_c0, sine_8), lanes_mul(_c1, _s11)), lanes_add(lanes_add(lanes_add(_s12, lanes_mul(omega_6, pressed_2)), lanes_mul(omega_7, pressed_1)), lanes_mul(pressed_0, _s3))), _s14, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s15, lanes_mul(climb_6, cosine_2)), lanes_mul(climb_7, cosine_1)), lanes_mul(climb_8, cosine_0))), lanes_neg(lanes_div(_s17, _c1)), lanes_mul(K(0.1111111111111111), _s20), lanes_mul(_c2, _s5), _s22, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s23, lanes_mul(cos_6, omega_2)), lanes_mul(cos_7, omega_1)), lanes_mul(cos_8, omega_0))) };
 }
 
 /* The terms of order 10, from those before.
-   Routh's equations. 306 operations: 131 additions, 4 subtractions, 166 multiplications, 1 division, 4 negations. */
+   Routh's equations. 304 operations: 130 additions, 4 subtractions, 165 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_9;
     V omega_9;
@@ -4097,43 +3977,42 @@ typedef struct {
 } LANES(court_ring_round_9_out);
 
 LANES_INLINE LANES(court_ring_round_9_out)
-LANES(court_ring_round_9)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+LANES(court_ring_round_9)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_8), lanes_mul(cosine_2, near_7)), lanes_mul(cosine_3, near_6)), lanes_mul(cosine_4, near_5)), lanes_mul(cosine_5, near_4)), lanes_mul(cosine_6, near_3));
-    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_7, near_2)), lanes_mul(cosine_8, near_1)), lanes_mul(cosine_9, near_0))));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_8)), lanes_mul(along_2, near_7)), lanes_mul(along_3, near_6)), lanes_mul(along_4, near_5)), lanes_mul(along_5, near_4));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(along_6, near_3)), lanes_mul(along_7, near_2)), lanes_mul(along_8, near_1)), lanes_mul(along_9, near_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_8)), lanes_mul(climb_2, omega_7)), lanes_mul(climb_3, omega_6)), lanes_mul(climb_4, omega_5)), lanes_mul(climb_5, omega_4));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_6, omega_3)), lanes_mul(climb_7, omega_2)), lanes_mul(climb_8, omega_1)), lanes_mul(climb_9, omega_0));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_9), lanes_mul(along_1, sine_8)), lanes_mul(along_2, sine_7)), lanes_mul(along_3, sine_6)), lanes_mul(along_4, sine_5)), lanes_mul(along_5, sine_4));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_9), lanes_mul(cosine_1, turn_rate_8)), lanes_mul(cosine_2, turn_rate_7)), lanes_mul(cosine_3, turn_rate_6)), lanes_mul(cosine_4, turn_rate_5)), lanes_mul(cosine_5, turn_rate_4));
-    const V _s9 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(cosine_6, turn_rate_3)), lanes_mul(cosine_7, turn_rate_2)), lanes_mul(cosine_8, turn_rate_1)), lanes_mul(cosine_9, turn_rate_0)));
-    const V _s10 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(along_6, sine_3)), lanes_mul(along_7, sine_2)), lanes_mul(along_8, sine_1)), lanes_mul(along_9, sine_0)), _s9);
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_9), lanes_mul(along_1, cosine_8)), lanes_mul(along_2, cosine_7)), lanes_mul(along_3, cosine_6)), lanes_mul(along_4, cosine_5)), lanes_mul(along_5, cosine_4));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(along_6, cosine_3)), lanes_mul(along_7, cosine_2)), lanes_mul(along_8, cosine_1)), lanes_mul(along_9, cosine_0));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_9), lanes_mul(lanes_mul(K(2.0), climb_1), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_7)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_4), climb_5));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s12), lanes_mul(omega_1, pressed_8)), lanes_mul(omega_2, pressed_7)), lanes_mul(omega_3, pressed_6)), lanes_mul(omega_4, pressed_5)), lanes_mul(omega_5, pressed_4));
-    const V _s15 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_9), lanes_mul(_s0, _s13)), lanes_add(lanes_add(lanes_add(lanes_add(_s14, lanes_mul(omega_6, pressed_3)), lanes_mul(omega_7, pressed_2)), lanes_mul(omega_8, pressed_1)), lanes_mul(pressed_0, _s4)));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_9), lanes_mul(climb_1, sine_8)), lanes_mul(climb_2, sine_7)), lanes_mul(climb_3, sine_6)), lanes_mul(climb_4, sine_5)), lanes_mul(climb_5, sine_4));
-    const V _s17 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(climb_6, sine_3)), lanes_mul(climb_7, sine_2)), lanes_mul(climb_8, sine_1)), lanes_mul(climb_9, sine_0)));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_9), lanes_mul(climb_1, cosine_8)), lanes_mul(climb_2, cosine_7)), lanes_mul(climb_3, cosine_6)), lanes_mul(climb_4, cosine_5)), lanes_mul(climb_5, cosine_4));
-    const V _s19 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s18, lanes_mul(climb_6, cosine_3)), lanes_mul(climb_7, cosine_2)), lanes_mul(climb_8, cosine_1)), lanes_mul(climb_9, cosine_0)));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s10), lanes_mul(omega_1, tilted_8)), lanes_mul(omega_2, tilted_7)), lanes_mul(omega_3, tilted_6)), lanes_mul(omega_4, tilted_5)), lanes_mul(omega_5, tilted_4));
-    const V _s21 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_9), p_gravity), lanes_add(lanes_add(lanes_add(lanes_add(_s20, lanes_mul(omega_6, tilted_3)), lanes_mul(omega_7, tilted_2)), lanes_mul(omega_8, tilted_1)), lanes_mul(tilted_0, _s4)));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_9), lanes_mul(around_1, sine_8)), lanes_mul(around_2, sine_7)), lanes_mul(around_3, sine_6)), lanes_mul(around_4, sine_5)), lanes_mul(around_5, sine_4));
-    const V _s23 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_add(_s22, lanes_mul(around_6, sine_3)), lanes_mul(around_7, sine_2)), lanes_mul(around_8, sine_1)), lanes_mul(sine_0, _s6)));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_9), lanes_mul(climb_1, turn_rate_8)), lanes_mul(climb_2, turn_rate_7)), lanes_mul(climb_3, turn_rate_6)), lanes_mul(climb_4, turn_rate_5)), lanes_mul(climb_5, turn_rate_4));
-    const V _s25 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s24, lanes_mul(climb_6, turn_rate_3)), lanes_mul(climb_7, turn_rate_2)), lanes_mul(climb_8, turn_rate_1)), lanes_mul(climb_9, turn_rate_0)));
-    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_9), lanes_mul(omega_1, sin_8)), lanes_mul(omega_2, sin_7)), lanes_mul(omega_3, sin_6)), lanes_mul(omega_4, sin_5)), lanes_mul(omega_5, sin_4));
-    const V _s27 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s26, lanes_mul(omega_6, sin_3)), lanes_mul(omega_7, sin_2)), lanes_mul(omega_8, sin_1)), lanes_mul(sin_0, _s4)));
-    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_8)), lanes_mul(cos_2, omega_7)), lanes_mul(cos_3, omega_6)), lanes_mul(cos_4, omega_5)), lanes_mul(cos_5, omega_4));
-    const V _s29 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_mul(cos_6, omega_3)), lanes_mul(cos_7, omega_2)), lanes_mul(cos_8, omega_1)), lanes_mul(cos_9, omega_0)));
-    return (LANES(court_ring_round_9_out)){ _s2, _s4, _s6, _s10, _s12, _s15, lanes_neg(_s17), _s19, lanes_neg(lanes_div(lanes_mul(K(0.1), _s21), _s0)), lanes_mul(K(0.1), lanes_sub(_s23, _s25)), lanes_mul(lanes_mul(K(0.1), p_ring_radius), _s6), lanes_neg(_s27), _s29 };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_8), lanes_mul(cosine_2, near_7)), lanes_mul(cosine_3, near_6)), lanes_mul(cosine_4, near_5)), lanes_mul(cosine_5, near_4)), lanes_mul(cosine_6, near_3));
+    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_7, near_2)), lanes_mul(cosine_8, near_1)), lanes_mul(cosine_9, near_0))));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_8)), lanes_mul(along_2, near_7)), lanes_mul(along_3, near_6)), lanes_mul(along_4, near_5)), lanes_mul(along_5, near_4));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(_s2, lanes_mul(along_6, near_3)), lanes_mul(along_7, near_2)), lanes_mul(along_8, near_1)), lanes_mul(along_9, near_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_8)), lanes_mul(climb_2, omega_7)), lanes_mul(climb_3, omega_6)), lanes_mul(climb_4, omega_5)), lanes_mul(climb_5, omega_4));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(climb_6, omega_3)), lanes_mul(climb_7, omega_2)), lanes_mul(climb_8, omega_1)), lanes_mul(climb_9, omega_0));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_9), lanes_mul(along_1, sine_8)), lanes_mul(along_2, sine_7)), lanes_mul(along_3, sine_6)), lanes_mul(along_4, sine_5)), lanes_mul(along_5, sine_4));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_9), lanes_mul(cosine_1, turn_rate_8)), lanes_mul(cosine_2, turn_rate_7)), lanes_mul(cosine_3, turn_rate_6)), lanes_mul(cosine_4, turn_rate_5)), lanes_mul(cosine_5, turn_rate_4));
+    const V _s8 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(cosine_6, turn_rate_3)), lanes_mul(cosine_7, turn_rate_2)), lanes_mul(cosine_8, turn_rate_1)), lanes_mul(cosine_9, turn_rate_0)));
+    const V _s9 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(along_6, sine_3)), lanes_mul(along_7, sine_2)), lanes_mul(along_8, sine_1)), lanes_mul(along_9, sine_0)), _s8);
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_9), lanes_mul(along_1, cosine_8)), lanes_mul(along_2, cosine_7)), lanes_mul(along_3, cosine_6)), lanes_mul(along_4, cosine_5)), lanes_mul(along_5, cosine_4));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(along_6, cosine_3)), lanes_mul(along_7, cosine_2)), lanes_mul(along_8, cosine_1)), lanes_mul(along_9, cosine_0));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_9), lanes_mul(lanes_mul(K(2.0), climb_1), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_7)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_4), climb_5));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_8)), lanes_mul(omega_2, pressed_7)), lanes_mul(omega_3, pressed_6)), lanes_mul(omega_4, pressed_5)), lanes_mul(omega_5, pressed_4));
+    const V _s14 = lanes_sub(lanes_sub(lanes_mul(_c0, sine_9), lanes_mul(_c1, _s12)), lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(omega_6, pressed_3)), lanes_mul(omega_7, pressed_2)), lanes_mul(omega_8, pressed_1)), lanes_mul(pressed_0, _s3)));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_9), lanes_mul(climb_1, sine_8)), lanes_mul(climb_2, sine_7)), lanes_mul(climb_3, sine_6)), lanes_mul(climb_4, sine_5)), lanes_mul(climb_5, sine_4));
+    const V _s16 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(climb_6, sine_3)), lanes_mul(climb_7, sine_2)), lanes_mul(climb_8, sine_1)), lanes_mul(climb_9, sine_0)));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_9), lanes_mul(climb_1, cosine_8)), lanes_mul(climb_2, cosine_7)), lanes_mul(climb_3, cosine_6)), lanes_mul(climb_4, cosine_5)), lanes_mul(climb_5, cosine_4));
+    const V _s18 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s17, lanes_mul(climb_6, cosine_3)), lanes_mul(climb_7, cosine_2)), lanes_mul(climb_8, cosine_1)), lanes_mul(climb_9, cosine_0)));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_8)), lanes_mul(omega_2, tilted_7)), lanes_mul(omega_3, tilted_6)), lanes_mul(omega_4, tilted_5)), lanes_mul(omega_5, tilted_4));
+    const V _s20 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_9), _c0), lanes_add(lanes_add(lanes_add(lanes_add(_s19, lanes_mul(omega_6, tilted_3)), lanes_mul(omega_7, tilted_2)), lanes_mul(omega_8, tilted_1)), lanes_mul(tilted_0, _s3)));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_9), lanes_mul(around_1, sine_8)), lanes_mul(around_2, sine_7)), lanes_mul(around_3, sine_6)), lanes_mul(around_4, sine_5)), lanes_mul(around_5, sine_4));
+    const V _s22 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(_s21, lanes_mul(around_6, sine_3)), lanes_mul(around_7, sine_2)), lanes_mul(around_8, sine_1)), lanes_mul(sine_0, _s5)));
+    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_9), lanes_mul(climb_1, turn_rate_8)), lanes_mul(climb_2, turn_rate_7)), lanes_mul(climb_3, turn_rate_6)), lanes_mul(climb_4, turn_rate_5)), lanes_mul(climb_5, turn_rate_4));
+    const V _s24 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s23, lanes_mul(climb_6, turn_rate_3)), lanes_mul(climb_7, turn_rate_2)), lanes_mul(climb_8, turn_rate_1)), lanes_mul(climb_9, turn_rate_0)));
+    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_9), lanes_mul(omega_1, sin_8)), lanes_mul(omega_2, sin_7)), lanes_mul(omega_3, sin_6)), lanes_mul(omega_4, sin_5)), lanes_mul(omega_5, sin_4));
+    const V _s26 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s25, lanes_mul(omega_6, sin_3)), lanes_mul(omega_7, sin_2)), lanes_mul(omega_8, sin_1)), lanes_mul(sin_0, _s3)));
+    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_8)), lanes_mul(cos_2, omega_7)), lanes_mul(cos_3, omega_6)), lanes_mul(cos_4, omega_5)), lanes_mul(cos_5, omega_4));
+    const V _s28 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s27, lanes_mul(cos_6, omega_3)), lanes_mul(cos_7, omega_2)), lanes_mul(cos_8, omega_1)), lanes_mul(cos_9, omega_0)));
+    return (LANES(court_ring_round_9_out)){ _s1, _s3, _s5, _s9, _s11, _s14, lanes_neg(_s16), _s18, lanes_neg(lanes_div(lanes_mul(K(0.1), _s20), _c1)), lanes_mul(K(0.1), lanes_sub(_s22, _s24)), lanes_mul(_c2, _s5), lanes_neg(_s26), _s28 };
 }
 
 /* The terms of order 11, from those before.
-   Routh's equations. 336 operations: 146 additions, 4 subtractions, 181 multiplications, 1 division, 4 negations. */
+   Routh's equations. 334 operations: 145 additions, 4 subtractions, 180 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_10;
     V omega_10;
@@ -4151,47 +4030,46 @@ typedef struct {
 } LANES(court_ring_round_10_out);
 
 LANES_INLINE LANES(court_ring_round_10_out)
-LANES(court_ring_round_10)(V along_0, V along_1, V along_10, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V near_9, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V pressed_9, V p_ring_radius, V sin_0, V sin_1, V sin_10, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+LANES(court_ring_round_10)(V along_0, V along_1, V along_10, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V climb_0, V climb_1, V climb_10, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V near_9, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V pressed_9, V sin_0, V sin_1, V sin_10, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_9), lanes_mul(cosine_10, near_0)), lanes_mul(cosine_2, near_8)), lanes_mul(cosine_3, near_7)), lanes_mul(cosine_4, near_6)), lanes_mul(cosine_5, near_5));
-    const V _s2 = lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_6, near_4)), lanes_mul(cosine_7, near_3)), lanes_mul(cosine_8, near_2)), lanes_mul(cosine_9, near_1)));
-    const V _s3 = lanes_neg(_s2);
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s3), lanes_mul(along_1, near_9)), lanes_mul(along_10, near_0)), lanes_mul(along_2, near_8)), lanes_mul(along_3, near_7)), lanes_mul(along_4, near_6));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(along_5, near_5)), lanes_mul(along_6, near_4)), lanes_mul(along_7, near_3)), lanes_mul(along_8, near_2)), lanes_mul(along_9, near_1));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s5), lanes_mul(climb_1, omega_9)), lanes_mul(climb_10, omega_0)), lanes_mul(climb_2, omega_8)), lanes_mul(climb_3, omega_7)), lanes_mul(climb_4, omega_6));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_5, omega_5)), lanes_mul(climb_6, omega_4)), lanes_mul(climb_7, omega_3)), lanes_mul(climb_8, omega_2)), lanes_mul(climb_9, omega_1));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_10), lanes_mul(along_1, sine_9)), lanes_mul(along_10, sine_0)), lanes_mul(along_2, sine_8)), lanes_mul(along_3, sine_7)), lanes_mul(along_4, sine_6));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(along_5, sine_5)), lanes_mul(along_6, sine_4)), lanes_mul(along_7, sine_3)), lanes_mul(along_8, sine_2)), lanes_mul(along_9, sine_1));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_10), lanes_mul(cosine_1, turn_rate_9)), lanes_mul(cosine_10, turn_rate_0)), lanes_mul(cosine_2, turn_rate_8)), lanes_mul(cosine_3, turn_rate_7)), lanes_mul(cosine_4, turn_rate_6));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(cosine_5, turn_rate_5)), lanes_mul(cosine_6, turn_rate_4)), lanes_mul(cosine_7, turn_rate_3)), lanes_mul(cosine_8, turn_rate_2)), lanes_mul(cosine_9, turn_rate_1));
-    const V _s12 = lanes_sub(_s9, lanes_mul(K(0.4), _s11));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_10), lanes_mul(along_1, cosine_9)), lanes_mul(along_10, cosine_0)), lanes_mul(along_2, cosine_8)), lanes_mul(along_3, cosine_7)), lanes_mul(along_4, cosine_6));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(along_5, cosine_5)), lanes_mul(along_6, cosine_4)), lanes_mul(along_7, cosine_3)), lanes_mul(along_8, cosine_2)), lanes_mul(along_9, cosine_1));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_5, climb_5), lanes_mul(lanes_mul(K(2.0), climb_0), climb_10)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_9)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_7));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s14), lanes_mul(omega_1, pressed_9)), lanes_mul(omega_2, pressed_8)), lanes_mul(omega_3, pressed_7)), lanes_mul(omega_4, pressed_6)), lanes_mul(omega_5, pressed_5));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(omega_6, pressed_4)), lanes_mul(omega_7, pressed_3)), lanes_mul(omega_8, pressed_2)), lanes_mul(omega_9, pressed_1)), lanes_mul(pressed_0, _s5));
-    const V _s18 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_10), lanes_mul(_s0, lanes_add(_s15, lanes_mul(lanes_mul(K(2.0), climb_4), climb_6)))), _s17);
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_10), lanes_mul(climb_1, sine_9)), lanes_mul(climb_10, sine_0)), lanes_mul(climb_2, sine_8)), lanes_mul(climb_3, sine_7)), lanes_mul(climb_4, sine_6));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s19, lanes_mul(climb_5, sine_5)), lanes_mul(climb_6, sine_4)), lanes_mul(climb_7, sine_3)), lanes_mul(climb_8, sine_2)), lanes_mul(climb_9, sine_1));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_10), lanes_mul(climb_1, cosine_9)), lanes_mul(climb_10, cosine_0)), lanes_mul(climb_2, cosine_8)), lanes_mul(climb_3, cosine_7)), lanes_mul(climb_4, cosine_6));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s21, lanes_mul(climb_5, cosine_5)), lanes_mul(climb_6, cosine_4)), lanes_mul(climb_7, cosine_3)), lanes_mul(climb_8, cosine_2)), lanes_mul(climb_9, cosine_1));
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s12), lanes_mul(omega_1, tilted_9)), lanes_mul(omega_2, tilted_8)), lanes_mul(omega_3, tilted_7)), lanes_mul(omega_4, tilted_6)), lanes_mul(omega_5, tilted_5));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s23, lanes_mul(omega_6, tilted_4)), lanes_mul(omega_7, tilted_3)), lanes_mul(omega_8, tilted_2)), lanes_mul(omega_9, tilted_1)), lanes_mul(tilted_0, _s5));
-    const V _s25 = lanes_neg(lanes_div(lanes_mul(K(0.09090909090909091), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_10), p_gravity), _s24)), _s0));
-    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_10), lanes_mul(around_1, sine_9)), lanes_mul(around_2, sine_8)), lanes_mul(around_3, sine_7)), lanes_mul(around_4, sine_6)), lanes_mul(around_5, sine_5));
-    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s26, lanes_mul(around_6, sine_4)), lanes_mul(around_7, sine_3)), lanes_mul(around_8, sine_2)), lanes_mul(around_9, sine_1)), lanes_mul(sine_0, _s7));
-    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_10), lanes_mul(climb_1, turn_rate_9)), lanes_mul(climb_10, turn_rate_0)), lanes_mul(climb_2, turn_rate_8)), lanes_mul(climb_3, turn_rate_7)), lanes_mul(climb_4, turn_rate_6));
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_mul(climb_5, turn_rate_5)), lanes_mul(climb_6, turn_rate_4)), lanes_mul(climb_7, turn_rate_3)), lanes_mul(climb_8, turn_rate_2)), lanes_mul(climb_9, turn_rate_1));
-    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_10), lanes_mul(omega_1, sin_9)), lanes_mul(omega_2, sin_8)), lanes_mul(omega_3, sin_7)), lanes_mul(omega_4, sin_6)), lanes_mul(omega_5, sin_5));
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s30, lanes_mul(omega_6, sin_4)), lanes_mul(omega_7, sin_3)), lanes_mul(omega_8, sin_2)), lanes_mul(omega_9, sin_1)), lanes_mul(sin_0, _s5));
-    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s5), lanes_mul(cos_1, omega_9)), lanes_mul(cos_10, omega_0)), lanes_mul(cos_2, omega_8)), lanes_mul(cos_3, omega_7)), lanes_mul(cos_4, omega_6));
-    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s32, lanes_mul(cos_5, omega_5)), lanes_mul(cos_6, omega_4)), lanes_mul(cos_7, omega_3)), lanes_mul(cos_8, omega_2)), lanes_mul(cos_9, omega_1));
-    return (LANES(court_ring_round_10_out)){ _s3, _s5, _s7, _s12, _s14, _s18, lanes_neg(lanes_mul(K(0.09090909090909091), _s20)), lanes_mul(K(0.09090909090909091), _s22), _s25, lanes_mul(K(0.09090909090909091), lanes_sub(lanes_mul(_s0, _s27), lanes_mul(K(0.4), _s29))), lanes_mul(lanes_mul(K(0.09090909090909091), p_ring_radius), _s7), lanes_neg(lanes_mul(K(0.09090909090909091), _s31)), lanes_mul(K(0.09090909090909091), _s33) };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_9), lanes_mul(cosine_10, near_0)), lanes_mul(cosine_2, near_8)), lanes_mul(cosine_3, near_7)), lanes_mul(cosine_4, near_6)), lanes_mul(cosine_5, near_5));
+    const V _s1 = lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_6, near_4)), lanes_mul(cosine_7, near_3)), lanes_mul(cosine_8, near_2)), lanes_mul(cosine_9, near_1)));
+    const V _s2 = lanes_neg(_s1);
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_9)), lanes_mul(along_10, near_0)), lanes_mul(along_2, near_8)), lanes_mul(along_3, near_7)), lanes_mul(along_4, near_6));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(along_5, near_5)), lanes_mul(along_6, near_4)), lanes_mul(along_7, near_3)), lanes_mul(along_8, near_2)), lanes_mul(along_9, near_1));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_9)), lanes_mul(climb_10, omega_0)), lanes_mul(climb_2, omega_8)), lanes_mul(climb_3, omega_7)), lanes_mul(climb_4, omega_6));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_5, omega_5)), lanes_mul(climb_6, omega_4)), lanes_mul(climb_7, omega_3)), lanes_mul(climb_8, omega_2)), lanes_mul(climb_9, omega_1));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_10), lanes_mul(along_1, sine_9)), lanes_mul(along_10, sine_0)), lanes_mul(along_2, sine_8)), lanes_mul(along_3, sine_7)), lanes_mul(along_4, sine_6));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(along_5, sine_5)), lanes_mul(along_6, sine_4)), lanes_mul(along_7, sine_3)), lanes_mul(along_8, sine_2)), lanes_mul(along_9, sine_1));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_10), lanes_mul(cosine_1, turn_rate_9)), lanes_mul(cosine_10, turn_rate_0)), lanes_mul(cosine_2, turn_rate_8)), lanes_mul(cosine_3, turn_rate_7)), lanes_mul(cosine_4, turn_rate_6));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s9, lanes_mul(cosine_5, turn_rate_5)), lanes_mul(cosine_6, turn_rate_4)), lanes_mul(cosine_7, turn_rate_3)), lanes_mul(cosine_8, turn_rate_2)), lanes_mul(cosine_9, turn_rate_1));
+    const V _s11 = lanes_sub(_s8, lanes_mul(K(0.4), _s10));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_10), lanes_mul(along_1, cosine_9)), lanes_mul(along_10, cosine_0)), lanes_mul(along_2, cosine_8)), lanes_mul(along_3, cosine_7)), lanes_mul(along_4, cosine_6));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s12, lanes_mul(along_5, cosine_5)), lanes_mul(along_6, cosine_4)), lanes_mul(along_7, cosine_3)), lanes_mul(along_8, cosine_2)), lanes_mul(along_9, cosine_1));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_5, climb_5), lanes_mul(lanes_mul(K(2.0), climb_0), climb_10)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_9)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_7));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s13), lanes_mul(omega_1, pressed_9)), lanes_mul(omega_2, pressed_8)), lanes_mul(omega_3, pressed_7)), lanes_mul(omega_4, pressed_6)), lanes_mul(omega_5, pressed_5));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(omega_6, pressed_4)), lanes_mul(omega_7, pressed_3)), lanes_mul(omega_8, pressed_2)), lanes_mul(omega_9, pressed_1)), lanes_mul(pressed_0, _s4));
+    const V _s17 = lanes_sub(lanes_sub(lanes_mul(_c0, sine_10), lanes_mul(_c1, lanes_add(_s14, lanes_mul(lanes_mul(K(2.0), climb_4), climb_6)))), _s16);
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_10), lanes_mul(climb_1, sine_9)), lanes_mul(climb_10, sine_0)), lanes_mul(climb_2, sine_8)), lanes_mul(climb_3, sine_7)), lanes_mul(climb_4, sine_6));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s18, lanes_mul(climb_5, sine_5)), lanes_mul(climb_6, sine_4)), lanes_mul(climb_7, sine_3)), lanes_mul(climb_8, sine_2)), lanes_mul(climb_9, sine_1));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_10), lanes_mul(climb_1, cosine_9)), lanes_mul(climb_10, cosine_0)), lanes_mul(climb_2, cosine_8)), lanes_mul(climb_3, cosine_7)), lanes_mul(climb_4, cosine_6));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s20, lanes_mul(climb_5, cosine_5)), lanes_mul(climb_6, cosine_4)), lanes_mul(climb_7, cosine_3)), lanes_mul(climb_8, cosine_2)), lanes_mul(climb_9, cosine_1));
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, tilted_9)), lanes_mul(omega_2, tilted_8)), lanes_mul(omega_3, tilted_7)), lanes_mul(omega_4, tilted_6)), lanes_mul(omega_5, tilted_5));
+    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s22, lanes_mul(omega_6, tilted_4)), lanes_mul(omega_7, tilted_3)), lanes_mul(omega_8, tilted_2)), lanes_mul(omega_9, tilted_1)), lanes_mul(tilted_0, _s4));
+    const V _s24 = lanes_neg(lanes_div(lanes_mul(K(0.09090909090909091), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_10), _c0), _s23)), _c1));
+    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_10), lanes_mul(around_1, sine_9)), lanes_mul(around_2, sine_8)), lanes_mul(around_3, sine_7)), lanes_mul(around_4, sine_6)), lanes_mul(around_5, sine_5));
+    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s25, lanes_mul(around_6, sine_4)), lanes_mul(around_7, sine_3)), lanes_mul(around_8, sine_2)), lanes_mul(around_9, sine_1)), lanes_mul(sine_0, _s6));
+    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_10), lanes_mul(climb_1, turn_rate_9)), lanes_mul(climb_10, turn_rate_0)), lanes_mul(climb_2, turn_rate_8)), lanes_mul(climb_3, turn_rate_7)), lanes_mul(climb_4, turn_rate_6));
+    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s27, lanes_mul(climb_5, turn_rate_5)), lanes_mul(climb_6, turn_rate_4)), lanes_mul(climb_7, turn_rate_3)), lanes_mul(climb_8, turn_rate_2)), lanes_mul(climb_9, turn_rate_1));
+    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_10), lanes_mul(omega_1, sin_9)), lanes_mul(omega_2, sin_8)), lanes_mul(omega_3, sin_7)), lanes_mul(omega_4, sin_6)), lanes_mul(omega_5, sin_5));
+    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s29, lanes_mul(omega_6, sin_4)), lanes_mul(omega_7, sin_3)), lanes_mul(omega_8, sin_2)), lanes_mul(omega_9, sin_1)), lanes_mul(sin_0, _s4));
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_9)), lanes_mul(cos_10, omega_0)), lanes_mul(cos_2, omega_8)), lanes_mul(cos_3, omega_7)), lanes_mul(cos_4, omega_6));
+    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s31, lanes_mul(cos_5, omega_5)), lanes_mul(cos_6, omega_4)), lanes_mul(cos_7, omega_3)), lanes_mul(cos_8, omega_2)), lanes_mul(cos_9, omega_1));
+    return (LANES(court_ring_round_10_out)){ _s2, _s4, _s6, _s11, _s13, _s17, lanes_neg(lanes_mul(K(0.09090909090909091), _s19)), lanes_mul(K(0.09090909090909091), _s21), _s24, lanes_mul(K(0.09090909090909091), lanes_sub(lanes_mul(_c1, _s26), lanes_mul(K(0.4), _s28))), lanes_mul(_c2, _s6), lanes_neg(lanes_mul(K(0.09090909090909091), _s30)), lanes_mul(K(0.09090909090909091), _s32) };
 }
 
 /* The terms of order 12, from those before.
-   Routh's equations. 365 operations: 160 additions, 4 subtractions, 196 multiplications, 1 division, 4 negations. */
+   Routh's equations. 363 operations: 159 additions, 4 subtractions, 195 multiplications, 1 division, 4 negations. */
 typedef struct {
     V near_11;
     V omega_11;
@@ -4209,46 +4087,45 @@ typedef struct {
 } LANES(court_ring_round_11_out);
 
 LANES_INLINE LANES(court_ring_round_11_out)
-LANES(court_ring_round_11)(V along_0, V along_1, V along_10, V along_11, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_10, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_11, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V near_1, V near_10, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V near_9, V omega_0, V omega_1, V omega_10, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V pressed_0, V pressed_1, V pressed_10, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V pressed_9, V p_ring_radius, V sin_0, V sin_1, V sin_10, V sin_11, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_11, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+LANES(court_ring_round_11)(V along_0, V along_1, V along_10, V along_11, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_10, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_11, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V near_1, V near_10, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V near_9, V omega_0, V omega_1, V omega_10, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V pressed_0, V pressed_1, V pressed_10, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V pressed_9, V sin_0, V sin_1, V sin_10, V sin_11, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_11, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_10), lanes_mul(cosine_10, near_1)), lanes_mul(cosine_11, near_0)), lanes_mul(cosine_2, near_9)), lanes_mul(cosine_3, near_8)), lanes_mul(cosine_4, near_7));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_5, near_6)), lanes_mul(cosine_6, near_5)), lanes_mul(cosine_7, near_4)), lanes_mul(cosine_8, near_3)), lanes_mul(cosine_9, near_2));
-    const V _s3 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), _s2));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s3), lanes_mul(along_1, near_10)), lanes_mul(along_10, near_1)), lanes_mul(along_11, near_0)), lanes_mul(along_2, near_9)), lanes_mul(along_3, near_8));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(along_4, near_7)), lanes_mul(along_5, near_6)), lanes_mul(along_6, near_5)), lanes_mul(along_7, near_4)), lanes_mul(along_8, near_3));
-    const V _s6 = lanes_add(_s5, lanes_mul(along_9, near_2));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s6), lanes_mul(climb_1, omega_10)), lanes_mul(climb_10, omega_1)), lanes_mul(climb_11, omega_0)), lanes_mul(climb_2, omega_9)), lanes_mul(climb_3, omega_8));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(climb_4, omega_7)), lanes_mul(climb_5, omega_6)), lanes_mul(climb_6, omega_5)), lanes_mul(climb_7, omega_4)), lanes_mul(climb_8, omega_3));
-    const V _s9 = lanes_add(_s8, lanes_mul(climb_9, omega_2));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_11), lanes_mul(along_1, sine_10)), lanes_mul(along_10, sine_1)), lanes_mul(along_11, sine_0)), lanes_mul(along_2, sine_9)), lanes_mul(along_3, sine_8));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(along_4, sine_7)), lanes_mul(along_5, sine_6)), lanes_mul(along_6, sine_5)), lanes_mul(along_7, sine_4)), lanes_mul(along_8, sine_3));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_11), lanes_mul(cosine_1, turn_rate_10)), lanes_mul(cosine_10, turn_rate_1)), lanes_mul(cosine_11, turn_rate_0)), lanes_mul(cosine_2, turn_rate_9)), lanes_mul(cosine_3, turn_rate_8));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s12, lanes_mul(cosine_4, turn_rate_7)), lanes_mul(cosine_5, turn_rate_6)), lanes_mul(cosine_6, turn_rate_5)), lanes_mul(cosine_7, turn_rate_4)), lanes_mul(cosine_8, turn_rate_3));
-    const V _s14 = lanes_sub(lanes_add(_s11, lanes_mul(along_9, sine_2)), lanes_mul(K(0.4), lanes_add(_s13, lanes_mul(cosine_9, turn_rate_2))));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_11), lanes_mul(along_1, cosine_10)), lanes_mul(along_10, cosine_1)), lanes_mul(along_11, cosine_0)), lanes_mul(along_2, cosine_9)), lanes_mul(along_3, cosine_8));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(along_4, cosine_7)), lanes_mul(along_5, cosine_6)), lanes_mul(along_6, cosine_5)), lanes_mul(along_7, cosine_4)), lanes_mul(along_8, cosine_3));
-    const V _s17 = lanes_add(_s16, lanes_mul(along_9, cosine_2));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_11), lanes_mul(lanes_mul(K(2.0), climb_1), climb_10)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_9)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_4), climb_7));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s17), lanes_mul(omega_1, pressed_10)), lanes_mul(omega_10, pressed_1)), lanes_mul(omega_2, pressed_9)), lanes_mul(omega_3, pressed_8)), lanes_mul(omega_4, pressed_7));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s19, lanes_mul(omega_5, pressed_6)), lanes_mul(omega_6, pressed_5)), lanes_mul(omega_7, pressed_4)), lanes_mul(omega_8, pressed_3)), lanes_mul(omega_9, pressed_2));
-    const V _s21 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_11), lanes_mul(_s0, lanes_add(_s18, lanes_mul(lanes_mul(K(2.0), climb_5), climb_6)))), lanes_add(_s20, lanes_mul(pressed_0, _s6)));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_11), lanes_mul(climb_1, sine_10)), lanes_mul(climb_10, sine_1)), lanes_mul(climb_11, sine_0)), lanes_mul(climb_2, sine_9)), lanes_mul(climb_3, sine_8));
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s22, lanes_mul(climb_4, sine_7)), lanes_mul(climb_5, sine_6)), lanes_mul(climb_6, sine_5)), lanes_mul(climb_7, sine_4)), lanes_mul(climb_8, sine_3));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_11), lanes_mul(climb_1, cosine_10)), lanes_mul(climb_10, cosine_1)), lanes_mul(climb_11, cosine_0)), lanes_mul(climb_2, cosine_9)), lanes_mul(climb_3, cosine_8));
-    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s24, lanes_mul(climb_4, cosine_7)), lanes_mul(climb_5, cosine_6)), lanes_mul(climb_6, cosine_5)), lanes_mul(climb_7, cosine_4)), lanes_mul(climb_8, cosine_3));
-    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s14), lanes_mul(omega_1, tilted_10)), lanes_mul(omega_10, tilted_1)), lanes_mul(omega_2, tilted_9)), lanes_mul(omega_3, tilted_8)), lanes_mul(omega_4, tilted_7));
-    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s26, lanes_mul(omega_5, tilted_6)), lanes_mul(omega_6, tilted_5)), lanes_mul(omega_7, tilted_4)), lanes_mul(omega_8, tilted_3)), lanes_mul(omega_9, tilted_2));
-    const V _s28 = lanes_neg(lanes_div(lanes_mul(K(0.08333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_11), p_gravity), lanes_add(_s27, lanes_mul(tilted_0, _s6)))), _s0));
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_11), lanes_mul(around_1, sine_10)), lanes_mul(around_10, sine_1)), lanes_mul(around_2, sine_9)), lanes_mul(around_3, sine_8)), lanes_mul(around_4, sine_7));
-    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s29, lanes_mul(around_5, sine_6)), lanes_mul(around_6, sine_5)), lanes_mul(around_7, sine_4)), lanes_mul(around_8, sine_3)), lanes_mul(around_9, sine_2));
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_11), lanes_mul(climb_1, turn_rate_10)), lanes_mul(climb_10, turn_rate_1)), lanes_mul(climb_11, turn_rate_0)), lanes_mul(climb_2, turn_rate_9)), lanes_mul(climb_3, turn_rate_8));
-    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s31, lanes_mul(climb_4, turn_rate_7)), lanes_mul(climb_5, turn_rate_6)), lanes_mul(climb_6, turn_rate_5)), lanes_mul(climb_7, turn_rate_4)), lanes_mul(climb_8, turn_rate_3));
-    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_11), lanes_mul(omega_1, sin_10)), lanes_mul(omega_10, sin_1)), lanes_mul(omega_2, sin_9)), lanes_mul(omega_3, sin_8)), lanes_mul(omega_4, sin_7));
-    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s33, lanes_mul(omega_5, sin_6)), lanes_mul(omega_6, sin_5)), lanes_mul(omega_7, sin_4)), lanes_mul(omega_8, sin_3)), lanes_mul(omega_9, sin_2));
-    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s6), lanes_mul(cos_1, omega_10)), lanes_mul(cos_10, omega_1)), lanes_mul(cos_11, omega_0)), lanes_mul(cos_2, omega_9)), lanes_mul(cos_3, omega_8));
-    const V _s36 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s35, lanes_mul(cos_4, omega_7)), lanes_mul(cos_5, omega_6)), lanes_mul(cos_6, omega_5)), lanes_mul(cos_7, omega_4)), lanes_mul(cos_8, omega_3));
-    return (LANES(court_ring_round_11_out)){ _s3, _s6, _s9, _s14, _s17, _s21, lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s23, lanes_mul(climb_9, sine_2)))), lanes_mul(K(0.08333333333333333), lanes_add(_s25, lanes_mul(climb_9, cosine_2))), _s28, lanes_mul(K(0.08333333333333333), lanes_sub(lanes_mul(_s0, lanes_add(_s30, lanes_mul(sine_0, _s9))), lanes_mul(K(0.4), lanes_add(_s32, lanes_mul(climb_9, turn_rate_2))))), lanes_mul(lanes_mul(K(0.08333333333333333), p_ring_radius), _s9), lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s34, lanes_mul(sin_0, _s6)))), lanes_mul(K(0.08333333333333333), lanes_add(_s36, lanes_mul(cos_9, omega_2))) };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_10), lanes_mul(cosine_10, near_1)), lanes_mul(cosine_11, near_0)), lanes_mul(cosine_2, near_9)), lanes_mul(cosine_3, near_8)), lanes_mul(cosine_4, near_7));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_5, near_6)), lanes_mul(cosine_6, near_5)), lanes_mul(cosine_7, near_4)), lanes_mul(cosine_8, near_3)), lanes_mul(cosine_9, near_2));
+    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), _s1));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_10)), lanes_mul(along_10, near_1)), lanes_mul(along_11, near_0)), lanes_mul(along_2, near_9)), lanes_mul(along_3, near_8));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(along_4, near_7)), lanes_mul(along_5, near_6)), lanes_mul(along_6, near_5)), lanes_mul(along_7, near_4)), lanes_mul(along_8, near_3));
+    const V _s5 = lanes_add(_s4, lanes_mul(along_9, near_2));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s5), lanes_mul(climb_1, omega_10)), lanes_mul(climb_10, omega_1)), lanes_mul(climb_11, omega_0)), lanes_mul(climb_2, omega_9)), lanes_mul(climb_3, omega_8));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_4, omega_7)), lanes_mul(climb_5, omega_6)), lanes_mul(climb_6, omega_5)), lanes_mul(climb_7, omega_4)), lanes_mul(climb_8, omega_3));
+    const V _s8 = lanes_add(_s7, lanes_mul(climb_9, omega_2));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_11), lanes_mul(along_1, sine_10)), lanes_mul(along_10, sine_1)), lanes_mul(along_11, sine_0)), lanes_mul(along_2, sine_9)), lanes_mul(along_3, sine_8));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s9, lanes_mul(along_4, sine_7)), lanes_mul(along_5, sine_6)), lanes_mul(along_6, sine_5)), lanes_mul(along_7, sine_4)), lanes_mul(along_8, sine_3));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_11), lanes_mul(cosine_1, turn_rate_10)), lanes_mul(cosine_10, turn_rate_1)), lanes_mul(cosine_11, turn_rate_0)), lanes_mul(cosine_2, turn_rate_9)), lanes_mul(cosine_3, turn_rate_8));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(cosine_4, turn_rate_7)), lanes_mul(cosine_5, turn_rate_6)), lanes_mul(cosine_6, turn_rate_5)), lanes_mul(cosine_7, turn_rate_4)), lanes_mul(cosine_8, turn_rate_3));
+    const V _s13 = lanes_sub(lanes_add(_s10, lanes_mul(along_9, sine_2)), lanes_mul(K(0.4), lanes_add(_s12, lanes_mul(cosine_9, turn_rate_2))));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_11), lanes_mul(along_1, cosine_10)), lanes_mul(along_10, cosine_1)), lanes_mul(along_11, cosine_0)), lanes_mul(along_2, cosine_9)), lanes_mul(along_3, cosine_8));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s14, lanes_mul(along_4, cosine_7)), lanes_mul(along_5, cosine_6)), lanes_mul(along_6, cosine_5)), lanes_mul(along_7, cosine_4)), lanes_mul(along_8, cosine_3));
+    const V _s16 = lanes_add(_s15, lanes_mul(along_9, cosine_2));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_11), lanes_mul(lanes_mul(K(2.0), climb_1), climb_10)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_9)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_4), climb_7));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s16), lanes_mul(omega_1, pressed_10)), lanes_mul(omega_10, pressed_1)), lanes_mul(omega_2, pressed_9)), lanes_mul(omega_3, pressed_8)), lanes_mul(omega_4, pressed_7));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s18, lanes_mul(omega_5, pressed_6)), lanes_mul(omega_6, pressed_5)), lanes_mul(omega_7, pressed_4)), lanes_mul(omega_8, pressed_3)), lanes_mul(omega_9, pressed_2));
+    const V _s20 = lanes_sub(lanes_sub(lanes_mul(_c0, sine_11), lanes_mul(_c1, lanes_add(_s17, lanes_mul(lanes_mul(K(2.0), climb_5), climb_6)))), lanes_add(_s19, lanes_mul(pressed_0, _s5)));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_11), lanes_mul(climb_1, sine_10)), lanes_mul(climb_10, sine_1)), lanes_mul(climb_11, sine_0)), lanes_mul(climb_2, sine_9)), lanes_mul(climb_3, sine_8));
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s21, lanes_mul(climb_4, sine_7)), lanes_mul(climb_5, sine_6)), lanes_mul(climb_6, sine_5)), lanes_mul(climb_7, sine_4)), lanes_mul(climb_8, sine_3));
+    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_11), lanes_mul(climb_1, cosine_10)), lanes_mul(climb_10, cosine_1)), lanes_mul(climb_11, cosine_0)), lanes_mul(climb_2, cosine_9)), lanes_mul(climb_3, cosine_8));
+    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s23, lanes_mul(climb_4, cosine_7)), lanes_mul(climb_5, cosine_6)), lanes_mul(climb_6, cosine_5)), lanes_mul(climb_7, cosine_4)), lanes_mul(climb_8, cosine_3));
+    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s13), lanes_mul(omega_1, tilted_10)), lanes_mul(omega_10, tilted_1)), lanes_mul(omega_2, tilted_9)), lanes_mul(omega_3, tilted_8)), lanes_mul(omega_4, tilted_7));
+    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s25, lanes_mul(omega_5, tilted_6)), lanes_mul(omega_6, tilted_5)), lanes_mul(omega_7, tilted_4)), lanes_mul(omega_8, tilted_3)), lanes_mul(omega_9, tilted_2));
+    const V _s27 = lanes_neg(lanes_div(lanes_mul(K(0.08333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_11), _c0), lanes_add(_s26, lanes_mul(tilted_0, _s5)))), _c1));
+    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_11), lanes_mul(around_1, sine_10)), lanes_mul(around_10, sine_1)), lanes_mul(around_2, sine_9)), lanes_mul(around_3, sine_8)), lanes_mul(around_4, sine_7));
+    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_mul(around_5, sine_6)), lanes_mul(around_6, sine_5)), lanes_mul(around_7, sine_4)), lanes_mul(around_8, sine_3)), lanes_mul(around_9, sine_2));
+    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_11), lanes_mul(climb_1, turn_rate_10)), lanes_mul(climb_10, turn_rate_1)), lanes_mul(climb_11, turn_rate_0)), lanes_mul(climb_2, turn_rate_9)), lanes_mul(climb_3, turn_rate_8));
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s30, lanes_mul(climb_4, turn_rate_7)), lanes_mul(climb_5, turn_rate_6)), lanes_mul(climb_6, turn_rate_5)), lanes_mul(climb_7, turn_rate_4)), lanes_mul(climb_8, turn_rate_3));
+    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_11), lanes_mul(omega_1, sin_10)), lanes_mul(omega_10, sin_1)), lanes_mul(omega_2, sin_9)), lanes_mul(omega_3, sin_8)), lanes_mul(omega_4, sin_7));
+    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s32, lanes_mul(omega_5, sin_6)), lanes_mul(omega_6, sin_5)), lanes_mul(omega_7, sin_4)), lanes_mul(omega_8, sin_3)), lanes_mul(omega_9, sin_2));
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s5), lanes_mul(cos_1, omega_10)), lanes_mul(cos_10, omega_1)), lanes_mul(cos_11, omega_0)), lanes_mul(cos_2, omega_9)), lanes_mul(cos_3, omega_8));
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s34, lanes_mul(cos_4, omega_7)), lanes_mul(cos_5, omega_6)), lanes_mul(cos_6, omega_5)), lanes_mul(cos_7, omega_4)), lanes_mul(cos_8, omega_3));
+    return (LANES(court_ring_round_11_out)){ _s2, _s5, _s8, _s13, _s16, _s20, lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s22, lanes_mul(climb_9, sine_2)))), lanes_mul(K(0.08333333333333333), lanes_add(_s24, lanes_mul(climb_9, cosine_2))), _s27, lanes_mul(K(0.08333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(_s29, lanes_mul(sine_0, _s8))), lanes_mul(K(0.4), lanes_add(_s31, lanes_mul(climb_9, turn_rate_2))))), lanes_mul(_c2, _s8), lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s33, lanes_mul(sin_0, _s5)))), lanes_mul(K(0.08333333333333333), lanes_add(_s35, lanes_mul(cos_9, omega_2))) };
 }
 
 /* The first window that ends later than a time, if there is one, from then on.
@@ -4272,7 +4149,7 @@ LANES(court_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low
 }
 
 /* Outward unit normal n3 at a contact.
-   Table 2. 28 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections. */
+   Table 2. 26 operations: 3 additions, 6 subtractions, 3 multiplications, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V nx;
     V ny;
@@ -4280,32 +4157,31 @@ typedef struct {
 } LANES(court_backboard_normal_out);
 
 LANES_INLINE LANES(court_backboard_normal_out)
-LANES(court_backboard_normal)(V x, V y, V z, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness)
+LANES(court_backboard_normal)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_div(K(1.0), p_ball_radius);
-    const V _s1 = lanes_add(p_board_distance, x);
-    const V _s2 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
-    const V _s3 = lanes_sub(y, p_board_half_width);
-    const V _s4 = lanes_neg(lanes_add(p_board_half_width, y));
-    const V _s5 = lanes_sub(z, p_board_top);
-    const V _s6 = lanes_sub(p_board_bottom, z);
-    return (LANES(court_backboard_normal_out)){ lanes_mul(_s0, lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)))) };
+    const V _s0 = lanes_add(_c0, x);
+    const V _s1 = lanes_neg(lanes_add(_c5, x));
+    const V _s2 = lanes_sub(y, _c1);
+    const V _s3 = lanes_neg(lanes_add(_c1, y));
+    const V _s4 = lanes_sub(z, _c3);
+    const V _s5 = lanes_sub(_c2, z);
+    return (LANES(court_backboard_normal_out)){ lanes_mul(_c4, lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)))), lanes_mul(_c4, lanes_sub(lanes_max(_s2, K(0.0)), lanes_max(_s3, K(0.0)))), lanes_mul(_c4, lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)))) };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 1 operation: 1 division. */
+   Table 2. No operations. */
 typedef struct {
     V curvature;
 } LANES(court_backboard_curvature_out);
 
 LANES_INLINE LANES(court_backboard_curvature_out)
-LANES(court_backboard_curvature)(V p_ball_radius)
+LANES(court_backboard_curvature)(V _c0)
 {
-    return (LANES(court_backboard_curvature_out)){ lanes_div(K(1.0), p_ball_radius) };
+    return (LANES(court_backboard_curvature_out)){ _c0 };
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 32 operations: 4 additions, 6 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 30 operations: 3 additions, 6 subtractions, 4 multiplications, 5 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V dnx;
     V dny;
@@ -4314,16 +4190,15 @@ typedef struct {
 } LANES(court_backboard_carry_normal_out);
 
 LANES_INLINE LANES(court_backboard_carry_normal_out)
-LANES(court_backboard_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness)
+LANES(court_backboard_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_div(K(1.0), p_ball_radius);
-    const V _s1 = lanes_sub(lanes_select(lanes_less(lanes_add(p_board_distance, x), K(0.0)), K(0.0), dx), lanes_select(lanes_less(lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x)), K(0.0)), K(0.0), lanes_neg(dx)));
-    const V _s2 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(y, p_board_half_width), K(0.0)), K(0.0), dy), lanes_select(lanes_less(lanes_neg(lanes_add(p_board_half_width, y)), K(0.0)), K(0.0), lanes_neg(dy))));
-    return (LANES(court_backboard_carry_normal_out)){ lanes_mul(_s0, _s1), _s2, lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_board_top), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(p_board_bottom, z), K(0.0)), K(0.0), lanes_neg(dz)))), lanes_mul(shift, _s0) };
+    const V _s0 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_add(_c0, x), K(0.0)), K(0.0), dx), lanes_select(lanes_less(lanes_neg(lanes_add(_c5, x)), K(0.0)), K(0.0), lanes_neg(dx))));
+    const V _s1 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(y, _c1), K(0.0)), K(0.0), dy), lanes_select(lanes_less(lanes_neg(lanes_add(_c1, y)), K(0.0)), K(0.0), lanes_neg(dy))));
+    return (LANES(court_backboard_carry_normal_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c3), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(_c2, z), K(0.0)), K(0.0), lanes_neg(dz)))), lanes_mul(shift, _c4) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
+   bounds of the event condition. 102 operations: 18 additions, 8 subtractions, 19 multiplications, 4 divisions, 3 square roots, 4 negations, 2 absolute values, 21 comparisons, 23 selections. */
 typedef struct {
     V low0;
     V high0;
@@ -4335,67 +4210,49 @@ typedef struct {
 } LANES(court_backboard_prepare_out);
 
 LANES_INLINE LANES(court_backboard_prepare_out)
-LANES(court_backboard_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+LANES(court_backboard_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
 {
     const V _s0 = lanes_abs(vx);
-    const V _s1 = lanes_mul(K(0.5), p_board_thickness);
-    const V _s2 = lanes_add(p_ball_radius, _s1);
-    const V _s3 = lanes_mul(K(0.5), p_board_top);
-    const V _s4 = lanes_add(p_ball_radius, _s3);
-    const V _s5 = lanes_mul(K(0.5), p_board_bottom);
-    const V _s6 = lanes_sub(_s4, _s5);
-    const V _s7 = lanes_add(p_ball_radius, p_board_half_width);
-    const V _s8 = lanes_min(_s7, _s2);
-    const V _s9 = lanes_min(_s6, _s8);
-    const V _s10 = lanes_mul(K(6.103515625e-05), _s9);
-    const V _s11 = lanes_add(_s2, _s10);
-    const V _s12 = lanes_add(p_board_distance, _s1);
-    const V _s13 = lanes_add(_s12, x);
-    const V _s14 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s13), _s13);
-    const V _s15 = lanes_div(lanes_neg(lanes_add(_s11, _s14)), _s0);
-    const V _s16 = lanes_max(K(0.0), _s15);
-    const V _s17 = lanes_abs(vy);
-    const V _s18 = lanes_add(_s7, _s10);
-    const V _s19 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
-    const V _s20 = lanes_div(lanes_neg(lanes_add(_s18, _s19)), _s17);
-    const V _s21 = lanes_max(_s16, _s20);
-    const V _s22 = lanes_mul(vz, vz);
-    const V _s23 = lanes_sub(lanes_sub(z, _s5), _s3);
-    const V _s24 = lanes_sub(lanes_add(_s4, _s10), _s5);
-    const V _s25 = lanes_mul(K(2.0), p_gravity);
-    const V _s26 = lanes_add(_s22, lanes_mul(_s25, lanes_add(_s23, _s24)));
-    const V _s27 = lanes_div(K(1.0), p_gravity);
-    const V _s28 = lanes_sqrt(_s26);
-    const M _s29 = lanes_at_most(K(0.0), _s26);
-    const V _s30 = lanes_select(_s29, lanes_mul(_s27, lanes_sub(vz, _s28)), K(INFINITY));
-    const V _s31 = lanes_max(_s21, _s30);
-    const V _s32 = lanes_add(_s22, lanes_mul(_s25, lanes_sub(_s23, _s24)));
-    const V _s33 = lanes_sqrt(lanes_max(_s32, K(0.0)));
-    const V _s34 = lanes_select(_s29, lanes_mul(_s27, lanes_add(vz, _s28)), K(-INFINITY));
-    const M _s35 = lanes_less(K(0.0), _s32);
-    const V _s36 = lanes_select(_s35, lanes_mul(_s27, lanes_sub(vz, _s33)), _s34);
-    const V _s37 = lanes_div(lanes_sub(_s18, _s19), _s17);
-    const V _s38 = lanes_div(lanes_sub(_s11, _s14), _s0);
-    const V _s39 = lanes_min(_s38, K(INFINITY));
-    const V _s40 = lanes_min(_s37, _s39);
-    const V _s41 = lanes_min(_s36, _s40);
-    const V _s42 = lanes_select(_s35, lanes_mul(_s27, lanes_add(vz, _s33)), K(INFINITY));
-    const V _s43 = lanes_max(_s21, _s42);
-    const V _s44 = lanes_min(_s34, _s40);
-    const V _s45 = lanes_max(K(0.0), _s41);
-    const V _s46 = lanes_max(_s45, _s44);
-    const V _s47 = lanes_min(_s46, horizon);
-    const V _s48 = lanes_add(speed, lanes_mul(p_gravity, _s47));
-    const V _s49 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(1.25), lanes_abs(lanes_neg(p_gravity))), lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s9))), lanes_mul(K(3.0), lanes_mul(_s48, _s48))));
-    const V _s50 = lanes_max(_s2, _s7);
-    const V _s51 = lanes_add(lanes_add(lanes_add(_s12, extent), lanes_abs(lanes_add(_s5, _s3))), lanes_max(_s50, _s6));
-    const V _s52 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s27, lanes_add(_s51, _s9)))), lanes_mul(lanes_mul(K(2.0), speed), _s27));
-    const V _s53 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s52, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s27), _s51))), lanes_mul(K(1.52587890625e-05), _s9));
-    return (LANES(court_backboard_prepare_out)){ lanes_max(K(0.0), _s31), lanes_min(_s41, horizon), lanes_max(K(0.0), _s43), lanes_min(_s44, horizon), _s49, _s47, _s53 };
+    const V _s1 = lanes_add(_c5, x);
+    const V _s2 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s1), _s1);
+    const V _s3 = lanes_div(lanes_neg(lanes_add(_c4, _s2)), _s0);
+    const V _s4 = lanes_max(K(0.0), _s3);
+    const V _s5 = lanes_abs(vy);
+    const V _s6 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
+    const V _s7 = lanes_div(lanes_neg(lanes_add(_c6, _s6)), _s5);
+    const V _s8 = lanes_max(_s4, _s7);
+    const V _s9 = lanes_mul(vz, vz);
+    const V _s10 = lanes_sub(lanes_sub(z, _c2), _c1);
+    const V _s11 = lanes_add(_s9, lanes_mul(_c8, lanes_add(_s10, _c7)));
+    const V _s12 = lanes_sqrt(_s11);
+    const M _s13 = lanes_at_most(K(0.0), _s11);
+    const V _s14 = lanes_select(_s13, lanes_mul(_c9, lanes_sub(vz, _s12)), K(INFINITY));
+    const V _s15 = lanes_max(_s8, _s14);
+    const V _s16 = lanes_add(_s9, lanes_mul(_c8, lanes_sub(_s10, _c7)));
+    const V _s17 = lanes_sqrt(lanes_max(_s16, K(0.0)));
+    const V _s18 = lanes_select(_s13, lanes_mul(_c9, lanes_add(vz, _s12)), K(-INFINITY));
+    const M _s19 = lanes_less(K(0.0), _s16);
+    const V _s20 = lanes_select(_s19, lanes_mul(_c9, lanes_sub(vz, _s17)), _s18);
+    const V _s21 = lanes_div(lanes_sub(_c6, _s6), _s5);
+    const V _s22 = lanes_div(lanes_sub(_c4, _s2), _s0);
+    const V _s23 = lanes_min(_s22, K(INFINITY));
+    const V _s24 = lanes_min(_s21, _s23);
+    const V _s25 = lanes_min(_s20, _s24);
+    const V _s26 = lanes_select(_s19, lanes_mul(_c9, lanes_add(vz, _s17)), K(INFINITY));
+    const V _s27 = lanes_max(_s8, _s26);
+    const V _s28 = lanes_min(_s18, _s24);
+    const V _s29 = lanes_max(K(0.0), _s25);
+    const V _s30 = lanes_max(_s29, _s28);
+    const V _s31 = lanes_min(_s30, horizon);
+    const V _s32 = lanes_add(speed, lanes_mul(_c0, _s31));
+    const V _s33 = lanes_add(lanes_add(lanes_add(_c5, extent), _c12), _c13);
+    const V _s34 = lanes_add(lanes_mul(_c11, lanes_sqrt(lanes_mul(_c9, lanes_add(_s33, _c3)))), lanes_mul(lanes_mul(K(2.0), speed), _c9));
+    const V _s35 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s34, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _c9), _s33))), _c14);
+    return (LANES(court_backboard_prepare_out)){ lanes_max(K(0.0), _s15), lanes_min(_s25, horizon), lanes_max(K(0.0), _s27), lanes_min(_s28, horizon), lanes_mul(K(2.0), lanes_add(_c10, lanes_mul(K(3.0), lanes_mul(_s32, _s32)))), _s31, _s35 };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
-   running error analysis. 83 operations: 31 additions, 1 subtraction, 45 multiplications, 2 absolute values, 2 comparisons, 2 selections. */
+   running error analysis. 52 operations: 25 additions, 27 multiplications. */
 typedef struct {
     V margin;
     V leaving_margin;
@@ -4403,31 +4260,25 @@ typedef struct {
 } LANES(court_backboard_margins_out);
 
 LANES_INLINE LANES(court_backboard_margins_out)
-LANES(court_backboard_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+LANES(court_backboard_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11)
 {
-    const V _s0 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
-    const V _s1 = lanes_add(p_ball_radius, p_board_half_width);
-    const V _s2 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
-    const V _s3 = lanes_min(_s1, _s2);
-    const V _s4 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s0, _s3)));
-    const V _s5 = lanes_add(speed, lanes_mul(p_gravity, horizon));
-    const V _s6 = lanes_add(extent, lanes_mul(horizon, _s5));
-    const V _s7 = lanes_mul(K(2.220446049250313e-16), _s6);
-    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s6)));
-    const V _s9 = lanes_add(lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_half_width), _s7), _s8);
-    const V _s10 = lanes_mul(K(2.001953125), _s4);
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)), lanes_mul(K(3.3306690738754696e-16), _s6)), _s8);
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))), _s7), _s8);
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)), lanes_mul(_s10, _s9)), lanes_mul(_s10, _s11)), lanes_mul(_s10, _s12)), lanes_mul(lanes_mul(lanes_mul(K(1.3335686721571705e-15), horizon), _s4), _s5));
-    const V _s14 = lanes_mul(K(4.00390625), _s5);
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(12.01171875), _s4), lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s5))), lanes_mul(lanes_mul(K(6.667843360785852e-15), _s4), _s5)), lanes_mul(_s14, _s9)), lanes_mul(_s14, _s11));
-    const V _s16 = lanes_mul(K(2.001953125), _s5);
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.005859375), _s4), lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s5))), lanes_mul(lanes_mul(K(2.667137344314341e-15), _s4), _s5)), lanes_mul(_s16, _s9)), lanes_mul(_s16, _s11));
-    return (LANES(court_backboard_margins_out)){ lanes_add(_s13, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s4, _s4))), lanes_add(_s15, lanes_mul(_s14, _s12)), lanes_add(_s17, lanes_mul(_s16, _s12)) };
+    const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
+    const V _s1 = lanes_add(extent, lanes_mul(horizon, _s0));
+    const V _s2 = lanes_mul(K(2.220446049250313e-16), _s1);
+    const V _s3 = lanes_mul(K(2.0), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)));
+    const V _s4 = lanes_add(lanes_add(_c3, _s2), _s3);
+    const V _s5 = lanes_add(lanes_add(_c5, lanes_mul(K(3.3306690738754696e-16), _s1)), _s3);
+    const V _s6 = lanes_add(lanes_add(_c6, _s2), _s3);
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_c1, lanes_mul(_c4, _s4)), lanes_mul(_c4, _s5)), lanes_mul(_c4, _s6)), lanes_mul(lanes_mul(lanes_mul(K(1.3335686721571705e-15), horizon), _c2), _s0)), _c7);
+    const V _s8 = lanes_mul(K(4.00390625), _s0);
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_mul(_c8, lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s0))), lanes_mul(_c9, _s0)), lanes_mul(_s8, _s4)), lanes_mul(_s8, _s5));
+    const V _s10 = lanes_mul(K(2.001953125), _s0);
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(_c10, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s0))), lanes_mul(_c11, _s0)), lanes_mul(_s10, _s4)), lanes_mul(_s10, _s5));
+    return (LANES(court_backboard_margins_out)){ _s7, lanes_add(_s9, lanes_mul(_s8, _s6)), lanes_add(_s11, lanes_mul(_s10, _s6)) };
 }
 
 /* Newton's next value of a root near t, and gap and rate there.
-   Newton's method. 101 operations: 19 additions, 19 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
+   Newton's method. 98 operations: 18 additions, 19 subtractions, 24 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
 typedef struct {
     V time;
     V gap;
@@ -4435,42 +4286,41 @@ typedef struct {
 } LANES(court_backboard_refine_out);
 
 LANES_INLINE LANES(court_backboard_refine_out)
-LANES(court_backboard_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+LANES(court_backboard_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7)
 {
     const V _s0 = lanes_add(x, lanes_mul(t, vx));
-    const V _s1 = lanes_add(p_board_distance, _s0);
-    const V _s2 = lanes_add(p_board_distance, p_board_thickness);
-    const V _s3 = lanes_neg(lanes_add(_s2, _s0));
-    const V _s4 = lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s3, K(0.0)));
-    const V _s5 = lanes_add(y, lanes_mul(t, vy));
-    const V _s6 = lanes_sub(_s5, p_board_half_width);
-    const V _s7 = lanes_neg(lanes_add(p_board_half_width, _s5));
-    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
-    const V _s9 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
-    const V _s10 = lanes_add(z, lanes_mul(t, _s9));
-    const V _s11 = lanes_sub(_s10, p_board_top);
-    const V _s12 = lanes_sub(p_board_bottom, _s10);
-    const V _s13 = lanes_sub(lanes_max(_s11, K(0.0)), lanes_max(_s12, K(0.0)));
-    const V _s14 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s4), lanes_mul(vy, _s8)), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s13)));
-    const V _s15 = lanes_sub(z, p_board_top);
-    const V _s16 = lanes_sub(p_board_bottom, z);
-    const V _s17 = lanes_sub(lanes_max(_s15, K(0.0)), lanes_max(_s16, K(0.0)));
-    const V _s18 = lanes_mul(_s13, _s13);
-    const V _s19 = lanes_add(p_board_distance, x);
-    const V _s20 = lanes_neg(lanes_add(_s2, x));
-    const V _s21 = lanes_sub(lanes_max(_s19, K(0.0)), lanes_max(_s20, K(0.0)));
-    const V _s22 = lanes_mul(_s4, _s4);
-    const V _s23 = lanes_sub(y, p_board_half_width);
-    const V _s24 = lanes_neg(lanes_add(p_board_half_width, y));
-    const V _s25 = lanes_sub(lanes_max(_s23, K(0.0)), lanes_max(_s24, K(0.0)));
-    const V _s26 = lanes_mul(_s8, _s8);
-    const V _s27 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s17, _s13)), lanes_mul(t, lanes_mul(_s9, lanes_add(_s17, _s13))), lanes_sub(_s18, lanes_mul(_s17, _s17))), lanes_select(lanes_less(K(0.0), lanes_mul(_s21, _s4)), lanes_mul(t, lanes_mul(vx, lanes_add(_s21, _s4))), lanes_sub(_s22, lanes_mul(_s21, _s21)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s25, _s8)), lanes_mul(t, lanes_mul(vy, lanes_add(_s25, _s8))), lanes_sub(_s26, lanes_mul(_s25, _s25))));
-    const V _s28 = lanes_select(lanes_less(K(0.0), leaving), _s27, lanes_sub(lanes_add(lanes_add(_s18, _s22), _s26), lanes_mul(p_ball_radius, p_ball_radius)));
-    return (LANES(court_backboard_refine_out)){ lanes_sub(t, lanes_div(_s28, _s14)), _s28, _s14 };
+    const V _s1 = lanes_add(_c0, _s0);
+    const V _s2 = lanes_neg(lanes_add(_c5, _s0));
+    const V _s3 = lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)));
+    const V _s4 = lanes_add(y, lanes_mul(t, vy));
+    const V _s5 = lanes_sub(_s4, _c1);
+    const V _s6 = lanes_neg(lanes_add(_c1, _s4));
+    const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
+    const V _s8 = lanes_sub(vz, lanes_mul(_c6, t));
+    const V _s9 = lanes_add(z, lanes_mul(t, _s8));
+    const V _s10 = lanes_sub(_s9, _c3);
+    const V _s11 = lanes_sub(_c2, _s9);
+    const V _s12 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
+    const V _s13 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s3), lanes_mul(vy, _s7)), lanes_mul(lanes_sub(vz, lanes_mul(_c4, t)), _s12)));
+    const V _s14 = lanes_sub(z, _c3);
+    const V _s15 = lanes_sub(_c2, z);
+    const V _s16 = lanes_sub(lanes_max(_s14, K(0.0)), lanes_max(_s15, K(0.0)));
+    const V _s17 = lanes_mul(_s12, _s12);
+    const V _s18 = lanes_add(_c0, x);
+    const V _s19 = lanes_neg(lanes_add(_c5, x));
+    const V _s20 = lanes_sub(lanes_max(_s18, K(0.0)), lanes_max(_s19, K(0.0)));
+    const V _s21 = lanes_mul(_s3, _s3);
+    const V _s22 = lanes_sub(y, _c1);
+    const V _s23 = lanes_neg(lanes_add(_c1, y));
+    const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
+    const V _s25 = lanes_mul(_s7, _s7);
+    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s16, _s12)), lanes_mul(t, lanes_mul(_s8, lanes_add(_s16, _s12))), lanes_sub(_s17, lanes_mul(_s16, _s16))), lanes_select(lanes_less(K(0.0), lanes_mul(_s20, _s3)), lanes_mul(t, lanes_mul(vx, lanes_add(_s20, _s3))), lanes_sub(_s21, lanes_mul(_s20, _s20)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s24, _s7)), lanes_mul(t, lanes_mul(vy, lanes_add(_s24, _s7))), lanes_sub(_s25, lanes_mul(_s24, _s24))));
+    const V _s27 = lanes_select(lanes_less(K(0.0), leaving), _s26, lanes_sub(lanes_add(lanes_add(_s17, _s21), _s25), _c7));
+    return (LANES(court_backboard_refine_out)){ lanes_sub(t, lanes_div(_s27, _s13)), _s27, _s13 };
 }
 
 /* Gap, rate, bend, a step without a root, its end, and the clearance of a root.
-   Newton from the left under a curvature bound. 190 operations: 33 additions, 25 subtractions, 49 multiplications, 2 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections. */
+   Newton from the left under a curvature bound. 171 operations: 28 additions, 24 subtractions, 42 multiplications, 2 divisions, 1 square root, 7 negations, 4 absolute values, 30 comparisons, 33 selections. */
 typedef struct {
     V gap;
     V rate;
@@ -4481,101 +4331,85 @@ typedef struct {
 } LANES(court_backboard_advance_out);
 
 LANES_INLINE LANES(court_backboard_advance_out)
-LANES(court_backboard_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+LANES(court_backboard_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10)
 {
-    const V _s0 = lanes_sub(z, p_board_top);
-    const V _s1 = lanes_sub(p_board_bottom, z);
+    const V _s0 = lanes_sub(z, _c3);
+    const V _s1 = lanes_sub(_c2, z);
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s3 = lanes_sub(vz, lanes_mul(_c5, t));
     const V _s4 = lanes_add(z, lanes_mul(t, _s3));
-    const V _s5 = lanes_sub(_s4, p_board_top);
-    const V _s6 = lanes_sub(p_board_bottom, _s4);
+    const V _s5 = lanes_sub(_s4, _c3);
+    const V _s6 = lanes_sub(_c2, _s4);
     const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
     const V _s8 = lanes_mul(_s7, _s7);
-    const V _s9 = lanes_add(p_board_distance, x);
-    const V _s10 = lanes_add(p_board_distance, p_board_thickness);
-    const V _s11 = lanes_neg(lanes_add(_s10, x));
-    const V _s12 = lanes_sub(lanes_max(_s9, K(0.0)), lanes_max(_s11, K(0.0)));
-    const V _s13 = lanes_add(x, lanes_mul(t, vx));
-    const V _s14 = lanes_add(p_board_distance, _s13);
-    const V _s15 = lanes_neg(lanes_add(_s10, _s13));
-    const V _s16 = lanes_sub(lanes_max(_s14, K(0.0)), lanes_max(_s15, K(0.0)));
-    const V _s17 = lanes_mul(_s16, _s16);
-    const V _s18 = lanes_sub(y, p_board_half_width);
-    const V _s19 = lanes_neg(lanes_add(p_board_half_width, y));
-    const V _s20 = lanes_sub(lanes_max(_s18, K(0.0)), lanes_max(_s19, K(0.0)));
-    const V _s21 = lanes_add(y, lanes_mul(t, vy));
-    const V _s22 = lanes_sub(_s21, p_board_half_width);
-    const V _s23 = lanes_neg(lanes_add(p_board_half_width, _s21));
-    const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
-    const V _s25 = lanes_mul(_s24, _s24);
-    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s7)), lanes_mul(t, lanes_mul(_s3, lanes_add(_s2, _s7))), lanes_sub(_s8, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s12, _s16)), lanes_mul(t, lanes_mul(vx, lanes_add(_s12, _s16))), lanes_sub(_s17, lanes_mul(_s12, _s12)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s20, _s24)), lanes_mul(t, lanes_mul(vy, lanes_add(_s20, _s24))), lanes_sub(_s25, lanes_mul(_s20, _s20))));
-    const V _s27 = lanes_select(lanes_less(K(0.0), leaving), _s26, lanes_sub(lanes_add(lanes_add(_s8, _s17), _s25), lanes_mul(p_ball_radius, p_ball_radius)));
-    const V _s28 = lanes_sub(vz, lanes_mul(p_gravity, t));
-    const V _s29 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s16), lanes_mul(vy, _s24)), lanes_mul(_s28, _s7)));
-    const V _s30 = lanes_abs(_s7);
-    const V _s31 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), _s30), lanes_sub(lanes_mul(_s28, _s28), lanes_mul(p_gravity, _s7)), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s16)), lanes_mul(vx, vx), K(0.0))), lanes_select(lanes_less(K(0.0), lanes_abs(_s24)), lanes_mul(vy, vy), K(0.0))));
-    const V _s32 = lanes_abs(lanes_neg(p_gravity));
-    const V _s33 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
-    const V _s34 = lanes_add(p_ball_radius, p_board_half_width);
-    const V _s35 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
-    const V _s36 = lanes_min(_s34, _s35);
-    const V _s37 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s33, _s36)));
-    const V _s38 = lanes_sub(_s29, rate_margin);
-    const V _s39 = lanes_sub(_s27, margin);
-    const V _s40 = lanes_max(_s39, K(0.0));
-    const V _s41 = lanes_neg(_s31);
-    const M _s42 = lanes_less(_s38, K(0.0));
-    const V _s43 = lanes_mul(K(2.0), _s40);
-    const V _s44 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s38), _s40, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s42, _s43, lanes_mul(K(4.0), _s38)), lanes_select(_s42, lanes_neg(_s38), lanes_max(K(0.0), _s41))));
-    const V _s45 = lanes_sub(end, t);
-    const V _s46 = lanes_min(_s44, _s45);
-    const V _s47 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(0.5), _s32), _s46), lanes_abs(_s28)), _s46), _s30);
-    const V _s48 = lanes_add(lanes_mul(K(9.094947017729282e-13), ceiling), lanes_mul(K(2.0), lanes_mul(_s32, lanes_min(_s37, _s47))));
-    const V _s49 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s48), _s40), lanes_mul(_s38, _s38));
-    const V _s50 = lanes_sqrt(_s49);
-    const V _s51 = lanes_select(lanes_at_most(K(0.0), _s49), lanes_div(lanes_select(_s42, _s43, lanes_add(_s38, _s50)), lanes_select(_s42, lanes_sub(_s50, _s38), lanes_max(K(0.0), _s48))), K(INFINITY));
-    const V _s52 = lanes_min(_s51, _s46);
-    const V _s53 = lanes_neg(lanes_add(rate_margin, _s29));
-    return (LANES(court_backboard_advance_out)){ _s27, _s29, _s31, _s52, lanes_add(t, _s52), lanes_select(lanes_less(K(0.0), _s53), lanes_sub(lanes_mul(_s53, _s53), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s43))), _s53) };
+    const V _s9 = lanes_add(_c0, x);
+    const V _s10 = lanes_neg(lanes_add(_c6, x));
+    const V _s11 = lanes_sub(lanes_max(_s9, K(0.0)), lanes_max(_s10, K(0.0)));
+    const V _s12 = lanes_add(x, lanes_mul(t, vx));
+    const V _s13 = lanes_add(_c0, _s12);
+    const V _s14 = lanes_neg(lanes_add(_c6, _s12));
+    const V _s15 = lanes_sub(lanes_max(_s13, K(0.0)), lanes_max(_s14, K(0.0)));
+    const V _s16 = lanes_mul(_s15, _s15);
+    const V _s17 = lanes_sub(y, _c1);
+    const V _s18 = lanes_neg(lanes_add(_c1, y));
+    const V _s19 = lanes_sub(lanes_max(_s17, K(0.0)), lanes_max(_s18, K(0.0)));
+    const V _s20 = lanes_add(y, lanes_mul(t, vy));
+    const V _s21 = lanes_sub(_s20, _c1);
+    const V _s22 = lanes_neg(lanes_add(_c1, _s20));
+    const V _s23 = lanes_sub(lanes_max(_s21, K(0.0)), lanes_max(_s22, K(0.0)));
+    const V _s24 = lanes_mul(_s23, _s23);
+    const V _s25 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s7)), lanes_mul(t, lanes_mul(_s3, lanes_add(_s2, _s7))), lanes_sub(_s8, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s11, _s15)), lanes_mul(t, lanes_mul(vx, lanes_add(_s11, _s15))), lanes_sub(_s16, lanes_mul(_s11, _s11)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s19, _s23)), lanes_mul(t, lanes_mul(vy, lanes_add(_s19, _s23))), lanes_sub(_s24, lanes_mul(_s19, _s19))));
+    const V _s26 = lanes_select(lanes_less(K(0.0), leaving), _s25, lanes_sub(lanes_add(lanes_add(_s8, _s16), _s24), _c7));
+    const V _s27 = lanes_sub(vz, lanes_mul(_c4, t));
+    const V _s28 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s15), lanes_mul(vy, _s23)), lanes_mul(_s27, _s7)));
+    const V _s29 = lanes_abs(_s7);
+    const V _s30 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), _s29), lanes_sub(lanes_mul(_s27, _s27), lanes_mul(_c4, _s7)), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s15)), lanes_mul(vx, vx), K(0.0))), lanes_select(lanes_less(K(0.0), lanes_abs(_s23)), lanes_mul(vy, vy), K(0.0))));
+    const V _s31 = lanes_sub(_s28, rate_margin);
+    const V _s32 = lanes_sub(_s26, margin);
+    const V _s33 = lanes_max(_s32, K(0.0));
+    const V _s34 = lanes_neg(_s30);
+    const M _s35 = lanes_less(_s31, K(0.0));
+    const V _s36 = lanes_mul(K(2.0), _s33);
+    const V _s37 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s31), _s33, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s35, _s36, lanes_mul(K(4.0), _s31)), lanes_select(_s35, lanes_neg(_s31), lanes_max(K(0.0), _s34))));
+    const V _s38 = lanes_sub(end, t);
+    const V _s39 = lanes_min(_s37, _s38);
+    const V _s40 = lanes_add(lanes_mul(lanes_add(lanes_mul(_c10, _s39), lanes_abs(_s27)), _s39), _s29);
+    const V _s41 = lanes_add(lanes_mul(K(9.094947017729282e-13), ceiling), lanes_mul(K(2.0), lanes_mul(_c8, lanes_min(_c9, _s40))));
+    const V _s42 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s41), _s33), lanes_mul(_s31, _s31));
+    const V _s43 = lanes_sqrt(_s42);
+    const V _s44 = lanes_select(lanes_at_most(K(0.0), _s42), lanes_div(lanes_select(_s35, _s36, lanes_add(_s31, _s43)), lanes_select(_s35, lanes_sub(_s43, _s31), lanes_max(K(0.0), _s41))), K(INFINITY));
+    const V _s45 = lanes_min(_s44, _s39);
+    const V _s46 = lanes_neg(lanes_add(rate_margin, _s28));
+    return (LANES(court_backboard_advance_out)){ _s26, _s28, _s30, _s45, lanes_add(t, _s45), lanes_select(lanes_less(K(0.0), _s46), lanes_sub(lanes_mul(_s46, _s46), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s36))), _s46) };
 }
 
 /* Where a flight may reach the box of a surface at all.
-   boxes that do not meet. 62 operations: 12 additions, 11 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+   boxes that do not meet. 50 operations: 10 additions, 10 subtractions, 6 multiplications, 2 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
 typedef struct {
     M near;
 } LANES(court_backboard_near_out);
 
 LANES_INLINE LANES(court_backboard_near_out)
-LANES(court_backboard_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V later_middle_x, V later_middle_y, V later_middle_z, V later_reach_x, V later_reach_y, V later_reach_z, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness)
+LANES(court_backboard_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V later_middle_x, V later_middle_y, V later_middle_z, V later_reach_x, V later_reach_y, V later_reach_z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius));
-    const V _s1 = lanes_mul(K(0.5), p_board_thickness);
-    const V _s2 = lanes_neg(lanes_add(p_board_distance, _s1));
-    const V _s3 = lanes_mul(K(1.0000000009313226), _s1);
-    const V _s4 = lanes_sub(lanes_abs(lanes_sub(_s2, middle_x)), lanes_add(reach_x, _s3));
+    const V _s0 = lanes_sub(lanes_abs(lanes_sub(_c1, middle_x)), lanes_add(reach_x, _c2));
+    const V _s1 = lanes_max(_s0, K(0.0));
+    const V _s2 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, _c3));
+    const V _s3 = lanes_max(_s2, K(0.0));
+    const V _s4 = lanes_sub(lanes_abs(lanes_sub(_c4, middle_z)), lanes_add(reach_z, _c5));
     const V _s5 = lanes_max(_s4, K(0.0));
-    const V _s6 = lanes_mul(K(1.0000000009313226), p_board_half_width);
-    const V _s7 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, _s6));
-    const V _s8 = lanes_max(_s7, K(0.0));
-    const V _s9 = lanes_mul(K(0.5), p_board_bottom);
-    const V _s10 = lanes_mul(K(0.5), p_board_top);
-    const V _s11 = lanes_add(_s9, _s10);
-    const V _s12 = lanes_mul(K(1.0000000009313226), lanes_sub(_s10, _s9));
-    const V _s13 = lanes_sub(lanes_abs(lanes_sub(_s11, middle_z)), lanes_add(reach_z, _s12));
-    const V _s14 = lanes_max(_s13, K(0.0));
-    const V _s15 = lanes_sub(lanes_abs(lanes_sub(_s2, later_middle_x)), lanes_add(later_reach_x, _s3));
-    const V _s16 = lanes_max(_s15, K(0.0));
-    const V _s17 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _s6));
-    const V _s18 = lanes_max(_s17, K(0.0));
-    const V _s19 = lanes_sub(lanes_abs(lanes_sub(_s11, later_middle_z)), lanes_add(later_reach_z, _s12));
-    const V _s20 = lanes_max(_s19, K(0.0));
-    const M _s21 = lanes_not(lanes_both(lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s8, _s8)), lanes_mul(_s14, _s14))), lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s18, _s18)), lanes_mul(_s20, _s20)))));
-    return (LANES(court_backboard_near_out)){ _s21 };
+    const V _s6 = lanes_sub(lanes_abs(lanes_sub(_c1, later_middle_x)), lanes_add(later_reach_x, _c2));
+    const V _s7 = lanes_max(_s6, K(0.0));
+    const V _s8 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _c3));
+    const V _s9 = lanes_max(_s8, K(0.0));
+    const V _s10 = lanes_sub(lanes_abs(lanes_sub(_c4, later_middle_z)), lanes_add(later_reach_z, _c5));
+    const V _s11 = lanes_max(_s10, K(0.0));
+    const M _s12 = lanes_not(lanes_both(lanes_less(_c0, lanes_add(lanes_add(lanes_mul(_s1, _s1), lanes_mul(_s3, _s3)), lanes_mul(_s5, _s5))), lanes_less(_c0, lanes_add(lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s9, _s9)), lanes_mul(_s11, _s11)))));
+    return (LANES(court_backboard_near_out)){ _s12 };
 }
 
 /* The distance, its rate, and how fast it bends down at most, by the squared speed.
-   Table 2. 59 operations: 8 additions, 10 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections. */
+   Table 2. 58 operations: 7 additions, 10 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -4583,25 +4417,25 @@ typedef struct {
 } LANES(court_backboard_beside_out);
 
 LANES_INLINE LANES(court_backboard_beside_out)
-LANES(court_backboard_beside)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V vx, V vy, V vz, V x, V y, V z)
+LANES(court_backboard_beside)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_sub(z, p_board_top);
-    const V _s1 = lanes_sub(p_board_bottom, z);
+    const V _s0 = lanes_sub(z, _c4);
+    const V _s1 = lanes_sub(_c1, z);
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_add(p_board_distance, x);
-    const V _s4 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s3 = lanes_add(_c2, x);
+    const V _s4 = lanes_neg(lanes_add(_c5, x));
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(y, p_board_half_width);
-    const V _s7 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s6 = lanes_sub(y, _c3);
+    const V _s7 = lanes_neg(lanes_add(_c3, y));
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
     const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
     const V _s10 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s3, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s4, K(0.0)), K(0.0), lanes_neg(vx)))), _s5));
     const V _s11 = lanes_add(_s10, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vy)))), _s8));
-    return (LANES(court_backboard_beside_out)){ lanes_sub(_s9, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s11), _s9), K(0.0) };
+    return (LANES(court_backboard_beside_out)){ lanes_sub(_s9, _c0), lanes_div(lanes_mul(K(0.5), _s11), _s9), K(0.0) };
 }
 
 /* The distance, its rate and its second derivative, of a ball that rolls on something else.
-   derivatives of Table 2's distance. 117 operations: 15 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections. */
+   derivatives of Table 2's distance. 116 operations: 14 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -4610,16 +4444,16 @@ typedef struct {
 } LANES(court_backboard_closing_out);
 
 LANES_INLINE LANES(court_backboard_closing_out)
-LANES(court_backboard_closing)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V x, V y, V z)
+LANES(court_backboard_closing)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_sub(z, p_board_top);
-    const V _s1 = lanes_sub(p_board_bottom, z);
+    const V _s0 = lanes_sub(z, _c4);
+    const V _s1 = lanes_sub(_c1, z);
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_add(p_board_distance, x);
-    const V _s4 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s3 = lanes_add(_c2, x);
+    const V _s4 = lanes_neg(lanes_add(_c5, x));
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(y, p_board_half_width);
-    const V _s7 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s6 = lanes_sub(y, _c3);
+    const V _s7 = lanes_neg(lanes_add(_c3, y));
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
     const V _s9 = lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8));
     const V _s10 = lanes_sqrt(_s9);
@@ -4638,32 +4472,32 @@ LANES(court_backboard_closing)(V p_ball_radius, V p_board_bottom, V p_board_dist
     const V _s23 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), thrust_y), lanes_select(_s18, K(0.0), lanes_neg(thrust_y)))), _s8), lanes_mul(K(2.0), lanes_mul(_s19, _s19)));
     const V _s24 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s11, K(0.0), nz), lanes_select(_s12, K(0.0), lanes_neg(nz)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s14, K(0.0), nx), lanes_select(_s15, K(0.0), lanes_neg(nx)))), _s5));
     const V _s25 = lanes_add(_s24, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), ny), lanes_select(_s18, K(0.0), lanes_neg(ny)))), _s8));
-    return (LANES(court_backboard_closing_out)){ lanes_sub(_s10, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s20), _s10), lanes_sub(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(_s21, _s22), _s23)), _s10), lanes_div(lanes_mul(K(0.25), lanes_mul(_s20, _s20)), lanes_mul(_s10, _s9))), lanes_div(lanes_mul(K(0.5), _s25), _s10) };
+    return (LANES(court_backboard_closing_out)){ lanes_sub(_s10, _c0), lanes_div(lanes_mul(K(0.5), _s20), _s10), lanes_sub(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(_s21, _s22), _s23)), _s10), lanes_div(lanes_mul(K(0.25), lanes_mul(_s20, _s20)), lanes_mul(_s10, _s9))), lanes_div(lanes_mul(K(0.5), _s25), _s10) };
 }
 
 /* The distance.
-   Table 2. 31 operations: 6 additions, 7 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections. */
+   Table 2. 30 operations: 5 additions, 7 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V gap;
 } LANES(court_backboard_off_out);
 
 LANES_INLINE LANES(court_backboard_off_out)
-LANES(court_backboard_off)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V x, V y, V z)
+LANES(court_backboard_off)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_sub(z, p_board_top);
-    const V _s1 = lanes_sub(p_board_bottom, z);
+    const V _s0 = lanes_sub(z, _c4);
+    const V _s1 = lanes_sub(_c1, z);
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_add(p_board_distance, x);
-    const V _s4 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s3 = lanes_add(_c2, x);
+    const V _s4 = lanes_neg(lanes_add(_c5, x));
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(y, p_board_half_width);
-    const V _s7 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s6 = lanes_sub(y, _c3);
+    const V _s7 = lanes_neg(lanes_add(_c3, y));
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
-    return (LANES(court_backboard_off_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8))), p_ball_radius) };
+    return (LANES(court_backboard_off_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8))), _c0) };
 }
 
 /* What a ball that stays on it rolls on.
-   Table 2. 65 operations: 9 additions, 3 subtractions, 6 multiplications, 1 division, 8 negations, 2 absolute values, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections. */
+   Table 2. 47 operations: 3 additions, 3 subtractions, 5 negations, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections. */
 typedef struct {
     V bent_x;
     V bent_y;
@@ -4672,29 +4506,22 @@ typedef struct {
 } LANES(court_backboard_tube_out);
 
 LANES_INLINE LANES(court_backboard_tube_out)
-LANES(court_backboard_tube)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V vx, V vy, V vz, V x, V y, V z)
+LANES(court_backboard_tube)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11)
 {
-    const V _s0 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
-    const V _s1 = lanes_add(lanes_add(_s0, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
-    const V _s2 = lanes_add(p_board_distance, x);
-    const V _s3 = lanes_neg(_s1);
-    const V _s4 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
-    const V _s5 = lanes_select(lanes_either(lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s3, _s2), lanes_less(K(0.0), vx))), lanes_either(lanes_less(_s1, _s4), lanes_both(lanes_less(_s3, _s4), lanes_less(K(0.0), lanes_neg(vx))))), K(1.0), K(0.0));
-    const V _s6 = lanes_add(_s0, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
-    const V _s7 = lanes_sub(y, p_board_half_width);
-    const V _s8 = lanes_neg(_s6);
-    const V _s9 = lanes_neg(lanes_add(p_board_half_width, y));
-    const V _s10 = lanes_select(lanes_either(lanes_either(lanes_less(_s6, _s7), lanes_both(lanes_less(_s8, _s7), lanes_less(K(0.0), vy))), lanes_either(lanes_less(_s6, _s9), lanes_both(lanes_less(_s8, _s9), lanes_less(K(0.0), lanes_neg(vy))))), K(1.0), K(0.0));
-    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top)));
-    const V _s12 = lanes_sub(z, p_board_top);
-    const V _s13 = lanes_neg(_s11);
-    const V _s14 = lanes_sub(p_board_bottom, z);
-    const V _s15 = lanes_select(lanes_either(lanes_either(lanes_less(_s11, _s12), lanes_both(lanes_less(_s13, _s12), lanes_less(K(0.0), vz))), lanes_either(lanes_less(_s11, _s14), lanes_both(lanes_less(_s13, _s14), lanes_less(K(0.0), lanes_neg(vz))))), K(1.0), K(0.0));
-    return (LANES(court_backboard_tube_out)){ _s5, _s10, _s15, lanes_div(K(1.0), p_ball_radius) };
+    const V _s0 = lanes_add(_c1, x);
+    const V _s1 = lanes_neg(lanes_add(_c6, x));
+    const V _s2 = lanes_select(lanes_either(lanes_either(lanes_less(_c4, _s0), lanes_both(lanes_less(_c5, _s0), lanes_less(K(0.0), vx))), lanes_either(lanes_less(_c4, _s1), lanes_both(lanes_less(_c5, _s1), lanes_less(K(0.0), lanes_neg(vx))))), K(1.0), K(0.0));
+    const V _s3 = lanes_sub(y, _c2);
+    const V _s4 = lanes_neg(lanes_add(_c2, y));
+    const V _s5 = lanes_select(lanes_either(lanes_either(lanes_less(_c7, _s3), lanes_both(lanes_less(_c8, _s3), lanes_less(K(0.0), vy))), lanes_either(lanes_less(_c7, _s4), lanes_both(lanes_less(_c8, _s4), lanes_less(K(0.0), lanes_neg(vy))))), K(1.0), K(0.0));
+    const V _s6 = lanes_sub(z, _c3);
+    const V _s7 = lanes_sub(_c0, z);
+    const V _s8 = lanes_select(lanes_either(lanes_either(lanes_less(_c9, _s6), lanes_both(lanes_less(_c10, _s6), lanes_less(K(0.0), vz))), lanes_either(lanes_less(_c9, _s7), lanes_both(lanes_less(_c10, _s7), lanes_less(K(0.0), lanes_neg(vz))))), K(1.0), K(0.0));
+    return (LANES(court_backboard_tube_out)){ _s2, _s5, _s8, _c11 };
 }
 
 /* The rate at which the normal turns.
-   derivative of Table 2's normal. 31 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 29 operations: 3 additions, 6 subtractions, 3 multiplications, 5 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V turning_x;
     V turning_y;
@@ -4702,16 +4529,15 @@ typedef struct {
 } LANES(court_backboard_turning_out);
 
 LANES_INLINE LANES(court_backboard_turning_out)
-LANES(court_backboard_turning)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V rolled_x, V rolled_y, V rolled_z, V x, V y, V z)
+LANES(court_backboard_turning)(V rolled_x, V rolled_y, V rolled_z, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_div(K(1.0), p_ball_radius);
-    const V _s1 = lanes_sub(lanes_select(lanes_less(lanes_add(p_board_distance, x), K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x)), K(0.0)), K(0.0), lanes_neg(rolled_x)));
-    const V _s2 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(y, p_board_half_width), K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(lanes_neg(lanes_add(p_board_half_width, y)), K(0.0)), K(0.0), lanes_neg(rolled_y))));
-    return (LANES(court_backboard_turning_out)){ lanes_mul(_s0, _s1), _s2, lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_board_top), K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(lanes_sub(p_board_bottom, z), K(0.0)), K(0.0), lanes_neg(rolled_z)))) };
+    const V _s0 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_add(_c1, x), K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(lanes_neg(lanes_add(_c5, x)), K(0.0)), K(0.0), lanes_neg(rolled_x))));
+    const V _s1 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(y, _c2), K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(lanes_neg(lanes_add(_c2, y)), K(0.0)), K(0.0), lanes_neg(rolled_y))));
+    return (LANES(court_backboard_turning_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c3), K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(lanes_sub(_c0, z), K(0.0)), K(0.0), lanes_neg(rolled_z)))) };
 }
 
 /* The second to the fourth derivative of the distance along a flight.
-   derivatives of Table 2's distance. 112 operations: 13 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections. */
+   derivatives of Table 2's distance. 110 operations: 12 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 5 negations, 12 comparisons, 14 selections. */
 typedef struct {
     V lift;
     V surge;
@@ -4719,20 +4545,20 @@ typedef struct {
 } LANES(court_backboard_parting_out);
 
 LANES_INLINE LANES(court_backboard_parting_out)
-LANES(court_backboard_parting)(V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V p_gravity, V vx, V vy, V vz, V x, V y, V z)
+LANES(court_backboard_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_sub(z, p_board_top);
+    const V _s0 = lanes_sub(z, _c3);
     const M _s1 = lanes_less(_s0, K(0.0));
-    const V _s2 = lanes_sub(p_board_bottom, z);
+    const V _s2 = lanes_sub(_c0, z);
     const M _s3 = lanes_less(_s2, K(0.0));
-    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), lanes_neg(p_gravity)), lanes_select(_s3, K(0.0), p_gravity));
+    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), _c5), lanes_select(_s3, K(0.0), _c4));
     const V _s5 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s2, K(0.0)));
     const V _s6 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
-    const V _s7 = lanes_add(p_board_distance, x);
-    const V _s8 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s7 = lanes_add(_c1, x);
+    const V _s8 = lanes_neg(lanes_add(_c6, x));
     const V _s9 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(vx)));
-    const V _s10 = lanes_sub(y, p_board_half_width);
-    const V _s11 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s10 = lanes_sub(y, _c2);
+    const V _s11 = lanes_neg(lanes_add(_c2, y));
     const V _s12 = lanes_sub(lanes_select(lanes_less(_s10, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s11, K(0.0)), K(0.0), lanes_neg(vy)));
     const V _s13 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(K(2.0), lanes_mul(_s6, _s6))), lanes_mul(K(2.0), lanes_mul(_s9, _s9))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
     const V _s14 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
@@ -4750,7 +4576,7 @@ LANES(court_backboard_parting)(V p_board_bottom, V p_board_distance, V p_board_h
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 7 operations: 4 additions, 3 multiplications. */
+   Table 2. 1 operation: 1 addition. */
 typedef struct {
     V gap;
     V nearing;
@@ -4758,13 +4584,13 @@ typedef struct {
 } LANES(court_backboard_seam0_out);
 
 LANES_INLINE LANES(court_backboard_seam0_out)
-LANES(court_backboard_seam0)(V p_ball_radius, V p_board_distance, V p_board_thickness, V vx, V x)
+LANES(court_backboard_seam0)(V vx, V x, V _c0, V _c1)
 {
-    return (LANES(court_backboard_seam0_out)){ lanes_add(lanes_add(p_board_distance, p_board_thickness), x), vx, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness)) };
+    return (LANES(court_backboard_seam0_out)){ lanes_add(_c0, x), vx, _c1 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 6 operations: 3 additions, 3 multiplications. */
+   Table 2. 1 operation: 1 addition. */
 typedef struct {
     V gap;
     V nearing;
@@ -4772,13 +4598,13 @@ typedef struct {
 } LANES(court_backboard_seam1_out);
 
 LANES_INLINE LANES(court_backboard_seam1_out)
-LANES(court_backboard_seam1)(V p_ball_radius, V p_board_distance, V p_board_thickness, V vx, V x)
+LANES(court_backboard_seam1)(V vx, V x, V _c0, V _c1)
 {
-    return (LANES(court_backboard_seam1_out)){ lanes_add(p_board_distance, x), vx, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness)) };
+    return (LANES(court_backboard_seam1_out)){ lanes_add(_c0, x), vx, _c1 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 4 operations: 2 additions, 2 multiplications. */
+   Table 2. 1 operation: 1 addition. */
 typedef struct {
     V gap;
     V nearing;
@@ -4786,13 +4612,13 @@ typedef struct {
 } LANES(court_backboard_seam2_out);
 
 LANES_INLINE LANES(court_backboard_seam2_out)
-LANES(court_backboard_seam2)(V p_ball_radius, V p_board_half_width, V vy, V y)
+LANES(court_backboard_seam2)(V vy, V y, V _c0, V _c1)
 {
-    return (LANES(court_backboard_seam2_out)){ lanes_add(p_board_half_width, y), vy, lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_board_half_width)) };
+    return (LANES(court_backboard_seam2_out)){ lanes_add(_c0, y), vy, _c1 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 4 operations: 1 addition, 1 subtraction, 2 multiplications. */
+   Table 2. 1 operation: 1 subtraction. */
 typedef struct {
     V gap;
     V nearing;
@@ -4800,13 +4626,13 @@ typedef struct {
 } LANES(court_backboard_seam3_out);
 
 LANES_INLINE LANES(court_backboard_seam3_out)
-LANES(court_backboard_seam3)(V p_ball_radius, V p_board_half_width, V vy, V y)
+LANES(court_backboard_seam3)(V vy, V y, V _c0, V _c1)
 {
-    return (LANES(court_backboard_seam3_out)){ lanes_sub(y, p_board_half_width), vy, lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_board_half_width)) };
+    return (LANES(court_backboard_seam3_out)){ lanes_sub(y, _c0), vy, _c1 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 8 operations: 2 additions, 1 subtraction, 3 multiplications, 2 absolute values. */
+   Table 2. 1 operation: 1 subtraction. */
 typedef struct {
     V gap;
     V nearing;
@@ -4814,13 +4640,13 @@ typedef struct {
 } LANES(court_backboard_seam4_out);
 
 LANES_INLINE LANES(court_backboard_seam4_out)
-LANES(court_backboard_seam4)(V p_ball_radius, V p_board_bottom, V p_board_top, V vz, V z)
+LANES(court_backboard_seam4)(V vz, V z, V _c0, V _c1)
 {
-    return (LANES(court_backboard_seam4_out)){ lanes_sub(z, p_board_bottom), vz, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top))) };
+    return (LANES(court_backboard_seam4_out)){ lanes_sub(z, _c0), vz, _c1 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 8 operations: 2 additions, 1 subtraction, 3 multiplications, 2 absolute values. */
+   Table 2. 1 operation: 1 subtraction. */
 typedef struct {
     V gap;
     V nearing;
@@ -4828,37 +4654,31 @@ typedef struct {
 } LANES(court_backboard_seam5_out);
 
 LANES_INLINE LANES(court_backboard_seam5_out)
-LANES(court_backboard_seam5)(V p_ball_radius, V p_board_bottom, V p_board_top, V vz, V z)
+LANES(court_backboard_seam5)(V vz, V z, V _c0, V _c1)
 {
-    return (LANES(court_backboard_seam5_out)){ lanes_sub(z, p_board_top), vz, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top))) };
+    return (LANES(court_backboard_seam5_out)){ lanes_sub(z, _c0), vz, _c1 };
 }
 
 /* A bound below the distance from all places at this height and distance from the axis.
-   Table 2. 57 operations: 6 additions, 6 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections. */
+   Table 2. 42 operations: 4 additions, 6 subtractions, 14 multiplications, 2 divisions, 2 square roots, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V gap;
     V nearing;
 } LANES(court_backboard_around_out);
 
 LANES_INLINE LANES(court_backboard_around_out)
-LANES(court_backboard_around)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V vx, V vy, V vz, V x, V y, V z)
+LANES(court_backboard_around)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_sub(z, p_board_top);
-    const V _s1 = lanes_sub(p_board_bottom, z);
+    const V _s0 = lanes_sub(z, _c2);
+    const V _s1 = lanes_sub(_c1, z);
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_neg(p_board_half_width);
-    const V _s4 = lanes_max(K(0.0), _s3);
-    const V _s5 = lanes_max(_s4, _s3);
-    const V _s6 = lanes_neg(lanes_add(p_board_distance, p_board_thickness));
-    const V _s7 = lanes_max(K(0.0), _s6);
-    const V _s8 = lanes_max(_s7, p_board_distance);
-    const V _s9 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s10 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s8, _s8))), _s9);
-    const V _s11 = lanes_max(K(0.0), _s10);
-    const V _s12 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s11, _s11)));
-    const V _s13 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s9));
-    const V _s14 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s11), lanes_select(lanes_less(K(0.0), _s10), _s13, K(0.0))));
-    return (LANES(court_backboard_around_out)){ lanes_sub(_s12, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s14), _s12) };
+    const V _s3 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s4 = lanes_sub(_c3, _s3);
+    const V _s5 = lanes_max(K(0.0), _s4);
+    const V _s6 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)));
+    const V _s7 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s3));
+    const V _s8 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s5), lanes_select(lanes_less(K(0.0), _s4), _s7, K(0.0))));
+    return (LANES(court_backboard_around_out)){ lanes_sub(_s6, _c0), lanes_div(lanes_mul(K(0.5), _s8), _s6) };
 }
 
 /* The first window that ends later than a time, if there is one, from then on.
@@ -4880,7 +4700,7 @@ LANES(court_backboard_enter)(V after, V end, V high0, V high1, V low0, V low1, V
 }
 
 /* Outward unit normal n3 at a contact.
-   Table 2. 28 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections. */
+   Table 2. 26 operations: 3 additions, 6 subtractions, 3 multiplications, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V nx;
     V ny;
@@ -4888,32 +4708,31 @@ typedef struct {
 } LANES(court_bridge_normal_out);
 
 LANES_INLINE LANES(court_bridge_normal_out)
-LANES(court_bridge_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth)
+LANES(court_bridge_normal)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_div(K(1.0), p_ball_radius);
-    const V _s1 = lanes_add(p_ring_radius, x);
-    const V _s2 = lanes_neg(lanes_add(p_board_distance, x));
-    const V _s3 = lanes_sub(y, p_bridge_half_width);
-    const V _s4 = lanes_neg(lanes_add(p_bridge_half_width, y));
-    const V _s5 = lanes_sub(z, p_wire_radius);
-    const V _s6 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
-    return (LANES(court_bridge_normal_out)){ lanes_mul(_s0, lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)))) };
+    const V _s0 = lanes_add(_c0, x);
+    const V _s1 = lanes_neg(lanes_add(_c2, x));
+    const V _s2 = lanes_sub(y, _c3);
+    const V _s3 = lanes_neg(lanes_add(_c3, y));
+    const V _s4 = lanes_sub(z, _c1);
+    const V _s5 = lanes_sub(_c5, z);
+    return (LANES(court_bridge_normal_out)){ lanes_mul(_c4, lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)))), lanes_mul(_c4, lanes_sub(lanes_max(_s2, K(0.0)), lanes_max(_s3, K(0.0)))), lanes_mul(_c4, lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)))) };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 1 operation: 1 division. */
+   Table 2. No operations. */
 typedef struct {
     V curvature;
 } LANES(court_bridge_curvature_out);
 
 LANES_INLINE LANES(court_bridge_curvature_out)
-LANES(court_bridge_curvature)(V p_ball_radius)
+LANES(court_bridge_curvature)(V _c0)
 {
-    return (LANES(court_bridge_curvature_out)){ lanes_div(K(1.0), p_ball_radius) };
+    return (LANES(court_bridge_curvature_out)){ _c0 };
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 32 operations: 3 additions, 7 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 30 operations: 3 additions, 6 subtractions, 4 multiplications, 5 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V dnx;
     V dny;
@@ -4922,17 +4741,15 @@ typedef struct {
 } LANES(court_bridge_carry_normal_out);
 
 LANES_INLINE LANES(court_bridge_carry_normal_out)
-LANES(court_bridge_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth)
+LANES(court_bridge_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_div(K(1.0), p_ball_radius);
-    const V _s1 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_add(p_ring_radius, x), K(0.0)), K(0.0), dx), lanes_select(lanes_less(lanes_neg(lanes_add(p_board_distance, x)), K(0.0)), K(0.0), lanes_neg(dx))));
-    const V _s2 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(y, p_bridge_half_width), K(0.0)), K(0.0), dy), lanes_select(lanes_less(lanes_neg(lanes_add(p_bridge_half_width, y)), K(0.0)), K(0.0), lanes_neg(dy))));
-    const V _s3 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_wire_radius), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z), K(0.0)), K(0.0), lanes_neg(dz))));
-    return (LANES(court_bridge_carry_normal_out)){ _s1, _s2, _s3, lanes_mul(shift, _s0) };
+    const V _s0 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_add(_c0, x), K(0.0)), K(0.0), dx), lanes_select(lanes_less(lanes_neg(lanes_add(_c2, x)), K(0.0)), K(0.0), lanes_neg(dx))));
+    const V _s1 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(y, _c3), K(0.0)), K(0.0), dy), lanes_select(lanes_less(lanes_neg(lanes_add(_c3, y)), K(0.0)), K(0.0), lanes_neg(dy))));
+    return (LANES(court_bridge_carry_normal_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c1), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(_c5, z), K(0.0)), K(0.0), lanes_neg(dz)))), lanes_mul(shift, _c4) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 136 operations: 28 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
+   bounds of the event condition. 103 operations: 20 additions, 7 subtractions, 19 multiplications, 4 divisions, 3 square roots, 4 negations, 2 absolute values, 21 comparisons, 23 selections. */
 typedef struct {
     V low0;
     V high0;
@@ -4944,66 +4761,49 @@ typedef struct {
 } LANES(court_bridge_prepare_out);
 
 LANES_INLINE LANES(court_bridge_prepare_out)
-LANES(court_bridge_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+LANES(court_bridge_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14, V _c15, V _c16)
 {
     const V _s0 = lanes_abs(vx);
-    const V _s1 = lanes_mul(K(0.5), p_board_distance);
-    const V _s2 = lanes_add(p_ball_radius, _s1);
-    const V _s3 = lanes_mul(K(0.5), p_bridge_depth);
-    const V _s4 = lanes_add(p_ball_radius, _s3);
-    const V _s5 = lanes_add(p_ball_radius, p_bridge_half_width);
-    const V _s6 = lanes_mul(K(0.5), p_ring_radius);
-    const V _s7 = lanes_sub(_s2, _s6);
-    const V _s8 = lanes_min(_s5, _s7);
-    const V _s9 = lanes_min(_s4, _s8);
-    const V _s10 = lanes_mul(K(6.103515625e-05), _s9);
-    const V _s11 = lanes_sub(lanes_add(_s2, _s10), _s6);
-    const V _s12 = lanes_add(lanes_add(_s1, _s6), x);
-    const V _s13 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s12), _s12);
-    const V _s14 = lanes_div(lanes_neg(lanes_add(_s11, _s13)), _s0);
-    const V _s15 = lanes_max(K(0.0), _s14);
-    const V _s16 = lanes_abs(vy);
-    const V _s17 = lanes_add(_s5, _s10);
-    const V _s18 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
-    const V _s19 = lanes_div(lanes_neg(lanes_add(_s17, _s18)), _s16);
-    const V _s20 = lanes_max(_s15, _s19);
-    const V _s21 = lanes_mul(vz, vz);
-    const V _s22 = lanes_add(_s4, _s10);
-    const V _s23 = lanes_sub(lanes_add(_s3, z), p_wire_radius);
-    const V _s24 = lanes_mul(K(2.0), p_gravity);
-    const V _s25 = lanes_add(_s21, lanes_mul(_s24, lanes_add(_s22, _s23)));
-    const V _s26 = lanes_div(K(1.0), p_gravity);
-    const V _s27 = lanes_sqrt(_s25);
-    const M _s28 = lanes_at_most(K(0.0), _s25);
-    const V _s29 = lanes_select(_s28, lanes_mul(_s26, lanes_sub(vz, _s27)), K(INFINITY));
-    const V _s30 = lanes_max(_s20, _s29);
-    const V _s31 = lanes_add(_s21, lanes_mul(_s24, lanes_sub(_s23, _s22)));
-    const V _s32 = lanes_sqrt(lanes_max(_s31, K(0.0)));
-    const V _s33 = lanes_select(_s28, lanes_mul(_s26, lanes_add(vz, _s27)), K(-INFINITY));
-    const M _s34 = lanes_less(K(0.0), _s31);
-    const V _s35 = lanes_select(_s34, lanes_mul(_s26, lanes_sub(vz, _s32)), _s33);
-    const V _s36 = lanes_div(lanes_sub(_s17, _s18), _s16);
-    const V _s37 = lanes_div(lanes_sub(_s11, _s13), _s0);
-    const V _s38 = lanes_min(_s37, K(INFINITY));
-    const V _s39 = lanes_min(_s36, _s38);
-    const V _s40 = lanes_min(_s35, _s39);
-    const V _s41 = lanes_select(_s34, lanes_mul(_s26, lanes_add(vz, _s32)), K(INFINITY));
-    const V _s42 = lanes_max(_s20, _s41);
-    const V _s43 = lanes_min(_s33, _s39);
-    const V _s44 = lanes_max(K(0.0), _s40);
-    const V _s45 = lanes_max(_s44, _s43);
-    const V _s46 = lanes_min(_s45, horizon);
-    const V _s47 = lanes_add(speed, lanes_mul(p_gravity, _s46));
-    const V _s48 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(1.25), lanes_abs(lanes_neg(p_gravity))), lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s9))), lanes_mul(K(3.0), lanes_mul(_s47, _s47))));
-    const V _s49 = lanes_max(_s7, _s5);
-    const V _s50 = lanes_add(lanes_add(lanes_add(lanes_add(_s1, extent), _s6), lanes_abs(lanes_sub(_s3, p_wire_radius))), lanes_max(_s49, _s4));
-    const V _s51 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s26, lanes_add(_s50, _s9)))), lanes_mul(lanes_mul(K(2.0), speed), _s26));
-    const V _s52 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s51, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s26), _s50))), lanes_mul(K(1.52587890625e-05), _s9));
-    return (LANES(court_bridge_prepare_out)){ lanes_max(K(0.0), _s30), lanes_min(_s40, horizon), lanes_max(K(0.0), _s42), lanes_min(_s43, horizon), _s48, _s46, _s52 };
+    const V _s1 = lanes_add(_c7, x);
+    const V _s2 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s1), _s1);
+    const V _s3 = lanes_div(lanes_neg(lanes_add(_c6, _s2)), _s0);
+    const V _s4 = lanes_max(K(0.0), _s3);
+    const V _s5 = lanes_abs(vy);
+    const V _s6 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
+    const V _s7 = lanes_div(lanes_neg(lanes_add(_c8, _s6)), _s5);
+    const V _s8 = lanes_max(_s4, _s7);
+    const V _s9 = lanes_mul(vz, vz);
+    const V _s10 = lanes_sub(lanes_add(_c3, z), _c0);
+    const V _s11 = lanes_add(_s9, lanes_mul(_c10, lanes_add(_c9, _s10)));
+    const V _s12 = lanes_sqrt(_s11);
+    const M _s13 = lanes_at_most(K(0.0), _s11);
+    const V _s14 = lanes_select(_s13, lanes_mul(_c11, lanes_sub(vz, _s12)), K(INFINITY));
+    const V _s15 = lanes_max(_s8, _s14);
+    const V _s16 = lanes_add(_s9, lanes_mul(_c10, lanes_sub(_s10, _c9)));
+    const V _s17 = lanes_sqrt(lanes_max(_s16, K(0.0)));
+    const V _s18 = lanes_select(_s13, lanes_mul(_c11, lanes_add(vz, _s12)), K(-INFINITY));
+    const M _s19 = lanes_less(K(0.0), _s16);
+    const V _s20 = lanes_select(_s19, lanes_mul(_c11, lanes_sub(vz, _s17)), _s18);
+    const V _s21 = lanes_div(lanes_sub(_c8, _s6), _s5);
+    const V _s22 = lanes_div(lanes_sub(_c6, _s2), _s0);
+    const V _s23 = lanes_min(_s22, K(INFINITY));
+    const V _s24 = lanes_min(_s21, _s23);
+    const V _s25 = lanes_min(_s20, _s24);
+    const V _s26 = lanes_select(_s19, lanes_mul(_c11, lanes_add(vz, _s17)), K(INFINITY));
+    const V _s27 = lanes_max(_s8, _s26);
+    const V _s28 = lanes_min(_s18, _s24);
+    const V _s29 = lanes_max(K(0.0), _s25);
+    const V _s30 = lanes_max(_s29, _s28);
+    const V _s31 = lanes_min(_s30, horizon);
+    const V _s32 = lanes_add(speed, lanes_mul(_c1, _s31));
+    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(_c2, extent), _c4), _c14), _c15);
+    const V _s34 = lanes_add(lanes_mul(_c13, lanes_sqrt(lanes_mul(_c11, lanes_add(_s33, _c5)))), lanes_mul(lanes_mul(K(2.0), speed), _c11));
+    const V _s35 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s34, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _c11), _s33))), _c16);
+    return (LANES(court_bridge_prepare_out)){ lanes_max(K(0.0), _s15), lanes_min(_s25, horizon), lanes_max(K(0.0), _s27), lanes_min(_s28, horizon), lanes_mul(K(2.0), lanes_add(_c12, lanes_mul(K(3.0), lanes_mul(_s32, _s32)))), _s31, _s35 };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
-   running error analysis. 81 operations: 31 additions, 1 subtraction, 45 multiplications, 2 comparisons, 2 selections. */
+   running error analysis. 52 operations: 25 additions, 27 multiplications. */
 typedef struct {
     V margin;
     V leaving_margin;
@@ -5011,31 +4811,25 @@ typedef struct {
 } LANES(court_bridge_margins_out);
 
 LANES_INLINE LANES(court_bridge_margins_out)
-LANES(court_bridge_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+LANES(court_bridge_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11)
 {
-    const V _s0 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
-    const V _s1 = lanes_add(p_ball_radius, p_bridge_half_width);
-    const V _s2 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
-    const V _s3 = lanes_min(_s1, _s2);
-    const V _s4 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s0, _s3)));
-    const V _s5 = lanes_add(speed, lanes_mul(p_gravity, horizon));
-    const V _s6 = lanes_add(extent, lanes_mul(horizon, _s5));
-    const V _s7 = lanes_mul(K(2.220446049250313e-16), _s6);
-    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s6)));
-    const V _s9 = lanes_add(lanes_add(lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width), _s7), _s8);
-    const V _s10 = lanes_mul(K(2.001953125), _s4);
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)), _s7), _s8);
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)), lanes_mul(K(3.3306690738754696e-16), _s6)), _s8);
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)), lanes_mul(_s10, _s9)), lanes_mul(_s10, _s11)), lanes_mul(_s10, _s12)), lanes_mul(lanes_mul(lanes_mul(K(1.3335686721571705e-15), horizon), _s4), _s5));
-    const V _s14 = lanes_mul(K(4.00390625), _s5);
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(12.01171875), _s4), lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s5))), lanes_mul(lanes_mul(K(6.667843360785852e-15), _s4), _s5)), lanes_mul(_s14, _s9)), lanes_mul(_s14, _s11));
-    const V _s16 = lanes_mul(K(2.001953125), _s5);
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.005859375), _s4), lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s5))), lanes_mul(lanes_mul(K(2.667137344314341e-15), _s4), _s5)), lanes_mul(_s16, _s9)), lanes_mul(_s16, _s11));
-    return (LANES(court_bridge_margins_out)){ lanes_add(_s13, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s4, _s4))), lanes_add(_s15, lanes_mul(_s14, _s12)), lanes_add(_s17, lanes_mul(_s16, _s12)) };
+    const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
+    const V _s1 = lanes_add(extent, lanes_mul(horizon, _s0));
+    const V _s2 = lanes_mul(K(2.220446049250313e-16), _s1);
+    const V _s3 = lanes_mul(K(2.0), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)));
+    const V _s4 = lanes_add(lanes_add(_c3, _s2), _s3);
+    const V _s5 = lanes_add(lanes_add(_c5, _s2), _s3);
+    const V _s6 = lanes_add(lanes_add(_c6, lanes_mul(K(3.3306690738754696e-16), _s1)), _s3);
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_c1, lanes_mul(_c4, _s4)), lanes_mul(_c4, _s5)), lanes_mul(_c4, _s6)), lanes_mul(lanes_mul(lanes_mul(K(1.3335686721571705e-15), horizon), _c2), _s0)), _c7);
+    const V _s8 = lanes_mul(K(4.00390625), _s0);
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_mul(_c8, lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s0))), lanes_mul(_c9, _s0)), lanes_mul(_s8, _s4)), lanes_mul(_s8, _s5));
+    const V _s10 = lanes_mul(K(2.001953125), _s0);
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(_c10, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s0))), lanes_mul(_c11, _s0)), lanes_mul(_s10, _s4)), lanes_mul(_s10, _s5));
+    return (LANES(court_bridge_margins_out)){ _s7, lanes_add(_s9, lanes_mul(_s8, _s6)), lanes_add(_s11, lanes_mul(_s10, _s6)) };
 }
 
 /* Newton's next value of a root near t, and gap and rate there.
-   Newton's method. 101 operations: 18 additions, 20 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
+   Newton's method. 98 operations: 18 additions, 19 subtractions, 24 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
 typedef struct {
     V time;
     V gap;
@@ -5043,42 +4837,41 @@ typedef struct {
 } LANES(court_bridge_refine_out);
 
 LANES_INLINE LANES(court_bridge_refine_out)
-LANES(court_bridge_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+LANES(court_bridge_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7)
 {
     const V _s0 = lanes_add(x, lanes_mul(t, vx));
-    const V _s1 = lanes_add(p_ring_radius, _s0);
-    const V _s2 = lanes_neg(lanes_add(p_board_distance, _s0));
+    const V _s1 = lanes_add(_c0, _s0);
+    const V _s2 = lanes_neg(lanes_add(_c2, _s0));
     const V _s3 = lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)));
     const V _s4 = lanes_add(y, lanes_mul(t, vy));
-    const V _s5 = lanes_sub(_s4, p_bridge_half_width);
-    const V _s6 = lanes_neg(lanes_add(p_bridge_half_width, _s4));
+    const V _s5 = lanes_sub(_s4, _c3);
+    const V _s6 = lanes_neg(lanes_add(_c3, _s4));
     const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
-    const V _s8 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s8 = lanes_sub(vz, lanes_mul(_c5, t));
     const V _s9 = lanes_add(z, lanes_mul(t, _s8));
-    const V _s10 = lanes_sub(_s9, p_wire_radius);
-    const V _s11 = lanes_sub(p_wire_radius, p_bridge_depth);
-    const V _s12 = lanes_sub(_s11, _s9);
-    const V _s13 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s12, K(0.0)));
-    const V _s14 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s3), lanes_mul(vy, _s7)), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s13)));
-    const V _s15 = lanes_add(p_ring_radius, x);
-    const V _s16 = lanes_neg(lanes_add(p_board_distance, x));
-    const V _s17 = lanes_sub(lanes_max(_s15, K(0.0)), lanes_max(_s16, K(0.0)));
-    const V _s18 = lanes_mul(_s3, _s3);
-    const V _s19 = lanes_sub(y, p_bridge_half_width);
-    const V _s20 = lanes_neg(lanes_add(p_bridge_half_width, y));
-    const V _s21 = lanes_sub(lanes_max(_s19, K(0.0)), lanes_max(_s20, K(0.0)));
-    const V _s22 = lanes_mul(_s7, _s7);
-    const V _s23 = lanes_sub(z, p_wire_radius);
-    const V _s24 = lanes_sub(_s11, z);
-    const V _s25 = lanes_sub(lanes_max(_s23, K(0.0)), lanes_max(_s24, K(0.0)));
-    const V _s26 = lanes_mul(_s13, _s13);
-    const V _s27 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s17, _s3)), lanes_mul(t, lanes_mul(vx, lanes_add(_s17, _s3))), lanes_sub(_s18, lanes_mul(_s17, _s17))), lanes_select(lanes_less(K(0.0), lanes_mul(_s21, _s7)), lanes_mul(t, lanes_mul(vy, lanes_add(_s21, _s7))), lanes_sub(_s22, lanes_mul(_s21, _s21)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s25, _s13)), lanes_mul(t, lanes_mul(_s8, lanes_add(_s25, _s13))), lanes_sub(_s26, lanes_mul(_s25, _s25))));
-    const V _s28 = lanes_select(lanes_less(K(0.0), leaving), _s27, lanes_sub(lanes_add(lanes_add(_s18, _s22), _s26), lanes_mul(p_ball_radius, p_ball_radius)));
-    return (LANES(court_bridge_refine_out)){ lanes_sub(t, lanes_div(_s28, _s14)), _s28, _s14 };
+    const V _s10 = lanes_sub(_s9, _c1);
+    const V _s11 = lanes_sub(_c6, _s9);
+    const V _s12 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
+    const V _s13 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s3), lanes_mul(vy, _s7)), lanes_mul(lanes_sub(vz, lanes_mul(_c4, t)), _s12)));
+    const V _s14 = lanes_add(_c0, x);
+    const V _s15 = lanes_neg(lanes_add(_c2, x));
+    const V _s16 = lanes_sub(lanes_max(_s14, K(0.0)), lanes_max(_s15, K(0.0)));
+    const V _s17 = lanes_mul(_s3, _s3);
+    const V _s18 = lanes_sub(y, _c3);
+    const V _s19 = lanes_neg(lanes_add(_c3, y));
+    const V _s20 = lanes_sub(lanes_max(_s18, K(0.0)), lanes_max(_s19, K(0.0)));
+    const V _s21 = lanes_mul(_s7, _s7);
+    const V _s22 = lanes_sub(z, _c1);
+    const V _s23 = lanes_sub(_c6, z);
+    const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
+    const V _s25 = lanes_mul(_s12, _s12);
+    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s16, _s3)), lanes_mul(t, lanes_mul(vx, lanes_add(_s16, _s3))), lanes_sub(_s17, lanes_mul(_s16, _s16))), lanes_select(lanes_less(K(0.0), lanes_mul(_s20, _s7)), lanes_mul(t, lanes_mul(vy, lanes_add(_s20, _s7))), lanes_sub(_s21, lanes_mul(_s20, _s20)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s24, _s12)), lanes_mul(t, lanes_mul(_s8, lanes_add(_s24, _s12))), lanes_sub(_s25, lanes_mul(_s24, _s24))));
+    const V _s27 = lanes_select(lanes_less(K(0.0), leaving), _s26, lanes_sub(lanes_add(lanes_add(_s17, _s21), _s25), _c7));
+    return (LANES(court_bridge_refine_out)){ lanes_sub(t, lanes_div(_s27, _s13)), _s27, _s13 };
 }
 
 /* Gap, rate, bend, a step without a root, its end, and the clearance of a root.
-   Newton from the left under a curvature bound. 190 operations: 32 additions, 26 subtractions, 49 multiplications, 2 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections. */
+   Newton from the left under a curvature bound. 171 operations: 28 additions, 24 subtractions, 42 multiplications, 2 divisions, 1 square root, 7 negations, 4 absolute values, 30 comparisons, 33 selections. */
 typedef struct {
     V gap;
     V rate;
@@ -5089,101 +4882,85 @@ typedef struct {
 } LANES(court_bridge_advance_out);
 
 LANES_INLINE LANES(court_bridge_advance_out)
-LANES(court_bridge_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+LANES(court_bridge_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10)
 {
-    const V _s0 = lanes_add(p_ring_radius, x);
-    const V _s1 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s0 = lanes_add(_c0, x);
+    const V _s1 = lanes_neg(lanes_add(_c2, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
     const V _s3 = lanes_add(x, lanes_mul(t, vx));
-    const V _s4 = lanes_add(p_ring_radius, _s3);
-    const V _s5 = lanes_neg(lanes_add(p_board_distance, _s3));
+    const V _s4 = lanes_add(_c0, _s3);
+    const V _s5 = lanes_neg(lanes_add(_c2, _s3));
     const V _s6 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
     const V _s7 = lanes_mul(_s6, _s6);
-    const V _s8 = lanes_sub(y, p_bridge_half_width);
-    const V _s9 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s8 = lanes_sub(y, _c3);
+    const V _s9 = lanes_neg(lanes_add(_c3, y));
     const V _s10 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s9, K(0.0)));
     const V _s11 = lanes_add(y, lanes_mul(t, vy));
-    const V _s12 = lanes_sub(_s11, p_bridge_half_width);
-    const V _s13 = lanes_neg(lanes_add(p_bridge_half_width, _s11));
+    const V _s12 = lanes_sub(_s11, _c3);
+    const V _s13 = lanes_neg(lanes_add(_c3, _s11));
     const V _s14 = lanes_sub(lanes_max(_s12, K(0.0)), lanes_max(_s13, K(0.0)));
     const V _s15 = lanes_mul(_s14, _s14);
-    const V _s16 = lanes_sub(z, p_wire_radius);
-    const V _s17 = lanes_sub(p_wire_radius, p_bridge_depth);
-    const V _s18 = lanes_sub(_s17, z);
-    const V _s19 = lanes_sub(lanes_max(_s16, K(0.0)), lanes_max(_s18, K(0.0)));
-    const V _s20 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
-    const V _s21 = lanes_add(z, lanes_mul(t, _s20));
-    const V _s22 = lanes_sub(_s21, p_wire_radius);
-    const V _s23 = lanes_sub(_s17, _s21);
-    const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
-    const V _s25 = lanes_mul(_s24, _s24);
-    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s6)), lanes_mul(t, lanes_mul(vx, lanes_add(_s2, _s6))), lanes_sub(_s7, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s10, _s14)), lanes_mul(t, lanes_mul(vy, lanes_add(_s10, _s14))), lanes_sub(_s15, lanes_mul(_s10, _s10)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s19, _s24)), lanes_mul(t, lanes_mul(_s20, lanes_add(_s19, _s24))), lanes_sub(_s25, lanes_mul(_s19, _s19))));
-    const V _s27 = lanes_select(lanes_less(K(0.0), leaving), _s26, lanes_sub(lanes_add(lanes_add(_s7, _s15), _s25), lanes_mul(p_ball_radius, p_ball_radius)));
-    const V _s28 = lanes_sub(vz, lanes_mul(p_gravity, t));
-    const V _s29 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s14)), lanes_mul(_s28, _s24)));
-    const V _s30 = lanes_abs(_s24);
-    const V _s31 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_abs(_s6)), lanes_mul(vx, vx), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s14)), lanes_mul(vy, vy), K(0.0))), lanes_select(lanes_less(K(0.0), _s30), lanes_sub(lanes_mul(_s28, _s28), lanes_mul(p_gravity, _s24)), K(0.0))));
-    const V _s32 = lanes_abs(lanes_neg(p_gravity));
-    const V _s33 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
-    const V _s34 = lanes_add(p_ball_radius, p_bridge_half_width);
-    const V _s35 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
-    const V _s36 = lanes_min(_s34, _s35);
-    const V _s37 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s33, _s36)));
-    const V _s38 = lanes_sub(_s29, rate_margin);
-    const V _s39 = lanes_sub(_s27, margin);
-    const V _s40 = lanes_max(_s39, K(0.0));
-    const V _s41 = lanes_neg(_s31);
-    const M _s42 = lanes_less(_s38, K(0.0));
-    const V _s43 = lanes_mul(K(2.0), _s40);
-    const V _s44 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s38), _s40, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s42, _s43, lanes_mul(K(4.0), _s38)), lanes_select(_s42, lanes_neg(_s38), lanes_max(K(0.0), _s41))));
-    const V _s45 = lanes_sub(end, t);
-    const V _s46 = lanes_min(_s44, _s45);
-    const V _s47 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(0.5), _s32), _s46), lanes_abs(_s28)), _s46), _s30);
-    const V _s48 = lanes_add(lanes_mul(K(9.094947017729282e-13), ceiling), lanes_mul(K(2.0), lanes_mul(_s32, lanes_min(_s37, _s47))));
-    const V _s49 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s48), _s40), lanes_mul(_s38, _s38));
-    const V _s50 = lanes_sqrt(_s49);
-    const V _s51 = lanes_select(lanes_at_most(K(0.0), _s49), lanes_div(lanes_select(_s42, _s43, lanes_add(_s38, _s50)), lanes_select(_s42, lanes_sub(_s50, _s38), lanes_max(K(0.0), _s48))), K(INFINITY));
-    const V _s52 = lanes_min(_s51, _s46);
-    const V _s53 = lanes_neg(lanes_add(rate_margin, _s29));
-    return (LANES(court_bridge_advance_out)){ _s27, _s29, _s31, _s52, lanes_add(t, _s52), lanes_select(lanes_less(K(0.0), _s53), lanes_sub(lanes_mul(_s53, _s53), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s43))), _s53) };
+    const V _s16 = lanes_sub(z, _c1);
+    const V _s17 = lanes_sub(_c5, z);
+    const V _s18 = lanes_sub(lanes_max(_s16, K(0.0)), lanes_max(_s17, K(0.0)));
+    const V _s19 = lanes_sub(vz, lanes_mul(_c6, t));
+    const V _s20 = lanes_add(z, lanes_mul(t, _s19));
+    const V _s21 = lanes_sub(_s20, _c1);
+    const V _s22 = lanes_sub(_c5, _s20);
+    const V _s23 = lanes_sub(lanes_max(_s21, K(0.0)), lanes_max(_s22, K(0.0)));
+    const V _s24 = lanes_mul(_s23, _s23);
+    const V _s25 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s6)), lanes_mul(t, lanes_mul(vx, lanes_add(_s2, _s6))), lanes_sub(_s7, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s10, _s14)), lanes_mul(t, lanes_mul(vy, lanes_add(_s10, _s14))), lanes_sub(_s15, lanes_mul(_s10, _s10)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s18, _s23)), lanes_mul(t, lanes_mul(_s19, lanes_add(_s18, _s23))), lanes_sub(_s24, lanes_mul(_s18, _s18))));
+    const V _s26 = lanes_select(lanes_less(K(0.0), leaving), _s25, lanes_sub(lanes_add(lanes_add(_s7, _s15), _s24), _c7));
+    const V _s27 = lanes_sub(vz, lanes_mul(_c4, t));
+    const V _s28 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s14)), lanes_mul(_s27, _s23)));
+    const V _s29 = lanes_abs(_s23);
+    const V _s30 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_abs(_s6)), lanes_mul(vx, vx), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s14)), lanes_mul(vy, vy), K(0.0))), lanes_select(lanes_less(K(0.0), _s29), lanes_sub(lanes_mul(_s27, _s27), lanes_mul(_c4, _s23)), K(0.0))));
+    const V _s31 = lanes_sub(_s28, rate_margin);
+    const V _s32 = lanes_sub(_s26, margin);
+    const V _s33 = lanes_max(_s32, K(0.0));
+    const V _s34 = lanes_neg(_s30);
+    const M _s35 = lanes_less(_s31, K(0.0));
+    const V _s36 = lanes_mul(K(2.0), _s33);
+    const V _s37 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s31), _s33, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s35, _s36, lanes_mul(K(4.0), _s31)), lanes_select(_s35, lanes_neg(_s31), lanes_max(K(0.0), _s34))));
+    const V _s38 = lanes_sub(end, t);
+    const V _s39 = lanes_min(_s37, _s38);
+    const V _s40 = lanes_add(lanes_mul(lanes_add(lanes_mul(_c10, _s39), lanes_abs(_s27)), _s39), _s29);
+    const V _s41 = lanes_add(lanes_mul(K(9.094947017729282e-13), ceiling), lanes_mul(K(2.0), lanes_mul(_c8, lanes_min(_c9, _s40))));
+    const V _s42 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s41), _s33), lanes_mul(_s31, _s31));
+    const V _s43 = lanes_sqrt(_s42);
+    const V _s44 = lanes_select(lanes_at_most(K(0.0), _s42), lanes_div(lanes_select(_s35, _s36, lanes_add(_s31, _s43)), lanes_select(_s35, lanes_sub(_s43, _s31), lanes_max(K(0.0), _s41))), K(INFINITY));
+    const V _s45 = lanes_min(_s44, _s39);
+    const V _s46 = lanes_neg(lanes_add(rate_margin, _s28));
+    return (LANES(court_bridge_advance_out)){ _s26, _s28, _s30, _s45, lanes_add(t, _s45), lanes_select(lanes_less(K(0.0), _s46), lanes_sub(lanes_mul(_s46, _s46), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s36))), _s46) };
 }
 
 /* Where a flight may reach the box of a surface at all.
-   boxes that do not meet. 62 operations: 11 additions, 12 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+   boxes that do not meet. 50 operations: 10 additions, 10 subtractions, 6 multiplications, 2 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
 typedef struct {
     M near;
 } LANES(court_bridge_near_out);
 
 LANES_INLINE LANES(court_bridge_near_out)
-LANES(court_bridge_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V later_middle_x, V later_middle_y, V later_middle_z, V later_reach_x, V later_reach_y, V later_reach_z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth)
+LANES(court_bridge_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V later_middle_x, V later_middle_y, V later_middle_z, V later_reach_x, V later_reach_y, V later_reach_z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius));
-    const V _s1 = lanes_mul(K(0.5), p_board_distance);
-    const V _s2 = lanes_mul(K(0.5), p_ring_radius);
-    const V _s3 = lanes_neg(lanes_add(_s1, _s2));
-    const V _s4 = lanes_mul(K(1.0000000009313226), lanes_sub(_s1, _s2));
-    const V _s5 = lanes_sub(lanes_abs(lanes_sub(_s3, middle_x)), lanes_add(reach_x, _s4));
-    const V _s6 = lanes_max(_s5, K(0.0));
-    const V _s7 = lanes_mul(K(1.0000000009313226), p_bridge_half_width);
-    const V _s8 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, _s7));
+    const V _s0 = lanes_sub(lanes_abs(lanes_sub(_c1, middle_x)), lanes_add(reach_x, _c2));
+    const V _s1 = lanes_max(_s0, K(0.0));
+    const V _s2 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, _c3));
+    const V _s3 = lanes_max(_s2, K(0.0));
+    const V _s4 = lanes_sub(lanes_abs(lanes_sub(_c4, middle_z)), lanes_add(reach_z, _c5));
+    const V _s5 = lanes_max(_s4, K(0.0));
+    const V _s6 = lanes_sub(lanes_abs(lanes_sub(_c1, later_middle_x)), lanes_add(later_reach_x, _c2));
+    const V _s7 = lanes_max(_s6, K(0.0));
+    const V _s8 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _c3));
     const V _s9 = lanes_max(_s8, K(0.0));
-    const V _s10 = lanes_mul(K(0.5), p_bridge_depth);
-    const V _s11 = lanes_sub(p_wire_radius, _s10);
-    const V _s12 = lanes_mul(K(1.0000000009313226), _s10);
-    const V _s13 = lanes_sub(lanes_abs(lanes_sub(_s11, middle_z)), lanes_add(reach_z, _s12));
-    const V _s14 = lanes_max(_s13, K(0.0));
-    const V _s15 = lanes_sub(lanes_abs(lanes_sub(_s3, later_middle_x)), lanes_add(later_reach_x, _s4));
-    const V _s16 = lanes_max(_s15, K(0.0));
-    const V _s17 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _s7));
-    const V _s18 = lanes_max(_s17, K(0.0));
-    const V _s19 = lanes_sub(lanes_abs(lanes_sub(_s11, later_middle_z)), lanes_add(later_reach_z, _s12));
-    const V _s20 = lanes_max(_s19, K(0.0));
-    const M _s21 = lanes_not(lanes_both(lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s6, _s6), lanes_mul(_s9, _s9)), lanes_mul(_s14, _s14))), lanes_less(_s0, lanes_add(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s18, _s18)), lanes_mul(_s20, _s20)))));
-    return (LANES(court_bridge_near_out)){ _s21 };
+    const V _s10 = lanes_sub(lanes_abs(lanes_sub(_c4, later_middle_z)), lanes_add(later_reach_z, _c5));
+    const V _s11 = lanes_max(_s10, K(0.0));
+    const M _s12 = lanes_not(lanes_both(lanes_less(_c0, lanes_add(lanes_add(lanes_mul(_s1, _s1), lanes_mul(_s3, _s3)), lanes_mul(_s5, _s5))), lanes_less(_c0, lanes_add(lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s9, _s9)), lanes_mul(_s11, _s11)))));
+    return (LANES(court_bridge_near_out)){ _s12 };
 }
 
 /* The distance, its rate, and how fast it bends down at most, by the squared speed.
-   Table 2. 59 operations: 7 additions, 11 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections. */
+   Table 2. 58 operations: 7 additions, 10 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -5191,25 +4968,25 @@ typedef struct {
 } LANES(court_bridge_beside_out);
 
 LANES_INLINE LANES(court_bridge_beside_out)
-LANES(court_bridge_beside)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
+LANES(court_bridge_beside)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_add(p_ring_radius, x);
-    const V _s1 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s0 = lanes_add(_c3, x);
+    const V _s1 = lanes_neg(lanes_add(_c1, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_sub(y, p_bridge_half_width);
-    const V _s4 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s3 = lanes_sub(y, _c2);
+    const V _s4 = lanes_neg(lanes_add(_c2, y));
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(z, p_wire_radius);
-    const V _s7 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s6 = lanes_sub(z, _c4);
+    const V _s7 = lanes_sub(_c5, z);
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
     const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
     const V _s10 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s3, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s4, K(0.0)), K(0.0), lanes_neg(vy)))), _s5));
     const V _s11 = lanes_add(_s10, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vz)))), _s8));
-    return (LANES(court_bridge_beside_out)){ lanes_sub(_s9, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s11), _s9), K(0.0) };
+    return (LANES(court_bridge_beside_out)){ lanes_sub(_s9, _c0), lanes_div(lanes_mul(K(0.5), _s11), _s9), K(0.0) };
 }
 
 /* The distance, its rate and its second derivative, of a ball that rolls on something else.
-   derivatives of Table 2's distance. 117 operations: 14 additions, 18 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections. */
+   derivatives of Table 2's distance. 116 operations: 14 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -5218,16 +4995,16 @@ typedef struct {
 } LANES(court_bridge_closing_out);
 
 LANES_INLINE LANES(court_bridge_closing_out)
-LANES(court_bridge_closing)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V nx, V ny, V nz, V p_ring_radius, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V p_wire_radius, V x, V y, V z)
+LANES(court_bridge_closing)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_add(p_ring_radius, x);
-    const V _s1 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s0 = lanes_add(_c3, x);
+    const V _s1 = lanes_neg(lanes_add(_c1, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_sub(y, p_bridge_half_width);
-    const V _s4 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s3 = lanes_sub(y, _c2);
+    const V _s4 = lanes_neg(lanes_add(_c2, y));
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(z, p_wire_radius);
-    const V _s7 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s6 = lanes_sub(z, _c4);
+    const V _s7 = lanes_sub(_c5, z);
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
     const V _s9 = lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8));
     const V _s10 = lanes_sqrt(_s9);
@@ -5246,32 +5023,32 @@ LANES(court_bridge_closing)(V p_ball_radius, V p_board_distance, V p_bridge_dept
     const V _s23 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), thrust_z), lanes_select(_s18, K(0.0), lanes_neg(thrust_z)))), _s8), lanes_mul(K(2.0), lanes_mul(_s19, _s19)));
     const V _s24 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s11, K(0.0), nx), lanes_select(_s12, K(0.0), lanes_neg(nx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s14, K(0.0), ny), lanes_select(_s15, K(0.0), lanes_neg(ny)))), _s5));
     const V _s25 = lanes_add(_s24, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), nz), lanes_select(_s18, K(0.0), lanes_neg(nz)))), _s8));
-    return (LANES(court_bridge_closing_out)){ lanes_sub(_s10, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s20), _s10), lanes_sub(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(_s21, _s22), _s23)), _s10), lanes_div(lanes_mul(K(0.25), lanes_mul(_s20, _s20)), lanes_mul(_s10, _s9))), lanes_div(lanes_mul(K(0.5), _s25), _s10) };
+    return (LANES(court_bridge_closing_out)){ lanes_sub(_s10, _c0), lanes_div(lanes_mul(K(0.5), _s20), _s10), lanes_sub(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(_s21, _s22), _s23)), _s10), lanes_div(lanes_mul(K(0.25), lanes_mul(_s20, _s20)), lanes_mul(_s10, _s9))), lanes_div(lanes_mul(K(0.5), _s25), _s10) };
 }
 
 /* The distance.
-   Table 2. 31 operations: 5 additions, 8 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections. */
+   Table 2. 30 operations: 5 additions, 7 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V gap;
 } LANES(court_bridge_off_out);
 
 LANES_INLINE LANES(court_bridge_off_out)
-LANES(court_bridge_off)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_ring_radius, V p_wire_radius, V x, V y, V z)
+LANES(court_bridge_off)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_add(p_ring_radius, x);
-    const V _s1 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s0 = lanes_add(_c3, x);
+    const V _s1 = lanes_neg(lanes_add(_c1, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_sub(y, p_bridge_half_width);
-    const V _s4 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s3 = lanes_sub(y, _c2);
+    const V _s4 = lanes_neg(lanes_add(_c2, y));
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(z, p_wire_radius);
-    const V _s7 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s6 = lanes_sub(z, _c4);
+    const V _s7 = lanes_sub(_c5, z);
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
-    return (LANES(court_bridge_off_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8))), p_ball_radius) };
+    return (LANES(court_bridge_off_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8))), _c0) };
 }
 
 /* What a ball that stays on it rolls on.
-   Table 2. 65 operations: 8 additions, 5 subtractions, 6 multiplications, 1 division, 8 negations, 1 absolute value, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections. */
+   Table 2. 47 operations: 3 additions, 3 subtractions, 5 negations, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections. */
 typedef struct {
     V bent_x;
     V bent_y;
@@ -5280,29 +5057,22 @@ typedef struct {
 } LANES(court_bridge_tube_out);
 
 LANES_INLINE LANES(court_bridge_tube_out)
-LANES(court_bridge_tube)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
+LANES(court_bridge_tube)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11)
 {
-    const V _s0 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
-    const V _s1 = lanes_add(lanes_add(_s0, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
-    const V _s2 = lanes_add(p_ring_radius, x);
-    const V _s3 = lanes_neg(_s1);
-    const V _s4 = lanes_neg(lanes_add(p_board_distance, x));
-    const V _s5 = lanes_select(lanes_either(lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s3, _s2), lanes_less(K(0.0), vx))), lanes_either(lanes_less(_s1, _s4), lanes_both(lanes_less(_s3, _s4), lanes_less(K(0.0), lanes_neg(vx))))), K(1.0), K(0.0));
-    const V _s6 = lanes_add(_s0, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
-    const V _s7 = lanes_sub(y, p_bridge_half_width);
-    const V _s8 = lanes_neg(_s6);
-    const V _s9 = lanes_neg(lanes_add(p_bridge_half_width, y));
-    const V _s10 = lanes_select(lanes_either(lanes_either(lanes_less(_s6, _s7), lanes_both(lanes_less(_s8, _s7), lanes_less(K(0.0), vy))), lanes_either(lanes_less(_s6, _s9), lanes_both(lanes_less(_s8, _s9), lanes_less(K(0.0), lanes_neg(vy))))), K(1.0), K(0.0));
-    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
-    const V _s12 = lanes_sub(z, p_wire_radius);
-    const V _s13 = lanes_neg(_s11);
-    const V _s14 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
-    const V _s15 = lanes_select(lanes_either(lanes_either(lanes_less(_s11, _s12), lanes_both(lanes_less(_s13, _s12), lanes_less(K(0.0), vz))), lanes_either(lanes_less(_s11, _s14), lanes_both(lanes_less(_s13, _s14), lanes_less(K(0.0), lanes_neg(vz))))), K(1.0), K(0.0));
-    return (LANES(court_bridge_tube_out)){ _s5, _s10, _s15, lanes_div(K(1.0), p_ball_radius) };
+    const V _s0 = lanes_add(_c2, x);
+    const V _s1 = lanes_neg(lanes_add(_c0, x));
+    const V _s2 = lanes_select(lanes_either(lanes_either(lanes_less(_c4, _s0), lanes_both(lanes_less(_c5, _s0), lanes_less(K(0.0), vx))), lanes_either(lanes_less(_c4, _s1), lanes_both(lanes_less(_c5, _s1), lanes_less(K(0.0), lanes_neg(vx))))), K(1.0), K(0.0));
+    const V _s3 = lanes_sub(y, _c1);
+    const V _s4 = lanes_neg(lanes_add(_c1, y));
+    const V _s5 = lanes_select(lanes_either(lanes_either(lanes_less(_c6, _s3), lanes_both(lanes_less(_c7, _s3), lanes_less(K(0.0), vy))), lanes_either(lanes_less(_c6, _s4), lanes_both(lanes_less(_c7, _s4), lanes_less(K(0.0), lanes_neg(vy))))), K(1.0), K(0.0));
+    const V _s6 = lanes_sub(z, _c3);
+    const V _s7 = lanes_sub(_c10, z);
+    const V _s8 = lanes_select(lanes_either(lanes_either(lanes_less(_c8, _s6), lanes_both(lanes_less(_c9, _s6), lanes_less(K(0.0), vz))), lanes_either(lanes_less(_c8, _s7), lanes_both(lanes_less(_c9, _s7), lanes_less(K(0.0), lanes_neg(vz))))), K(1.0), K(0.0));
+    return (LANES(court_bridge_tube_out)){ _s2, _s5, _s8, _c11 };
 }
 
 /* The rate at which the normal turns.
-   derivative of Table 2's normal. 31 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 29 operations: 3 additions, 6 subtractions, 3 multiplications, 5 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V turning_x;
     V turning_y;
@@ -5310,17 +5080,15 @@ typedef struct {
 } LANES(court_bridge_turning_out);
 
 LANES_INLINE LANES(court_bridge_turning_out)
-LANES(court_bridge_turning)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_ring_radius, V rolled_x, V rolled_y, V rolled_z, V p_wire_radius, V x, V y, V z)
+LANES(court_bridge_turning)(V rolled_x, V rolled_y, V rolled_z, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_div(K(1.0), p_ball_radius);
-    const V _s1 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_add(p_ring_radius, x), K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(lanes_neg(lanes_add(p_board_distance, x)), K(0.0)), K(0.0), lanes_neg(rolled_x))));
-    const V _s2 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(y, p_bridge_half_width), K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(lanes_neg(lanes_add(p_bridge_half_width, y)), K(0.0)), K(0.0), lanes_neg(rolled_y))));
-    const V _s3 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_wire_radius), K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z), K(0.0)), K(0.0), lanes_neg(rolled_z))));
-    return (LANES(court_bridge_turning_out)){ _s1, _s2, _s3 };
+    const V _s0 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_add(_c2, x), K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(lanes_neg(lanes_add(_c0, x)), K(0.0)), K(0.0), lanes_neg(rolled_x))));
+    const V _s1 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(y, _c1), K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(lanes_neg(lanes_add(_c1, y)), K(0.0)), K(0.0), lanes_neg(rolled_y))));
+    return (LANES(court_bridge_turning_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c3), K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(lanes_sub(_c5, z), K(0.0)), K(0.0), lanes_neg(rolled_z)))) };
 }
 
 /* The second to the fourth derivative of the distance along a flight.
-   derivatives of Table 2's distance. 112 operations: 12 additions, 16 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections. */
+   derivatives of Table 2's distance. 110 operations: 12 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 5 negations, 12 comparisons, 14 selections. */
 typedef struct {
     V lift;
     V surge;
@@ -5328,20 +5096,20 @@ typedef struct {
 } LANES(court_bridge_parting_out);
 
 LANES_INLINE LANES(court_bridge_parting_out)
-LANES(court_bridge_parting)(V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_gravity, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
+LANES(court_bridge_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_sub(z, p_wire_radius);
+    const V _s0 = lanes_sub(z, _c4);
     const M _s1 = lanes_less(_s0, K(0.0));
-    const V _s2 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s2 = lanes_sub(_c6, z);
     const M _s3 = lanes_less(_s2, K(0.0));
-    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), lanes_neg(p_gravity)), lanes_select(_s3, K(0.0), p_gravity));
+    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), _c5), lanes_select(_s3, K(0.0), _c2));
     const V _s5 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s2, K(0.0)));
     const V _s6 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
-    const V _s7 = lanes_add(p_ring_radius, x);
-    const V _s8 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s7 = lanes_add(_c3, x);
+    const V _s8 = lanes_neg(lanes_add(_c0, x));
     const V _s9 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(vx)));
-    const V _s10 = lanes_sub(y, p_bridge_half_width);
-    const V _s11 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s10 = lanes_sub(y, _c1);
+    const V _s11 = lanes_neg(lanes_add(_c1, y));
     const V _s12 = lanes_sub(lanes_select(lanes_less(_s10, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s11, K(0.0)), K(0.0), lanes_neg(vy)));
     const V _s13 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(K(2.0), lanes_mul(_s6, _s6))), lanes_mul(K(2.0), lanes_mul(_s9, _s9))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
     const V _s14 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
@@ -5359,7 +5127,7 @@ LANES(court_bridge_parting)(V p_board_distance, V p_bridge_depth, V p_bridge_hal
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 6 operations: 3 additions, 3 multiplications. */
+   Table 2. 1 operation: 1 addition. */
 typedef struct {
     V gap;
     V nearing;
@@ -5367,13 +5135,13 @@ typedef struct {
 } LANES(court_bridge_seam0_out);
 
 LANES_INLINE LANES(court_bridge_seam0_out)
-LANES(court_bridge_seam0)(V p_ball_radius, V p_board_distance, V p_ring_radius, V vx, V x)
+LANES(court_bridge_seam0)(V vx, V x, V _c0, V _c1)
 {
-    return (LANES(court_bridge_seam0_out)){ lanes_add(p_board_distance, x), vx, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius)) };
+    return (LANES(court_bridge_seam0_out)){ lanes_add(_c0, x), vx, _c1 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 6 operations: 3 additions, 3 multiplications. */
+   Table 2. 1 operation: 1 addition. */
 typedef struct {
     V gap;
     V nearing;
@@ -5381,13 +5149,13 @@ typedef struct {
 } LANES(court_bridge_seam1_out);
 
 LANES_INLINE LANES(court_bridge_seam1_out)
-LANES(court_bridge_seam1)(V p_ball_radius, V p_board_distance, V p_ring_radius, V vx, V x)
+LANES(court_bridge_seam1)(V vx, V x, V _c0, V _c1)
 {
-    return (LANES(court_bridge_seam1_out)){ lanes_add(p_ring_radius, x), vx, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius)) };
+    return (LANES(court_bridge_seam1_out)){ lanes_add(_c0, x), vx, _c1 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 4 operations: 2 additions, 2 multiplications. */
+   Table 2. 1 operation: 1 addition. */
 typedef struct {
     V gap;
     V nearing;
@@ -5395,13 +5163,13 @@ typedef struct {
 } LANES(court_bridge_seam2_out);
 
 LANES_INLINE LANES(court_bridge_seam2_out)
-LANES(court_bridge_seam2)(V p_ball_radius, V p_bridge_half_width, V vy, V y)
+LANES(court_bridge_seam2)(V vy, V y, V _c0, V _c1)
 {
-    return (LANES(court_bridge_seam2_out)){ lanes_add(p_bridge_half_width, y), vy, lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_bridge_half_width)) };
+    return (LANES(court_bridge_seam2_out)){ lanes_add(_c0, y), vy, _c1 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 4 operations: 1 addition, 1 subtraction, 2 multiplications. */
+   Table 2. 1 operation: 1 subtraction. */
 typedef struct {
     V gap;
     V nearing;
@@ -5409,13 +5177,13 @@ typedef struct {
 } LANES(court_bridge_seam3_out);
 
 LANES_INLINE LANES(court_bridge_seam3_out)
-LANES(court_bridge_seam3)(V p_ball_radius, V p_bridge_half_width, V vy, V y)
+LANES(court_bridge_seam3)(V vy, V y, V _c0, V _c1)
 {
-    return (LANES(court_bridge_seam3_out)){ lanes_sub(y, p_bridge_half_width), vy, lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_bridge_half_width)) };
+    return (LANES(court_bridge_seam3_out)){ lanes_sub(y, _c0), vy, _c1 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 9 operations: 3 additions, 2 subtractions, 3 multiplications, 1 absolute value. */
+   Table 2. 2 operations: 1 addition, 1 subtraction. */
 typedef struct {
     V gap;
     V nearing;
@@ -5423,13 +5191,13 @@ typedef struct {
 } LANES(court_bridge_seam4_out);
 
 LANES_INLINE LANES(court_bridge_seam4_out)
-LANES(court_bridge_seam4)(V p_ball_radius, V p_bridge_depth, V vz, V p_wire_radius, V z)
+LANES(court_bridge_seam4)(V vz, V z, V _c0, V _c1, V _c2)
 {
-    return (LANES(court_bridge_seam4_out)){ lanes_sub(lanes_add(p_bridge_depth, z), p_wire_radius), vz, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius)))) };
+    return (LANES(court_bridge_seam4_out)){ lanes_sub(lanes_add(_c0, z), _c1), vz, _c2 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
-   Table 2. 8 operations: 2 additions, 2 subtractions, 3 multiplications, 1 absolute value. */
+   Table 2. 1 operation: 1 subtraction. */
 typedef struct {
     V gap;
     V nearing;
@@ -5437,37 +5205,31 @@ typedef struct {
 } LANES(court_bridge_seam5_out);
 
 LANES_INLINE LANES(court_bridge_seam5_out)
-LANES(court_bridge_seam5)(V p_ball_radius, V p_bridge_depth, V vz, V p_wire_radius, V z)
+LANES(court_bridge_seam5)(V vz, V z, V _c0, V _c1)
 {
-    return (LANES(court_bridge_seam5_out)){ lanes_sub(z, p_wire_radius), vz, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius)))) };
+    return (LANES(court_bridge_seam5_out)){ lanes_sub(z, _c0), vz, _c1 };
 }
 
 /* A bound below the distance from all places at this height and distance from the axis.
-   Table 2. 57 operations: 5 additions, 7 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections. */
+   Table 2. 42 operations: 4 additions, 6 subtractions, 14 multiplications, 2 divisions, 2 square roots, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V gap;
     V nearing;
 } LANES(court_bridge_around_out);
 
 LANES_INLINE LANES(court_bridge_around_out)
-LANES(court_bridge_around)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
+LANES(court_bridge_around)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_sub(z, p_wire_radius);
-    const V _s1 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s0 = lanes_sub(z, _c1);
+    const V _s1 = lanes_sub(_c2, z);
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_neg(p_board_distance);
-    const V _s4 = lanes_max(K(0.0), _s3);
-    const V _s5 = lanes_max(_s4, p_ring_radius);
-    const V _s6 = lanes_neg(p_bridge_half_width);
-    const V _s7 = lanes_max(K(0.0), _s6);
-    const V _s8 = lanes_max(_s7, _s6);
-    const V _s9 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s10 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s8, _s8))), _s9);
-    const V _s11 = lanes_max(K(0.0), _s10);
-    const V _s12 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s11, _s11)));
-    const V _s13 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s9));
-    const V _s14 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s11), lanes_select(lanes_less(K(0.0), _s10), _s13, K(0.0))));
-    return (LANES(court_bridge_around_out)){ lanes_sub(_s12, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s14), _s12) };
+    const V _s3 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s4 = lanes_sub(_c3, _s3);
+    const V _s5 = lanes_max(K(0.0), _s4);
+    const V _s6 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)));
+    const V _s7 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s3));
+    const V _s8 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s5), lanes_select(lanes_less(K(0.0), _s4), _s7, K(0.0))));
+    return (LANES(court_bridge_around_out)){ lanes_sub(_s6, _c0), lanes_div(lanes_mul(K(0.5), _s8), _s6) };
 }
 
 /* The first window that ends later than a time, if there is one, from then on.
@@ -5503,7 +5265,7 @@ LANES(court_end_normal)(void)
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
-   Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections. */
+   Eq. 3 in Table 2, solved. 21 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 4 selections. */
 typedef struct {
     V time;
     V rate;
@@ -5513,28 +5275,27 @@ typedef struct {
 } LANES(court_end_arrival_out);
 
 LANES_INLINE LANES(court_end_arrival_out)
-LANES(court_end_arrival)(V leaving, V z, V vz, V p_gravity, V p_end_depth)
+LANES(court_end_arrival)(V leaving, V z, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const M _s0 = lanes_less(K(0.0), leaving);
-    const V _s1 = lanes_select(_s0, K(0.0), lanes_sub(z, lanes_neg(p_end_depth)));
-    const V _s2 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s1));
+    const V _s1 = lanes_select(_s0, K(0.0), lanes_sub(z, _c1));
+    const V _s2 = lanes_add(lanes_mul(vz, vz), lanes_mul(_c2, _s1));
     const V _s3 = lanes_select(_s0, lanes_abs(vz), lanes_sqrt(_s2));
     const M _s4 = lanes_less(vz, K(0.0));
-    const V _s5 = lanes_neg(lanes_div(K(1.0), p_gravity));
-    return (LANES(court_end_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), p_gravity)), lanes_neg(_s3), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s5)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s5), _s2)) };
+    return (LANES(court_end_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), _c0)), lanes_neg(_s3), _c3, lanes_neg(lanes_mul(vz, _c4)), lanes_neg(lanes_mul(_c5, _s2)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
-   running error analysis. 13 operations: 6 additions, 7 multiplications. */
+   running error analysis. 12 operations: 6 additions, 6 multiplications. */
 typedef struct {
     V margin;
 } LANES(court_end_margin_out);
 
 LANES_INLINE LANES(court_end_margin_out)
-LANES(court_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity, V p_end_depth)
+LANES(court_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1)
 {
-    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
-    return (LANES(court_end_margin_out)){ lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_end_depth), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c0, horizon))));
+    return (LANES(court_end_margin_out)){ lanes_add(lanes_add(_c1, lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
 /* The bounds of the ends on a plane: the first whose bounds all hold is reached.
@@ -5544,13 +5305,13 @@ typedef struct {
 } LANES(court_end_bounds_out);
 
 LANES_INLINE LANES(court_end_bounds_out)
-LANES(court_end_bounds)(V x, V y, V p_ring_radius)
+LANES(court_end_bounds)(V x, V y, V _c0)
 {
-    return (LANES(court_end_bounds_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius) };
+    return (LANES(court_end_bounds_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), _c0) };
 }
 
 /* The distance, its rate, and how fast it bends down at most, by the squared speed.
-   Table 2. 2 operations: 1 subtraction, 1 negation. */
+   Table 2. 1 operation: 1 subtraction. */
 typedef struct {
     V gap;
     V nearing;
@@ -5558,22 +5319,22 @@ typedef struct {
 } LANES(court_end_beside_out);
 
 LANES_INLINE LANES(court_end_beside_out)
-LANES(court_end_beside)(V p_end_depth, V vz, V z)
+LANES(court_end_beside)(V vz, V z, V _c0)
 {
-    return (LANES(court_end_beside_out)){ lanes_sub(z, lanes_neg(p_end_depth)), vz, K(0.0) };
+    return (LANES(court_end_beside_out)){ lanes_sub(z, _c0), vz, K(0.0) };
 }
 
 /* A bound below the distance from all places at this height and distance from the axis.
-   Table 2. 2 operations: 1 subtraction, 1 negation. */
+   Table 2. 1 operation: 1 subtraction. */
 typedef struct {
     V gap;
     V nearing;
 } LANES(court_end_around_out);
 
 LANES_INLINE LANES(court_end_around_out)
-LANES(court_end_around)(V p_end_depth, V vz, V z)
+LANES(court_end_around)(V vz, V z, V _c0)
 {
-    return (LANES(court_end_around_out)){ lanes_sub(z, lanes_neg(p_end_depth)), vz };
+    return (LANES(court_end_around_out)){ lanes_sub(z, _c0), vz };
 }
 
 /* The end that a crossing reaches.

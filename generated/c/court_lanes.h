@@ -13,9 +13,11 @@
 #if defined(__GNUC__)
 #define LANES_POPULATION(bits) __builtin_popcount(bits)
 #define LANES_LOWEST(bits) __builtin_ctz(bits)
+#define LANES_SELDOM(asked) __builtin_expect((asked) != 0, 0)
 #else
 #define LANES_POPULATION(bits) ((bits) & 1U)
 #define LANES_LOWEST(bits) 0
+#define LANES_SELDOM(asked) (asked)
 #endif
 
 #if defined(__GNUC__) && defined(__x86_64__)

@@ -90,6 +90,7 @@ typedef struct {
     LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth;
     LANES(hoop_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(hoop_column) body;
+    LANES(hoop_column) permitted;
     LANES(hoop_column) limited;
     LANES(hoop_column) time_error;
     LANES(hoop_column) when;
@@ -151,6 +152,10 @@ typedef struct {
     LANES(hoop_singles) open_leaping_short_x;
     LANES(hoop_singles) open_leaping_short_y;
     LANES(hoop_singles) open_leaping_short_z;
+    LANES(hoop_column) turning_p_ball_radius;
+    LANES(hoop_column) turning_p_gravity;
+    LANES(hoop_column) turning_p_ring_radius;
+    LANES(hoop_column) turning_p_wire_radius;
     LANES(hoop_column) open_searching_row;
     LANES(hoop_column) open_searching_arrival;
     LANES(hoop_column) open_searching_certain;
@@ -226,7 +231,16 @@ typedef struct {
     LANES(hoop_column) open_refining_x;
     LANES(hoop_column) open_refining_y;
     LANES(hoop_column) open_refining_z;
+    /* What kernels make of parameters alone. */
+    _Alignas(64) double fixed[49][LANES_WIDTH];
+    _Alignas(64) float fixed_single[26][LANES_WIDTH];
 } LANES(hoop_plain_lists);
+
+/* Look at the parameters of a row of lanes. */
+LANES_INLINE void LANES(hoop_plain_permitted)(LANES(hoop_plain_lists) *lists, size_t row)
+{
+    lanes_store(lists->permitted + row, lanes_select(LANES(hoop_permit)(lanes_load(lists->p_ball_radius + row), lanes_load(lists->p_ring_radius + row), lanes_load(lists->p_wire_radius + row), lanes_load(lists->p_board_distance + row), lanes_load(lists->p_board_half_width + row), lanes_load(lists->p_board_bottom + row), lanes_load(lists->p_board_top + row), lanes_load(lists->p_bridge_half_width + row), lanes_load(lists->p_restitution + row), lanes_load(lists->p_gravity + row), lanes_load(lists->p_end_depth + row)), K(1.0), K(0.0)));
+}
 
 /* Put the next shots into rows, from one on. */
 LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t row, size_t shots, const hoop_job *job, size_t start)
@@ -272,6 +286,9 @@ LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t
             lists->p_gravity[row + k] = job->parameters[9][job->strides[9] * (int64_t)(start + k)];
             lists->p_end_depth[row + k] = job->parameters[10][job->strides[10] * (int64_t)(start + k)];
         }
+    if (job->varying)
+        for (k = 0; k < shots; k += LANES_WIDTH)
+            LANES(hoop_plain_permitted)(lists, row + k);
     for (k = 0; k < shots; k++)
         lists->shot[row + k] = start + k;
     for (k = 0; k < shots; k += LANES_WIDTH) {
@@ -417,6 +434,469 @@ LANES_INLINE size_t LANES(hoop_plain_leave)(LANES(hoop_plain_lists) *lists, size
     return kept;
 }
 
+/* Make what kernels are given ready made, of the parameters of the first row. */
+static void LANES(hoop_plain_fix)(LANES(hoop_plain_lists) *lists)
+{
+    (void)lists;
+    const V p_ball_radius = lanes_load(lists->p_ball_radius);
+    const V p_board_bottom = lanes_load(lists->p_board_bottom);
+    const V p_board_distance = lanes_load(lists->p_board_distance);
+    const V p_board_half_width = lanes_load(lists->p_board_half_width);
+    const V p_board_top = lanes_load(lists->p_board_top);
+    const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
+    const V p_end_depth = lanes_load(lists->p_end_depth);
+    const V p_gravity = lanes_load(lists->p_gravity);
+    const V p_restitution = lanes_load(lists->p_restitution);
+    const V p_ring_radius = lanes_load(lists->p_ring_radius);
+    const V p_wire_radius = lanes_load(lists->p_wire_radius);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_sub(p_ball_radius, p_board_distance);
+        const V _s2 = lanes_mul(K(2.0), p_ball_radius);
+        const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
+        const V _s4 = lanes_div(K(1.0), p_gravity);
+        const V _s5 = lanes_neg(_s4);
+        const V _s6 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s7 = lanes_add(p_ring_radius, _s6);
+        const V _s8 = lanes_mul(_s7, _s7);
+        const V _s9 = lanes_mul(K(9.313225746154785e-10), _s8);
+        const V _s10 = lanes_sub(p_ring_radius, _s6);
+        const V _s11 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s12 = lanes_max(_s10, _s11);
+        const V _s13 = lanes_mul(_s12, _s12);
+        const V _s14 = lanes_div(K(1.0), _s12);
+        const V _s15 = lanes_div(_s6, _s12);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[1], p_board_distance);
+        lanes_store(lists->fixed[2], p_board_half_width);
+        lanes_store(lists->fixed[3], p_board_bottom);
+        lanes_store(lists->fixed[4], p_board_top);
+        lanes_store(lists->fixed[5], p_bridge_half_width);
+        lanes_store(lists->fixed[6], _s0);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[8], _s1);
+        lanes_store(lists->fixed[9], lanes_sub(_s1, _s2));
+        lanes_store(lists->fixed[10], lanes_sub(lanes_sub(_s0, _s2), lanes_mul(K(2.0), p_wire_radius)));
+        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        lanes_store(lists->fixed[12], lanes_add(lanes_add(lanes_add(_s3, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
+        lanes_store(lists->fixed[13], _s4);
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[15], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[17], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[18], _s5);
+        lanes_store(lists->fixed[19], lanes_mul(K(0.5), _s5));
+        lanes_store(lists->fixed[20], lanes_mul(p_bridge_half_width, p_bridge_half_width));
+        lanes_store(lists->fixed[21], lanes_neg(p_board_distance));
+        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[23], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[24], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[26], _s6);
+        lanes_store(lists->fixed[27], lanes_mul(K(5.820766091346741e-11), _s7));
+        lanes_store(lists->fixed[28], lanes_mul(K(65536.0), _s7));
+        lanes_store(lists->fixed[29], _s8);
+        lanes_store(lists->fixed[30], _s9);
+        lanes_store(lists->fixed[31], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[33], _s13);
+        lanes_store(lists->fixed[34], lanes_mul(_s12, _s13));
+        lanes_store(lists->fixed[35], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[36], lanes_add(_s9, _s13));
+        lanes_store(lists->fixed[37], lanes_mul(_s14, lanes_mul(_s14, _s14)));
+        lanes_store(lists->fixed[38], _s7);
+        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s7));
+        lanes_store(lists->fixed[40], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[41], lanes_max(K(1.0), _s15));
+        lanes_store(lists->fixed[42], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[43], lanes_mul(K(9.094947017729282e-13), _s7));
+        lanes_store(lists->fixed[44], _s12);
+        lanes_store(lists->fixed[45], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[46], p_restitution);
+        lanes_store(lists->fixed[47], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[48], lanes_div(K(1.0), p_ball_radius));
+    }
+    {
+        const S _p_ball_radius = lanes_narrow(p_ball_radius);
+        const S _p_ring_radius = lanes_narrow(p_ring_radius);
+        const S _p_wire_radius = lanes_narrow(p_wire_radius);
+        const S _p_gravity = lanes_narrow(p_gravity);
+        const S _s0 = singles_add(_p_ball_radius, _p_wire_radius);
+        const S _s1 = singles_mul(KS(1.00006103515625), _s0);
+        const S _s2 = singles_add(_p_ring_radius, _s1);
+        const S _s3 = singles_sub(_p_ring_radius, _s1);
+        const S _s4 = singles_mul(KS(0.0001220703125), _p_ring_radius);
+        const S _s5 = singles_max(_s3, _s4);
+        const S _s6 = singles_div(_s0, _s5);
+        const S _s7 = singles_max(KS(1.0), _s6);
+        const S _s8 = singles_div(KS(1.0), _s5);
+        singles_store(lists->fixed_single[0], _p_gravity);
+        singles_store(lists->fixed_single[1], _s1);
+        singles_store(lists->fixed_single[2], singles_mul(KS(2.0), _p_gravity));
+        singles_store(lists->fixed_single[3], singles_div(KS(1.0), _p_gravity));
+        singles_store(lists->fixed_single[4], _s2);
+        singles_store(lists->fixed_single[5], singles_mul(_s2, _s2));
+        singles_store(lists->fixed_single[6], _s5);
+        singles_store(lists->fixed_single[7], singles_mul(_s5, _s5));
+        singles_store(lists->fixed_single[8], singles_mul(KS(32.0), _s5));
+        singles_store(lists->fixed_single[9], singles_add(singles_mul(KS(32.0), _p_ball_radius), singles_mul(KS(32.0), _p_wire_radius)));
+        singles_store(lists->fixed_single[10], _s0);
+        singles_store(lists->fixed_single[11], _s7);
+        singles_store(lists->fixed_single[12], singles_mul(KS(4.0), _p_gravity));
+        singles_store(lists->fixed_single[13], singles_mul(KS(2.0), _p_ring_radius));
+        singles_store(lists->fixed_single[14], singles_mul(singles_mul(KS(6.0003662109375), _p_gravity), _s0));
+        singles_store(lists->fixed_single[15], singles_mul(_s8, singles_mul(_s8, _s8)));
+        singles_store(lists->fixed_single[16], singles_mul(KS(5.0048828125), _s0));
+        singles_store(lists->fixed_single[17], singles_mul(KS(7.62939453125e-06), singles_mul(singles_div(_s2, _s5), _s7)));
+        singles_store(lists->fixed_single[18], singles_add(singles_mul(KS(128.0), _p_ball_radius), singles_mul(KS(128.0), _p_wire_radius)));
+        singles_store(lists->fixed_single[19], _p_ring_radius);
+        singles_store(lists->fixed_single[20], singles_mul(KS(0.5), _p_gravity));
+        singles_store(lists->fixed_single[21], singles_mul(_s0, _s0));
+        singles_store(lists->fixed_single[22], singles_mul(KS(6.0), _p_gravity));
+        singles_store(lists->fixed_single[23], singles_add(singles_mul(KS(0.0001220703125), _p_ball_radius), singles_mul(KS(0.0001220703125), _p_wire_radius)));
+        singles_store(lists->fixed_single[24], singles_mul(KS(9.5367431640625e-07), _s2));
+        singles_store(lists->fixed_single[25], singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_plain_fix_f1)(LANES(hoop_plain_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
+    const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
+    const V p_board_distance = lanes_load(lists->p_board_distance + i);
+    const V p_board_half_width = lanes_load(lists->p_board_half_width + i);
+    const V p_board_top = lanes_load(lists->p_board_top + i);
+    const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + i);
+    const V p_end_depth = lanes_load(lists->p_end_depth + i);
+    const V p_ring_radius = lanes_load(lists->p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_sub(p_ball_radius, p_board_distance);
+        const V _s2 = lanes_mul(K(2.0), p_ball_radius);
+        const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[1], p_board_distance);
+        lanes_store(lists->fixed[2], p_board_half_width);
+        lanes_store(lists->fixed[3], p_board_bottom);
+        lanes_store(lists->fixed[4], p_board_top);
+        lanes_store(lists->fixed[5], p_bridge_half_width);
+        lanes_store(lists->fixed[6], _s0);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[8], _s1);
+        lanes_store(lists->fixed[9], lanes_sub(_s1, _s2));
+        lanes_store(lists->fixed[10], lanes_sub(lanes_sub(_s0, _s2), lanes_mul(K(2.0), p_wire_radius)));
+        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        lanes_store(lists->fixed[12], lanes_add(lanes_add(lanes_add(_s3, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_plain_fix_f5)(LANES(hoop_plain_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
+    const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
+    const V p_board_distance = lanes_load(lists->p_board_distance + i);
+    const V p_board_half_width = lanes_load(lists->p_board_half_width + i);
+    const V p_board_top = lanes_load(lists->p_board_top + i);
+    const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + i);
+    const V p_end_depth = lanes_load(lists->p_end_depth + i);
+    const V p_gravity = lanes_load(lists->p_gravity + i);
+    const V p_ring_radius = lanes_load(lists->p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_div(K(1.0), p_gravity);
+        const V _s2 = lanes_neg(_s1);
+        const V _s3 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s4 = lanes_add(p_ring_radius, _s3);
+        const V _s5 = lanes_mul(_s4, _s4);
+        const V _s6 = lanes_mul(K(9.313225746154785e-10), _s5);
+        const V _s7 = lanes_sub(p_ring_radius, _s3);
+        const V _s8 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s9 = lanes_max(_s7, _s8);
+        const V _s10 = lanes_mul(_s9, _s9);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[1], p_board_distance);
+        lanes_store(lists->fixed[2], p_board_half_width);
+        lanes_store(lists->fixed[3], p_board_bottom);
+        lanes_store(lists->fixed[4], p_board_top);
+        lanes_store(lists->fixed[5], p_bridge_half_width);
+        lanes_store(lists->fixed[6], _s0);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[8], lanes_sub(p_ball_radius, p_board_distance));
+        lanes_store(lists->fixed[13], _s1);
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[15], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[17], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[18], _s2);
+        lanes_store(lists->fixed[19], lanes_mul(K(0.5), _s2));
+        lanes_store(lists->fixed[20], lanes_mul(p_bridge_half_width, p_bridge_half_width));
+        lanes_store(lists->fixed[21], lanes_neg(p_board_distance));
+        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[23], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[24], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[26], _s3);
+        lanes_store(lists->fixed[27], lanes_mul(K(5.820766091346741e-11), _s4));
+        lanes_store(lists->fixed[28], lanes_mul(K(65536.0), _s4));
+        lanes_store(lists->fixed[29], _s5);
+        lanes_store(lists->fixed[30], _s6);
+        lanes_store(lists->fixed[31], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[33], _s10);
+        lanes_store(lists->fixed[34], lanes_mul(_s9, _s10));
+        lanes_store(lists->fixed[35], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[36], lanes_add(_s6, _s10));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_plain_fix_f42)(LANES(hoop_plain_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
+    const V p_gravity = lanes_load(lists->open_p_gravity + i);
+    const V p_ring_radius = lanes_load(lists->open_p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
+    {
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
+    }
+    {
+        const S _p_ball_radius = lanes_narrow(p_ball_radius);
+        const S _p_ring_radius = lanes_narrow(p_ring_radius);
+        const S _p_wire_radius = lanes_narrow(p_wire_radius);
+        const S _p_gravity = lanes_narrow(p_gravity);
+        const S _s0 = singles_add(_p_ball_radius, _p_wire_radius);
+        const S _s1 = singles_mul(KS(1.00006103515625), _s0);
+        const S _s2 = singles_add(_p_ring_radius, _s1);
+        const S _s3 = singles_sub(_p_ring_radius, _s1);
+        const S _s4 = singles_mul(KS(0.0001220703125), _p_ring_radius);
+        const S _s5 = singles_max(_s3, _s4);
+        const S _s6 = singles_div(_s0, _s5);
+        const S _s7 = singles_max(KS(1.0), _s6);
+        const S _s8 = singles_div(KS(1.0), _s5);
+        singles_store(lists->fixed_single[0], _p_gravity);
+        singles_store(lists->fixed_single[1], _s1);
+        singles_store(lists->fixed_single[2], singles_mul(KS(2.0), _p_gravity));
+        singles_store(lists->fixed_single[3], singles_div(KS(1.0), _p_gravity));
+        singles_store(lists->fixed_single[4], _s2);
+        singles_store(lists->fixed_single[5], singles_mul(_s2, _s2));
+        singles_store(lists->fixed_single[6], _s5);
+        singles_store(lists->fixed_single[7], singles_mul(_s5, _s5));
+        singles_store(lists->fixed_single[8], singles_mul(KS(32.0), _s5));
+        singles_store(lists->fixed_single[9], singles_add(singles_mul(KS(32.0), _p_ball_radius), singles_mul(KS(32.0), _p_wire_radius)));
+        singles_store(lists->fixed_single[10], _s0);
+        singles_store(lists->fixed_single[11], _s7);
+        singles_store(lists->fixed_single[12], singles_mul(KS(4.0), _p_gravity));
+        singles_store(lists->fixed_single[13], singles_mul(KS(2.0), _p_ring_radius));
+        singles_store(lists->fixed_single[14], singles_mul(singles_mul(KS(6.0003662109375), _p_gravity), _s0));
+        singles_store(lists->fixed_single[15], singles_mul(_s8, singles_mul(_s8, _s8)));
+        singles_store(lists->fixed_single[16], singles_mul(KS(5.0048828125), _s0));
+        singles_store(lists->fixed_single[17], singles_mul(KS(7.62939453125e-06), singles_mul(singles_div(_s2, _s5), _s7)));
+        singles_store(lists->fixed_single[18], singles_add(singles_mul(KS(128.0), _p_ball_radius), singles_mul(KS(128.0), _p_wire_radius)));
+        singles_store(lists->fixed_single[19], _p_ring_radius);
+        singles_store(lists->fixed_single[20], singles_mul(KS(0.5), _p_gravity));
+        singles_store(lists->fixed_single[21], singles_mul(_s0, _s0));
+        singles_store(lists->fixed_single[22], singles_mul(KS(6.0), _p_gravity));
+        singles_store(lists->fixed_single[23], singles_add(singles_mul(KS(0.0001220703125), _p_ball_radius), singles_mul(KS(0.0001220703125), _p_wire_radius)));
+        singles_store(lists->fixed_single[24], singles_mul(KS(9.5367431640625e-07), _s2));
+        singles_store(lists->fixed_single[25], singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_plain_fix_f53)(LANES(hoop_plain_lists) *lists, size_t taken, M idle)
+{
+    const V p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
+    const V p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
+    const V p_ring_radius = lanes_expand(lists->open_leaping_p_ring_radius + taken, idle, lanes_load(lists->turning_p_ring_radius));
+    const V p_wire_radius = lanes_expand(lists->open_leaping_p_wire_radius + taken, idle, lanes_load(lists->turning_p_wire_radius));
+    lanes_store(lists->turning_p_ball_radius, p_ball_radius);
+    lanes_store(lists->turning_p_gravity, p_gravity);
+    lanes_store(lists->turning_p_ring_radius, p_ring_radius);
+    lanes_store(lists->turning_p_wire_radius, p_wire_radius);
+    {
+        const S _p_ball_radius = lanes_narrow(p_ball_radius);
+        const S _p_ring_radius = lanes_narrow(p_ring_radius);
+        const S _p_wire_radius = lanes_narrow(p_wire_radius);
+        const S _p_gravity = lanes_narrow(p_gravity);
+        const S _s0 = singles_add(_p_ball_radius, _p_wire_radius);
+        const S _s1 = singles_mul(KS(1.00006103515625), _s0);
+        const S _s2 = singles_sub(_p_ring_radius, _s1);
+        const S _s3 = singles_mul(KS(0.0001220703125), _p_ring_radius);
+        singles_store(lists->fixed_single[0], _p_gravity);
+        singles_store(lists->fixed_single[1], _s1);
+        singles_store(lists->fixed_single[6], singles_max(_s2, _s3));
+        singles_store(lists->fixed_single[19], _p_ring_radius);
+        singles_store(lists->fixed_single[20], singles_mul(KS(0.5), _p_gravity));
+        singles_store(lists->fixed_single[21], singles_mul(_s0, _s0));
+        singles_store(lists->fixed_single[22], singles_mul(KS(6.0), _p_gravity));
+        singles_store(lists->fixed_single[23], singles_add(singles_mul(KS(0.0001220703125), _p_ball_radius), singles_mul(KS(0.0001220703125), _p_wire_radius)));
+        singles_store(lists->fixed_single[24], singles_mul(KS(9.5367431640625e-07), singles_add(_p_ring_radius, _s1)));
+        singles_store(lists->fixed_single[25], singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_plain_fix_f56)(LANES(hoop_plain_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->open_searching_p_ball_radius + i);
+    const V p_gravity = lanes_load(lists->open_searching_p_gravity + i);
+    const V p_ring_radius = lanes_load(lists->open_searching_p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->open_searching_p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s2 = lanes_add(p_ring_radius, _s1);
+        const V _s3 = lanes_sub(p_ring_radius, _s1);
+        const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s5 = lanes_max(_s3, _s4);
+        const V _s6 = lanes_div(K(1.0), _s5);
+        const V _s7 = lanes_div(_s1, _s5);
+        lanes_store(lists->fixed[13], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[23], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[24], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[26], _s1);
+        lanes_store(lists->fixed[29], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[31], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[33], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[35], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[37], lanes_mul(_s6, lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[38], _s2);
+        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[40], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[41], lanes_max(K(1.0), _s7));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_plain_fix_f61)(LANES(hoop_plain_lists) *lists, size_t taken, M idle)
+{
+    const V p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
+    const V p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
+    const V p_ring_radius = lanes_expand(lists->open_searching_searching_p_ring_radius + taken, idle, lanes_load(lists->turning_p_ring_radius));
+    const V p_wire_radius = lanes_expand(lists->open_searching_searching_p_wire_radius + taken, idle, lanes_load(lists->turning_p_wire_radius));
+    lanes_store(lists->turning_p_ball_radius, p_ball_radius);
+    lanes_store(lists->turning_p_gravity, p_gravity);
+    lanes_store(lists->turning_p_ring_radius, p_ring_radius);
+    lanes_store(lists->turning_p_wire_radius, p_wire_radius);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s2 = lanes_add(p_ring_radius, _s1);
+        const V _s3 = lanes_sub(p_ring_radius, _s1);
+        const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s5 = lanes_max(_s3, _s4);
+        const V _s6 = lanes_div(_s1, _s5);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[26], _s1);
+        lanes_store(lists->fixed[38], _s2);
+        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[40], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[41], lanes_max(K(1.0), _s6));
+        lanes_store(lists->fixed[42], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[43], lanes_mul(K(9.094947017729282e-13), _s2));
+        lanes_store(lists->fixed[44], _s5);
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_plain_fix_f72)(LANES(hoop_plain_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
+    const V p_gravity = lanes_load(lists->open_p_gravity + i);
+    const V p_ring_radius = lanes_load(lists->open_p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_plain_fix_f81)(LANES(hoop_plain_lists) *lists, size_t taken, M idle)
+{
+    const V p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
+    const V p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
+    const V p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, lanes_load(lists->turning_p_ring_radius));
+    const V p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, lanes_load(lists->turning_p_wire_radius));
+    lanes_store(lists->turning_p_ball_radius, p_ball_radius);
+    lanes_store(lists->turning_p_gravity, p_gravity);
+    lanes_store(lists->turning_p_ring_radius, p_ring_radius);
+    lanes_store(lists->turning_p_wire_radius, p_wire_radius);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_plain_fix_f86)(LANES(hoop_plain_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
+    const V p_board_distance = lanes_load(lists->p_board_distance + i);
+    const V p_gravity = lanes_load(lists->p_gravity + i);
+    const V p_restitution = lanes_load(lists->p_restitution + i);
+    const V p_ring_radius = lanes_load(lists->p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[6], _s0);
+        lanes_store(lists->fixed[8], lanes_sub(p_ball_radius, p_board_distance));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[45], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[46], p_restitution);
+        lanes_store(lists->fixed[47], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[48], lanes_div(K(1.0), p_ball_radius));
+    }
+}
+
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
    No errors are bounded: the same path, with less work. */
 static void LANES(hoop_plain)(const hoop_job *job)
@@ -441,7 +921,8 @@ static void LANES(hoop_plain)(const hoop_job *job)
     lanes_store(lists->p_restitution, K(*job->parameters[8]));
     lanes_store(lists->p_gravity, K(*job->parameters[9]));
     lanes_store(lists->p_end_depth, K(*job->parameters[10]));
-    const M all_permitted = LANES(hoop_permit)(lanes_load(lists->p_ball_radius), lanes_load(lists->p_ring_radius), lanes_load(lists->p_wire_radius), lanes_load(lists->p_board_distance), lanes_load(lists->p_board_half_width), lanes_load(lists->p_board_bottom), lanes_load(lists->p_board_top), lanes_load(lists->p_bridge_half_width), lanes_load(lists->p_restitution), lanes_load(lists->p_gravity), lanes_load(lists->p_end_depth));
+    LANES(hoop_plain_permitted)(lists, 0);
+    LANES(hoop_plain_fix)(lists);
     for (;;) {
         if (job->stop && *job->stop)
             return;
@@ -460,18 +941,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
 
         /* A new shot is looked at once. */
         for (size_t i = fresh; i < shots; i += LANES_WIDTH) {
+            if (LANES_SELDOM(varying))
+                LANES(hoop_plain_fix_f1)(lists, i);
             V last = lanes_load(lists->last + i);
-            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
-            const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
-            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
-            const V p_board_half_width = lanes_load(lists->p_board_half_width + (i & varying));
-            const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
-            const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
-            const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
-            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
-            const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
-            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
-            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
@@ -481,18 +953,16 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            M permitted = all_permitted;
-            if (varying)
-                permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
-            const LANES(hoop_finite_state_out) _o1 =
+            M permitted = lanes_less(K(0.0), lanes_load(lists->permitted + (i & varying)));
+            const LANES(hoop_finite_state_out) _o2 =
                 LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
-            M finite = _o1.finite;
-            const LANES(hoop_valid_out) _o2 =
-                LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
-            V valid = _o2.valid;
-            const LANES(hoop_admitted_out) _o3 =
+            M finite = _o2.finite;
+            const LANES(hoop_valid_out) _o3 =
+                LANES(hoop_valid)(last, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]));
+            V valid = _o3.valid;
+            const LANES(hoop_admitted_out) _o4 =
                 LANES(hoop_admitted)(K(INFINITY), finite, permitted, valid);
-            V outcome = _o3.outcome;
+            V outcome = _o4.outcome;
             lanes_store(lists->outcome + i, outcome);
         }
 
@@ -510,154 +980,146 @@ static void LANES(hoop_plain)(const hoop_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             LANES(hoop_ahead)(job, begun + i);
+            if (LANES_SELDOM(varying))
+                LANES(hoop_plain_fix_f5)(lists, i);
             V last = lanes_load(lists->last + i);
-            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
-            const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
-            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
-            const V p_board_half_width = lanes_load(lists->p_board_half_width + (i & varying));
-            const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
-            const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
-            const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
-            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
-            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
-            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(hoop_error_bounds_out) _o4 =
+            const LANES(hoop_error_bounds_out) _o6 =
                 LANES(hoop_error_bounds)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
-            V time_error = _o4.time_error;
-            const LANES(hoop_scale_out) _o5 =
-                LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
-            V extent = _o5.extent;
-            V speed = _o5.speed;
-            V excess = _o5.excess;
-            const LANES(hoop_opening_out) _o6 =
+            V time_error = _o6.time_error;
+            const LANES(hoop_scale_out) _o7 =
+                LANES(hoop_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[13]));
+            V extent = _o7.extent;
+            V speed = _o7.speed;
+            V excess = _o7.excess;
+            const LANES(hoop_opening_out) _o8 =
                 LANES(hoop_opening)(excess, K(0.0), K(0.0));
-            V when = _o6.when;
-            V which = _o6.which;
-            const LANES(hoop_limited_out) _o7 =
+            V when = _o8.when;
+            V which = _o8.which;
+            const LANES(hoop_limited_out) _o9 =
                 LANES(hoop_limited)(time_limit);
-            M limited = _o7.limited;
-            const LANES(hoop_left_out) _o8 =
+            M limited = _o9.limited;
+            const LANES(hoop_left_out) _o10 =
                 LANES(hoop_left)(K(3.0), last);
-            V leaving = _o8.leaving;
-            const LANES(hoop_end_arrival_out) _o9 =
-                LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
-            V time = _o9.time;
-            V rate = _o9.rate;
-            V bend = _o9.bend;
-            const LANES(hoop_meeting_plane_out) _o10 =
+            V leaving = _o10.leaving;
+            const LANES(hoop_end_arrival_out) _o11 =
+                LANES(hoop_end_arrival)(leaving, z, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
+            V time = _o11.time;
+            V rate = _o11.rate;
+            V bend = _o11.bend;
+            const LANES(hoop_meeting_plane_out) _o12 =
                 LANES(hoop_meeting_plane)(bend, rate, time);
-            M arrives = _o10.arrives;
-            const LANES(hoop_timely_out) _o11 =
+            M arrives = _o12.arrives;
+            const LANES(hoop_timely_out) _o13 =
                 LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-            M possible = _o11.possible;
-            const M _m12 = lanes_both(rows, possible);
+            M possible = _o13.possible;
+            const M _m14 = lanes_both(rows, possible);
             {
-                const LANES(hoop_sooner_out) _o13 =
+                const LANES(hoop_sooner_out) _o15 =
                     LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m12, _o13.when, when);
-                which = lanes_select(_m12, _o13.which, which);
+                when = lanes_select(_m14, _o15.when, when);
+                which = lanes_select(_m14, _o15.which, which);
             }
-            const LANES(hoop_released_out) _o14 =
+            const LANES(hoop_released_out) _o16 =
                 LANES(hoop_released)(last);
-            M released = _o14.released;
-            M reachable = _o14.reachable;
-            const M _m15 = lanes_both(rows, released);
-            if (lanes_any(_m15)) {
-                const LANES(hoop_horizon_out) _o16 =
-                    LANES(hoop_horizon)(when, speed, p_gravity);
-                V until = _o16.horizon;
-                V pad = _o16.pad;
-                const LANES(hoop_reachable_out) _o17 =
-                    LANES(hoop_reachable)(p_ball_radius, p_board_distance, p_bridge_half_width, extent, p_gravity, until, K(0.0), pad, K(0.0), p_ring_radius, speed, K(0.0), vx, x);
-                reachable = lanes_choose(_m15, _o17.reachable, reachable);
+            M released = _o16.released;
+            M reachable = _o16.reachable;
+            const M _m17 = lanes_both(rows, released);
+            if (lanes_any(_m17)) {
+                const LANES(hoop_horizon_out) _o18 =
+                    LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[13]));
+                V until = _o18.horizon;
+                V pad = _o18.pad;
+                const LANES(hoop_reachable_out) _o19 =
+                    LANES(hoop_reachable)(extent, until, K(0.0), pad, K(0.0), speed, K(0.0), vx, x, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[21]));
+                reachable = lanes_choose(_m17, _o19.reachable, reachable);
             }
-            const M _m18 = lanes_both(rows, reachable);
-            if (lanes_any(_m18)) {
-                const LANES(hoop_left_out) _o19 =
+            const M _m20 = lanes_both(rows, reachable);
+            if (lanes_any(_m20)) {
+                const LANES(hoop_left_out) _o21 =
                     LANES(hoop_left)(K(1.0), last);
-                V leaving = _o19.leaving;
-                const LANES(hoop_backboard_arrival_out) _o20 =
-                    LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-                V time = _o20.time;
-                V rate = _o20.rate;
-                V bend = _o20.bend;
-                const LANES(hoop_meeting_plane_out) _o21 =
+                V leaving = _o21.leaving;
+                const LANES(hoop_backboard_arrival_out) _o22 =
+                    LANES(hoop_backboard_arrival)(leaving, x, vx, lanes_load(lists->fixed[8]));
+                V time = _o22.time;
+                V rate = _o22.rate;
+                V bend = _o22.bend;
+                const LANES(hoop_meeting_plane_out) _o23 =
                     LANES(hoop_meeting_plane)(bend, rate, time);
-                M arrives = _o21.arrives;
-                const LANES(hoop_timely_out) _o22 =
+                M arrives = _o23.arrives;
+                const LANES(hoop_timely_out) _o24 =
                     LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-                M possible = _o22.possible;
-                const M _m23 = lanes_both(_m18, possible);
+                M possible = _o24.possible;
+                const M _m25 = lanes_both(_m20, possible);
                 {
-                    const LANES(hoop_flight_out) _o24 =
-                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                    V there_y = _o24.y;
-                    V there_z = _o24.z;
-                    const LANES(hoop_backboard_bounds_out) _o25 =
-                        LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-                    V g0 = _o25.g0;
-                    V g1 = _o25.g1;
-                    V g2 = _o25.g2;
-                    V g3 = _o25.g3;
-                    const LANES(hoop_backboard_within_out) _o26 =
+                    const LANES(hoop_flight_out) _o26 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]));
+                    V there_y = _o26.y;
+                    V there_z = _o26.z;
+                    const LANES(hoop_backboard_bounds_out) _o27 =
+                        LANES(hoop_backboard_bounds)(there_y, there_z, lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]));
+                    V g0 = _o27.g0;
+                    V g1 = _o27.g1;
+                    V g2 = _o27.g2;
+                    V g3 = _o27.g3;
+                    const LANES(hoop_backboard_within_out) _o28 =
                         LANES(hoop_backboard_within)(g0, g1, g2, g3);
-                    M arrives = _o26.arrives;
-                    const LANES(hoop_sooner_out) _o27 =
+                    M arrives = _o28.arrives;
+                    const LANES(hoop_sooner_out) _o29 =
                         LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-                    when = lanes_select(_m23, _o27.when, when);
-                    which = lanes_select(_m23, _o27.which, which);
+                    when = lanes_select(_m25, _o29.when, when);
+                    which = lanes_select(_m25, _o29.which, which);
                 }
-                const LANES(hoop_left_out) _o28 =
+                const LANES(hoop_left_out) _o30 =
                     LANES(hoop_left)(K(2.0), last);
-                leaving = _o28.leaving;
-                const LANES(hoop_bridge_arrival_out) _o29 =
-                    LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-                time = _o29.time;
-                rate = _o29.rate;
-                bend = _o29.bend;
-                const LANES(hoop_meeting_plane_out) _o30 =
+                leaving = _o30.leaving;
+                const LANES(hoop_bridge_arrival_out) _o31 =
+                    LANES(hoop_bridge_arrival)(leaving, z, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
+                time = _o31.time;
+                rate = _o31.rate;
+                bend = _o31.bend;
+                const LANES(hoop_meeting_plane_out) _o32 =
                     LANES(hoop_meeting_plane)(bend, rate, time);
-                arrives = _o30.arrives;
-                const LANES(hoop_timely_out) _o31 =
+                arrives = _o32.arrives;
+                const LANES(hoop_timely_out) _o33 =
                     LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-                possible = _o31.possible;
-                const M _m32 = lanes_both(_m18, possible);
-                if (lanes_any(_m32)) {
-                    const LANES(hoop_flight_out) _o33 =
-                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                    V there_x = _o33.x;
-                    V there_y = _o33.y;
-                    const LANES(hoop_bridge_bounds_out) _o34 =
-                        LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-                    V g0 = _o34.g0;
-                    V g1 = _o34.g1;
-                    V g2 = _o34.g2;
-                    V g3 = _o34.g3;
-                    V g4 = _o34.g4;
-                    const LANES(hoop_bridge_within_out) _o35 =
+                possible = _o33.possible;
+                const M _m34 = lanes_both(_m20, possible);
+                if (lanes_any(_m34)) {
+                    const LANES(hoop_flight_out) _o35 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]));
+                    V there_x = _o35.x;
+                    V there_y = _o35.y;
+                    const LANES(hoop_bridge_bounds_out) _o36 =
+                        LANES(hoop_bridge_bounds)(there_x, there_y, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[5]));
+                    V g0 = _o36.g0;
+                    V g1 = _o36.g1;
+                    V g2 = _o36.g2;
+                    V g3 = _o36.g3;
+                    V g4 = _o36.g4;
+                    const LANES(hoop_bridge_within_out) _o37 =
                         LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-                    M arrives = _o35.arrives;
-                    const LANES(hoop_sooner_out) _o36 =
+                    M arrives = _o37.arrives;
+                    const LANES(hoop_sooner_out) _o38 =
                         LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-                    when = lanes_select(_m32, _o36.when, when);
-                    which = lanes_select(_m32, _o36.which, which);
+                    when = lanes_select(_m34, _o38.when, when);
+                    which = lanes_select(_m34, _o38.which, which);
                 }
             }
-            const LANES(hoop_horizon_out) _o37 =
-                LANES(hoop_horizon)(when, speed, p_gravity);
-            V until = _o37.horizon;
-            const LANES(hoop_ring_clear_out) _o38 =
-                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V clear = _o38.clear;
-            const LANES(hoop_opens_out) _o39 =
+            const LANES(hoop_horizon_out) _o39 =
+                LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[13]));
+            V until = _o39.horizon;
+            const LANES(hoop_ring_clear_out) _o40 =
+                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]));
+            V clear = _o40.clear;
+            const LANES(hoop_opens_out) _o41 =
                 LANES(hoop_opens)(clear);
-            M open = _o39.open;
+            M open = _o41.open;
             lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
             lanes_store(lists->time_error + i, time_error);
             lanes_store(lists->when + i, when);
@@ -667,14 +1129,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
                 lanes_pack(lists->open_extent + open_shots, packed, extent);
                 lanes_pack(lists->open_last + open_shots, packed, last);
-                if (varying)
-                    lanes_pack(lists->open_p_ball_radius + open_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->open_p_gravity + open_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->open_p_ring_radius + open_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->open_p_wire_radius + open_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_speed + open_shots, packed, speed);
                 lanes_pack(lists->open_until + open_shots, packed, until);
                 lanes_pack(lists->open_vx + open_shots, packed, vx);
@@ -685,6 +1139,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_pack(lists->open_x + open_shots, packed, x);
                 lanes_pack(lists->open_y + open_shots, packed, y);
                 lanes_pack(lists->open_z + open_shots, packed, z);
+                if (LANES_SELDOM(varying)) {
+                    lanes_pack(lists->open_p_ball_radius + open_shots, packed, lanes_load(lists->p_ball_radius + (i & varying)));
+                    lanes_pack(lists->open_p_gravity + open_shots, packed, lanes_load(lists->p_gravity + (i & varying)));
+                    lanes_pack(lists->open_p_ring_radius + open_shots, packed, lanes_load(lists->p_ring_radius + (i & varying)));
+                    lanes_pack(lists->open_p_wire_radius + open_shots, packed, lanes_load(lists->p_wire_radius + (i & varying)));
+                }
                 open_shots += lanes_many(packed);
             }
         }
@@ -692,12 +1152,10 @@ static void LANES(hoop_plain)(const hoop_job *job)
         size_t open_leaping_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
+            if (LANES_SELDOM(varying))
+                LANES(hoop_plain_fix_f42)(lists, i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V speed = lanes_load(lists->open_speed + i);
             V until = lanes_load(lists->open_until + i);
             V vx = lanes_load(lists->open_vx + i);
@@ -706,82 +1164,82 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_beginning_out) _o40 =
+            const LANES(hoop_beginning_out) _o43 =
                 LANES(hoop_beginning)();
-            V share = _o40.share;
-            V arrival = _o40.arrival;
-            M certain = _o40.certain;
-            const LANES(hoop_left_out) _o41 =
+            V share = _o43.share;
+            V arrival = _o43.arrival;
+            M certain = _o43.certain;
+            const LANES(hoop_left_out) _o44 =
                 LANES(hoop_left)(K(0.0), last);
-            V leaving = _o41.leaving;
-            const LANES(hoop_ring_opened_out) _o42 =
-                LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S onset = _o42.t;
-            S wide_end = _o42.end;
-            M searching = _o42.searching;
-            S wide_low1 = _o42.low1;
-            S wide_high1 = _o42.high1;
-            S wide_low2 = _o42.low2;
-            S wide_high2 = _o42.high2;
-            S lapsed = _o42.latest;
-            M sound = _o42.sound;
-            const LANES(hoop_opened_out) _o43 =
+            V leaving = _o44.leaving;
+            const LANES(hoop_ring_opened_out) _o45 =
+                LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[2]), singles_load(lists->fixed_single[3]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[5]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[7]), singles_load(lists->fixed_single[8]), singles_load(lists->fixed_single[9]));
+            S onset = _o45.t;
+            S wide_end = _o45.end;
+            M searching = _o45.searching;
+            S wide_low1 = _o45.low1;
+            S wide_high1 = _o45.high1;
+            S wide_low2 = _o45.low2;
+            S wide_high2 = _o45.high2;
+            S lapsed = _o45.latest;
+            M sound = _o45.sound;
+            const LANES(hoop_opened_out) _o46 =
                 LANES(hoop_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o43.time;
-            const LANES(hoop_ring_started_out) _o44 =
-                LANES(hoop_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
-            V rho_start = _o44.rho_start;
-            V parting = _o44.parting;
-            V drift = _o44.drift;
-            const LANES(hoop_flight_out) _o45 =
-                LANES(hoop_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o45.x;
-            V near_y = _o45.y;
-            V near_z = _o45.z;
-            V near_vz = _o45.vz;
-            const LANES(hoop_ring_grain_out) _o46 =
-                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_share = _o46.share;
-            S short_t = _o46.t;
-            S short_end = _o46.end;
-            S short_x = _o46.x;
-            S short_y = _o46.y;
-            S short_z = _o46.z;
-            S short_vx = _o46.vx;
-            S short_vy = _o46.vy;
-            S short_vz = _o46.vz;
-            S short_steady = _o46.steady;
-            S short_swing = _o46.swing;
-            S short_rho_start = _o46.rho_start;
-            S short_ceiling = _o46.ceiling;
-            S short_flat = _o46.flat;
-            S short_tilt = _o46.tilt;
-            S short_jerk = _o46.jerk;
-            S short_grit = _o46.grit;
-            S short_parting = _o46.parting;
-            S short_drift = _o46.drift;
-            S short_rate_margin = _o46.rate_margin;
-            S short_low1 = _o46.low1;
-            S short_high1 = _o46.high1;
-            S short_low2 = _o46.low2;
-            S short_high2 = _o46.high2;
-            M fits = _o46.fits;
-            const LANES(hoop_coarse_out) _o47 =
+            V since = _o46.time;
+            const LANES(hoop_ring_started_out) _o47 =
+                LANES(hoop_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[0]));
+            V rho_start = _o47.rho_start;
+            V parting = _o47.parting;
+            V drift = _o47.drift;
+            const LANES(hoop_flight_out) _o48 =
+                LANES(hoop_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]));
+            V near_x = _o48.x;
+            V near_y = _o48.y;
+            V near_z = _o48.z;
+            V near_vz = _o48.vz;
+            const LANES(hoop_ring_grain_out) _o49 =
+                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[10]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[11]), singles_load(lists->fixed_single[12]), singles_load(lists->fixed_single[13]), singles_load(lists->fixed_single[14]), singles_load(lists->fixed_single[15]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[16]), singles_load(lists->fixed_single[17]), singles_load(lists->fixed_single[18]));
+            S short_share = _o49.share;
+            S short_t = _o49.t;
+            S short_end = _o49.end;
+            S short_x = _o49.x;
+            S short_y = _o49.y;
+            S short_z = _o49.z;
+            S short_vx = _o49.vx;
+            S short_vy = _o49.vy;
+            S short_vz = _o49.vz;
+            S short_steady = _o49.steady;
+            S short_swing = _o49.swing;
+            S short_rho_start = _o49.rho_start;
+            S short_ceiling = _o49.ceiling;
+            S short_flat = _o49.flat;
+            S short_tilt = _o49.tilt;
+            S short_jerk = _o49.jerk;
+            S short_grit = _o49.grit;
+            S short_parting = _o49.parting;
+            S short_drift = _o49.drift;
+            S short_rate_margin = _o49.rate_margin;
+            S short_low1 = _o49.low1;
+            S short_high1 = _o49.high1;
+            S short_low2 = _o49.low2;
+            S short_high2 = _o49.high2;
+            M fits = _o49.fits;
+            const LANES(hoop_coarse_out) _o50 =
                 LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o47.leaping;
-            searching = _o47.searching;
-            M served = _o47.served;
-            V ceiling = _o47.ceiling;
-            V flat = _o47.flat;
-            V tilt = _o47.tilt;
-            const M _m48 = lanes_both(rows, leaping);
-            if (lanes_any(_m48)) {
-                const LANES(hoop_ring_leap_out) _o49 =
-                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = singles_select(singles_of(_m48), _o49.t, short_t);
-                short_end = singles_select(singles_of(_m48), _o49.end, short_end);
-                certain = lanes_choose(_m48, _o49.certain, certain);
-                leaping = lanes_choose(_m48, _o49.leaping, leaping);
+            M leaping = _o50.leaping;
+            searching = _o50.searching;
+            M served = _o50.served;
+            V ceiling = _o50.ceiling;
+            V flat = _o50.flat;
+            V tilt = _o50.tilt;
+            const M _m51 = lanes_both(rows, leaping);
+            if (lanes_any(_m51)) {
+                const LANES(hoop_ring_leap_out) _o52 =
+                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
+                short_t = singles_select(singles_of(_m51), _o52.t, short_t);
+                short_end = singles_select(singles_of(_m51), _o52.end, short_end);
+                certain = lanes_choose(_m51, _o52.certain, certain);
+                leaping = lanes_choose(_m51, _o52.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -797,14 +1255,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const M packed = lanes_both(rows, leaping);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_leaping_row + open_leaping_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                if (varying)
-                    lanes_pack(lists->open_leaping_p_ball_radius + open_leaping_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->open_leaping_p_gravity + open_leaping_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->open_leaping_p_ring_radius + open_leaping_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, p_wire_radius);
                 singles_pack(lists->open_leaping_short_ceiling + open_leaping_shots, packed, short_ceiling);
                 singles_pack(lists->open_leaping_short_drift + open_leaping_shots, packed, short_drift);
                 singles_pack(lists->open_leaping_short_end + open_leaping_shots, packed, short_end);
@@ -828,6 +1278,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 singles_pack(lists->open_leaping_short_x + open_leaping_shots, packed, short_x);
                 singles_pack(lists->open_leaping_short_y + open_leaping_shots, packed, short_y);
                 singles_pack(lists->open_leaping_short_z + open_leaping_shots, packed, short_z);
+                if (LANES_SELDOM(varying)) {
+                    lanes_pack(lists->open_leaping_p_ball_radius + open_leaping_shots, packed, lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius));
+                    lanes_pack(lists->open_leaping_p_gravity + open_leaping_shots, packed, lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity));
+                    lanes_pack(lists->open_leaping_p_ring_radius + open_leaping_shots, packed, lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius));
+                    lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius));
+                }
                 open_leaping_shots += lanes_many(packed);
             }
         }
@@ -835,10 +1291,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
             V row = K(0.0), turns = K(0.0);
-            V p_ball_radius = lanes_load(lists->p_ball_radius);
-            V p_gravity = lanes_load(lists->p_gravity);
-            V p_ring_radius = lanes_load(lists->p_ring_radius);
-            V p_wire_radius = lanes_load(lists->p_wire_radius);
             S short_ceiling = KS(0.0);
             S short_drift = KS(0.0);
             S short_end = KS(0.0);
@@ -890,12 +1342,8 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     short_x = singles_expand(lists->open_leaping_short_x + taken, idle, short_x);
                     short_y = singles_expand(lists->open_leaping_short_y + taken, idle, short_y);
                     short_z = singles_expand(lists->open_leaping_short_z + taken, idle, short_z);
-                    if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, p_ball_radius);
-                        p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_leaping_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_leaping_p_wire_radius + taken, idle, p_wire_radius);
-                    }
+                    if (LANES_SELDOM(varying))
+                        LANES(hoop_plain_fix_f53)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_leaping_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -904,12 +1352,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o50 =
-                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o50.t;
-                short_end = _o50.end;
-                M certain = _o50.certain;
-                leaping = _o50.leaping;
+                const LANES(hoop_ring_leap_out) _o54 =
+                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
+                short_t = _o54.t;
+                short_end = _o54.end;
+                M certain = _o54.certain;
+                leaping = _o54.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -939,10 +1387,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
@@ -956,11 +1400,11 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o51 =
+            const LANES(hoop_leapt_out) _o55 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o51.arrival;
-            V t = _o51.t;
-            searching = _o51.searching;
+            arrival = _o55.arrival;
+            V t = _o55.t;
+            searching = _o55.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -969,14 +1413,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
                 lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
                 lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                if (varying)
-                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->open_searching_p_gravity + open_searching_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
                 lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
                 lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
@@ -987,6 +1423,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_pack(lists->open_searching_x + open_searching_shots, packed, x);
                 lanes_pack(lists->open_searching_y + open_searching_shots, packed, y);
                 lanes_pack(lists->open_searching_z + open_searching_shots, packed, z);
+                if (LANES_SELDOM(varying)) {
+                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius));
+                    lanes_pack(lists->open_searching_p_gravity + open_searching_shots, packed, lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity));
+                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius));
+                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius));
+                }
                 open_searching_shots += lanes_many(packed);
             }
         }
@@ -994,14 +1436,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
         size_t open_searching_searching_shots = 0;
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
+            if (LANES_SELDOM(varying))
+                LANES(hoop_plain_fix_f56)(lists, i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
             V extent = lanes_load(lists->open_searching_extent + i);
             V last = lanes_load(lists->open_searching_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_searching_p_ball_radius + i : lists->p_ball_radius);
-            const V p_gravity = lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius);
             V share = lanes_load(lists->open_searching_share + i);
             V speed = lanes_load(lists->open_searching_speed + i);
             V t = lanes_load(lists->open_searching_t + i);
@@ -1012,33 +1452,33 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o52 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o52.steady;
-            V swing = _o52.swing;
-            V rho_start = _o52.rho_start;
-            V low0 = _o52.low0;
-            V high0 = _o52.high0;
-            V low1 = _o52.low1;
-            V high1 = _o52.high1;
-            V low2 = _o52.low2;
-            V high2 = _o52.high2;
-            V ceiling = _o52.ceiling;
-            V latest = _o52.latest;
-            const LANES(hoop_allowance_out) _o53 =
-                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o53.position_level;
-            V velocity_level = _o53.velocity_level;
-            const LANES(hoop_ring_margins_out) _o54 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o54.margin;
-            V tilt = _o54.leaving_margin;
-            V rate_slack = _o54.rate_margin;
-            const LANES(hoop_ring_enter_out) _o55 =
+            const LANES(hoop_ring_prepare_out) _o57 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]));
+            V steady = _o57.steady;
+            V swing = _o57.swing;
+            V rho_start = _o57.rho_start;
+            V low0 = _o57.low0;
+            V high0 = _o57.high0;
+            V low1 = _o57.low1;
+            V high1 = _o57.high1;
+            V low2 = _o57.low2;
+            V high2 = _o57.high2;
+            V ceiling = _o57.ceiling;
+            V latest = _o57.latest;
+            const LANES(hoop_allowance_out) _o58 =
+                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[14]));
+            V position_level = _o58.position_level;
+            V velocity_level = _o58.velocity_level;
+            const LANES(hoop_ring_margins_out) _o59 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]));
+            V flat = _o59.margin;
+            V tilt = _o59.leaving_margin;
+            V rate_slack = _o59.rate_margin;
+            const LANES(hoop_ring_enter_out) _o60 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o55.t;
-            V end = _o55.end;
-            M searching = _o55.searching;
+            t = _o60.t;
+            V end = _o60.end;
+            M searching = _o60.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_rho_start + i, rho_start);
@@ -1060,14 +1500,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_pack(lists->open_searching_searching_low0 + open_searching_searching_shots, packed, low0);
                 lanes_pack(lists->open_searching_searching_low1 + open_searching_searching_shots, packed, low1);
                 lanes_pack(lists->open_searching_searching_low2 + open_searching_searching_shots, packed, low2);
-                if (varying)
-                    lanes_pack(lists->open_searching_searching_p_ball_radius + open_searching_searching_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->open_searching_searching_p_gravity + open_searching_searching_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_searching_searching_rate_slack + open_searching_searching_shots, packed, rate_slack);
                 lanes_pack(lists->open_searching_searching_rho_start + open_searching_searching_shots, packed, rho_start);
                 lanes_pack(lists->open_searching_searching_share + open_searching_searching_shots, packed, share);
@@ -1082,6 +1514,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_pack(lists->open_searching_searching_x + open_searching_searching_shots, packed, x);
                 lanes_pack(lists->open_searching_searching_y + open_searching_searching_shots, packed, y);
                 lanes_pack(lists->open_searching_searching_z + open_searching_searching_shots, packed, z);
+                if (LANES_SELDOM(varying)) {
+                    lanes_pack(lists->open_searching_searching_p_ball_radius + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_ball_radius + i : lists->p_ball_radius));
+                    lanes_pack(lists->open_searching_searching_p_gravity + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity));
+                    lanes_pack(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius));
+                    lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius));
+                }
                 open_searching_searching_shots += lanes_many(packed);
             }
         }
@@ -1089,10 +1527,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
             V row = K(0.0), turns = K(0.0);
-            V p_ball_radius = lanes_load(lists->p_ball_radius);
-            V p_gravity = lanes_load(lists->p_gravity);
-            V p_ring_radius = lanes_load(lists->p_ring_radius);
-            V p_wire_radius = lanes_load(lists->p_wire_radius);
             V arrival = K(0.0);
             V ceiling = K(0.0);
             M certain = lanes_nowhere();
@@ -1154,12 +1588,8 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     x = lanes_expand(lists->open_searching_searching_x + taken, idle, x);
                     y = lanes_expand(lists->open_searching_searching_y + taken, idle, y);
                     z = lanes_expand(lists->open_searching_searching_z + taken, idle, z);
-                    if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, p_ball_radius);
-                        p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_searching_searching_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_searching_searching_p_wire_radius + taken, idle, p_wire_radius);
-                    }
+                    if (LANES_SELDOM(varying))
+                        LANES(hoop_plain_fix_f61)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_searching_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -1168,52 +1598,52 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o56 =
+                const LANES(hoop_nearby_out) _o62 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o56.leaving;
-                V margin = _o56.margin;
-                const LANES(hoop_ring_advance_out) _o57 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o57.gap;
-                V rate = _o57.rate;
-                V bend = _o57.bend;
-                V step = _o57.step;
-                V next = _o57.next;
-                V clearance = _o57.clearance;
-                const LANES(hoop_struck_out) _o58 =
+                V leaving = _o62.leaving;
+                V margin = _o62.margin;
+                const LANES(hoop_ring_advance_out) _o63 =
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]));
+                V gap = _o63.gap;
+                V rate = _o63.rate;
+                V bend = _o63.bend;
+                V step = _o63.step;
+                V next = _o63.next;
+                V clearance = _o63.clearance;
+                const LANES(hoop_struck_out) _o64 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o58.hit;
-                M sure = _o58.sure;
-                M vague = _o58.vague;
-                const M _m59 = lanes_both(active, vague);
-                if (lanes_any(_m59)) {
-                    const LANES(hoop_finer_out) _o60 =
+                M hit = _o64.hit;
+                M sure = _o64.sure;
+                M vague = _o64.vague;
+                const M _m65 = lanes_both(active, vague);
+                if (lanes_any(_m65)) {
+                    const LANES(hoop_finer_out) _o66 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m59, _o60.share, share);
-                    const LANES(hoop_allowance_out) _o61 =
-                        LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o61.position_level;
-                    V velocity_level = _o61.velocity_level;
-                    const LANES(hoop_ring_margins_out) _o62 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m59, _o62.margin, flat);
-                    tilt = lanes_select(_m59, _o62.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m59, _o62.rate_margin, rate_slack);
+                    share = lanes_select(_m65, _o66.share, share);
+                    const LANES(hoop_allowance_out) _o67 =
+                        LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[14]));
+                    V position_level = _o67.position_level;
+                    V velocity_level = _o67.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o68 =
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]));
+                    flat = lanes_select(_m65, _o68.margin, flat);
+                    tilt = lanes_select(_m65, _o68.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m65, _o68.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) _o63 =
+                const LANES(hoop_advanced_out) _o69 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o63.arrival;
-                certain = _o63.certain;
-                M exhausted = _o63.exhausted;
-                searching = _o63.searching;
-                t = _o63.t;
-                const M _m64 = lanes_both(active, exhausted);
+                arrival = _o69.arrival;
+                certain = _o69.certain;
+                M exhausted = _o69.exhausted;
+                searching = _o69.searching;
+                t = _o69.t;
+                const M _m70 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o65 =
+                    const LANES(hoop_ring_enter_out) _o71 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m64, _o65.t, t);
-                    end = lanes_select(_m64, _o65.end, end);
-                    searching = lanes_choose(_m64, _o65.searching, searching);
+                    t = lanes_select(_m70, _o71.t, t);
+                    end = lanes_select(_m70, _o71.end, end);
+                    searching = lanes_choose(_m70, _o71.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -1256,15 +1686,13 @@ static void LANES(hoop_plain)(const hoop_job *job)
         size_t open_refining_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
+            if (LANES_SELDOM(varying))
+                LANES(hoop_plain_fix_f72)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V flat = lanes_load(lists->open_flat + i);
             V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V rho_start = lanes_load(lists->open_rho_start + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V vx = lanes_load(lists->open_vx + i);
@@ -1273,36 +1701,36 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o66 =
+            const LANES(hoop_found_out) _o73 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o66.arrives;
-            M refining = _o66.refining;
-            const LANES(hoop_nearby_out) _o67 =
+            M arrives = _o73.arrives;
+            M refining = _o73.refining;
+            const LANES(hoop_nearby_out) _o74 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o67.leaving;
-            const M _m68 = lanes_both(rows, refining);
-            if (lanes_any(_m68)) {
-                const LANES(hoop_ring_refine_out) _o69 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o69.time;
-                V gap = _o69.gap;
-                V rate = _o69.rate;
-                const LANES(hoop_polished_out) _o70 =
+            V leaving = _o74.leaving;
+            const M _m75 = lanes_both(rows, refining);
+            if (lanes_any(_m75)) {
+                const LANES(hoop_ring_refine_out) _o76 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[7]));
+                V refined = _o76.time;
+                V gap = _o76.gap;
+                V rate = _o76.rate;
+                const LANES(hoop_polished_out) _o77 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m68, _o70.arrival, arrival);
-                refining = lanes_choose(_m68, _o70.refining, refining);
+                arrival = lanes_select(_m75, _o77.arrival, arrival);
+                refining = lanes_choose(_m75, _o77.refining, refining);
             }
-            const M _m71 = lanes_both(rows, refining);
-            if (lanes_any(_m71)) {
-                const LANES(hoop_ring_refine_out) _o72 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o72.time;
-                V gap = _o72.gap;
-                V rate = _o72.rate;
-                const LANES(hoop_polished_out) _o73 =
+            const M _m78 = lanes_both(rows, refining);
+            if (lanes_any(_m78)) {
+                const LANES(hoop_ring_refine_out) _o79 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[7]));
+                V refined = _o79.time;
+                V gap = _o79.gap;
+                V rate = _o79.rate;
+                const LANES(hoop_polished_out) _o80 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m71, _o73.arrival, arrival);
-                refining = lanes_choose(_m71, _o73.refining, refining);
+                arrival = lanes_select(_m78, _o80.arrival, arrival);
+                refining = lanes_choose(_m78, _o80.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -1313,14 +1741,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
                 lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
                 lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
-                if (varying)
-                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_refining_rho_start + open_refining_shots, packed, rho_start);
                 lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
                 lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
@@ -1328,6 +1748,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
                 lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
                 lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
+                if (LANES_SELDOM(varying)) {
+                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius));
+                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity));
+                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius));
+                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius));
+                }
                 open_refining_shots += lanes_many(packed);
             }
         }
@@ -1335,10 +1761,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
             V row = K(0.0), turns = K(0.0);
-            V p_ball_radius = lanes_load(lists->p_ball_radius);
-            V p_gravity = lanes_load(lists->p_gravity);
-            V p_ring_radius = lanes_load(lists->p_ring_radius);
-            V p_wire_radius = lanes_load(lists->p_wire_radius);
             V arrival = K(0.0);
             V ceiling = K(0.0);
             M certain = lanes_nowhere();
@@ -1366,12 +1788,8 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     x = lanes_expand(lists->open_refining_x + taken, idle, x);
                     y = lanes_expand(lists->open_refining_y + taken, idle, y);
                     z = lanes_expand(lists->open_refining_z + taken, idle, z);
-                    if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
-                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, p_wire_radius);
-                    }
+                    if (LANES_SELDOM(varying))
+                        LANES(hoop_plain_fix_f81)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -1380,15 +1798,15 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o74 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o74.time;
-                V gap = _o74.gap;
-                V rate = _o74.rate;
-                const LANES(hoop_polished_out) _o75 =
+                const LANES(hoop_ring_refine_out) _o82 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[7]));
+                V refined = _o82.time;
+                V gap = _o82.gap;
+                V rate = _o82.rate;
+                const LANES(hoop_polished_out) _o83 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o75.arrival;
-                refining = _o75.refining;
+                arrival = _o83.arrival;
+                refining = _o83.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -1412,13 +1830,13 @@ static void LANES(hoop_plain)(const hoop_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_landed_out) _o76 =
+            const LANES(hoop_landed_out) _o84 =
                 LANES(hoop_landed)(arrival);
-            V time = _o76.time;
-            const LANES(hoop_sooner_out) _o77 =
+            V time = _o84.time;
+            const LANES(hoop_sooner_out) _o85 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o77.when;
-            which = _o77.which;
+            when = _o85.when;
+            which = _o85.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -1430,6 +1848,8 @@ static void LANES(hoop_plain)(const hoop_job *job)
         }
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
+            if (LANES_SELDOM(varying))
+                LANES(hoop_plain_fix_f86)(lists, i);
             V clock = lanes_load(lists->clock + i);
             V contacts = lanes_load(lists->contacts + i);
             V count_0 = lanes_load(lists->count_0 + i);
@@ -1438,12 +1858,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V first = lanes_load(lists->first + i);
             V last = lanes_load(lists->last + i);
             M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
-            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
-            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
-            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
-            const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
-            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
-            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             V time_error = lanes_load(lists->time_error + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
@@ -1456,65 +1870,65 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m78 = lanes_both(rows, limited);
-            if (lanes_any(_m78)) {
-                const LANES(hoop_expiry_out) _o79 =
+            const M _m87 = lanes_both(rows, limited);
+            if (lanes_any(_m87)) {
+                const LANES(hoop_expiry_out) _o88 =
                     LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o79.time;
-                M arrives = _o79.arrives;
-                const LANES(hoop_sooner_out) _o80 =
+                V time = _o88.time;
+                M arrives = _o88.arrives;
+                const LANES(hoop_sooner_out) _o89 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m78, _o80.when, when);
-                which = lanes_select(_m78, _o80.which, which);
+                when = lanes_select(_m87, _o89.when, when);
+                which = lanes_select(_m87, _o89.which, which);
             }
-            const LANES(hoop_departed_out) _o81 =
+            const LANES(hoop_departed_out) _o90 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o81.moves;
-            M ends = _o81.ends;
-            M touches = _o81.touches;
-            V reached = _o81.reached;
-            const LANES(hoop_body_of_out) _o82 =
+            M moves = _o90.moves;
+            M ends = _o90.ends;
+            M touches = _o90.touches;
+            V reached = _o90.reached;
+            const LANES(hoop_body_of_out) _o91 =
                 LANES(hoop_body_of)(which);
-            V body = _o82.body;
-            const M _m83 = lanes_both(rows, moves);
+            V body = _o91.body;
+            const M _m92 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o84 =
-                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m83, _o84.x, x);
-                y = lanes_select(_m83, _o84.y, y);
-                z = lanes_select(_m83, _o84.z, z);
-                vx = lanes_select(_m83, _o84.vx, vx);
-                vy = lanes_select(_m83, _o84.vy, vy);
-                vz = lanes_select(_m83, _o84.vz, vz);
-                const LANES(hoop_ticked_out) _o85 =
+                const LANES(hoop_flight_out) _o93 =
+                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]));
+                x = lanes_select(_m92, _o93.x, x);
+                y = lanes_select(_m92, _o93.y, y);
+                z = lanes_select(_m92, _o93.z, z);
+                vx = lanes_select(_m92, _o93.vx, vx);
+                vy = lanes_select(_m92, _o93.vy, vy);
+                vz = lanes_select(_m92, _o93.vz, vz);
+                const LANES(hoop_ticked_out) _o94 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m83, _o85.clock, clock);
+                clock = lanes_select(_m92, _o94.clock, clock);
             }
-            const M _m86 = lanes_both(rows, limited);
-            if (lanes_any(_m86)) {
-                const LANES(hoop_expired_out) _o87 =
+            const M _m95 = lanes_both(rows, limited);
+            if (lanes_any(_m95)) {
+                const LANES(hoop_expired_out) _o96 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m86, _o87.clock, clock);
-                body = lanes_select(_m86, _o87.body, body);
-                reached = lanes_select(_m86, _o87.reached, reached);
-                ends = lanes_choose(_m86, _o87.ends, ends);
+                clock = lanes_select(_m95, _o96.clock, clock);
+                body = lanes_select(_m95, _o96.body, body);
+                reached = lanes_select(_m95, _o96.reached, reached);
+                ends = lanes_choose(_m95, _o96.ends, ends);
             }
-            const LANES(hoop_here_out) _o88 =
+            const LANES(hoop_here_out) _o97 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o88.here;
-            const M _m89 = lanes_both(rows, here);
+            M here = _o97.here;
+            const M _m98 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o90 =
-                    LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o90.g0;
-                const LANES(hoop_end_reached_out) _o91 =
+                const LANES(hoop_end_bounds_out) _o99 =
+                    LANES(hoop_end_bounds)(x, y, lanes_load(lists->fixed[0]));
+                V g0 = _o99.g0;
+                const LANES(hoop_end_reached_out) _o100 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m89, _o91.reached, reached);
+                reached = lanes_select(_m98, _o100.reached, reached);
             }
-            const LANES(hoop_accounted_out) _o92 =
+            const LANES(hoop_accounted_out) _o101 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o92.contacts;
-            V outcome = _o92.outcome;
+            contacts = _o101.contacts;
+            V outcome = _o101.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -1527,97 +1941,97 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o93 =
+            const LANES(hoop_meeting_out) _o102 =
                 LANES(hoop_meeting)(K(0.0), ends, touches);
-            M meeting = _o93.meeting;
-            const M _m94 = lanes_both(rows, meeting);
-            if (lanes_any(_m94)) {
-                const LANES(hoop_end_normal_out) _o95 =
+            M meeting = _o102.meeting;
+            const M _m103 = lanes_both(rows, meeting);
+            if (lanes_any(_m103)) {
+                const LANES(hoop_end_normal_out) _o104 =
                     LANES(hoop_end_normal)();
-                V nx = _o95.nx;
-                V ny = _o95.ny;
-                V nz = _o95.nz;
-                const LANES(hoop_here_out) _o96 =
+                V nx = _o104.nx;
+                V ny = _o104.ny;
+                V nz = _o104.nz;
+                const LANES(hoop_here_out) _o105 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o96.here;
-                const M _m97 = lanes_both(_m94, here);
+                M here = _o105.here;
+                const M _m106 = lanes_both(_m103, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o98 =
-                        LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m97, _o98.nx, nx);
-                    ny = lanes_select(_m97, _o98.ny, ny);
-                    nz = lanes_select(_m97, _o98.nz, nz);
-                    const LANES(hoop_counted_out) _o99 =
+                    const LANES(hoop_ring_normal_out) _o107 =
+                        LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[45]));
+                    nx = lanes_select(_m106, _o107.nx, nx);
+                    ny = lanes_select(_m106, _o107.ny, ny);
+                    nz = lanes_select(_m106, _o107.nz, nz);
+                    const LANES(hoop_counted_out) _o108 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m97, _o99.count, count_0);
+                    count_0 = lanes_select(_m106, _o108.count, count_0);
                 }
-                const LANES(hoop_here_out) _o100 =
+                const LANES(hoop_here_out) _o109 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o100.here;
-                const M _m101 = lanes_both(_m94, here);
+                here = _o109.here;
+                const M _m110 = lanes_both(_m103, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o102 =
+                    const LANES(hoop_backboard_normal_out) _o111 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m101, _o102.nx, nx);
-                    ny = lanes_select(_m101, _o102.ny, ny);
-                    nz = lanes_select(_m101, _o102.nz, nz);
-                    const LANES(hoop_counted_out) _o103 =
+                    nx = lanes_select(_m110, _o111.nx, nx);
+                    ny = lanes_select(_m110, _o111.ny, ny);
+                    nz = lanes_select(_m110, _o111.nz, nz);
+                    const LANES(hoop_counted_out) _o112 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m101, _o103.count, count_1);
-                }
-                const LANES(hoop_here_out) _o104 =
-                    LANES(hoop_here)(K(2.0), which);
-                here = _o104.here;
-                const M _m105 = lanes_both(_m94, here);
-                {
-                    const LANES(hoop_bridge_normal_out) _o106 =
-                        LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m105, _o106.nx, nx);
-                    ny = lanes_select(_m105, _o106.ny, ny);
-                    nz = lanes_select(_m105, _o106.nz, nz);
-                    const LANES(hoop_counted_out) _o107 =
-                        LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m105, _o107.count, count_2);
-                }
-                const M _m108 = lanes_both(_m94, touches);
-                if (lanes_any(_m108)) {
-                    const LANES(hoop_impact_out) _o109 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m108, _o109.vx, vx);
-                    vy = lanes_select(_m108, _o109.vy, vy);
-                    vz = lanes_select(_m108, _o109.vz, vz);
-                    wx = lanes_select(_m108, _o109.wx, wx);
-                    wy = lanes_select(_m108, _o109.wy, wy);
-                    wz = lanes_select(_m108, _o109.wz, wz);
-                }
-                const LANES(hoop_here_out) _o110 =
-                    LANES(hoop_here)(K(1.0), which);
-                here = _o110.here;
-                const M _m111 = lanes_both(_m94, here);
-                {
-                    const LANES(hoop_backboard_place_out) _o112 =
-                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m111, _o112.x, x);
-                    y = lanes_select(_m111, _o112.y, y);
-                    z = lanes_select(_m111, _o112.z, z);
+                    count_1 = lanes_select(_m110, _o112.count, count_1);
                 }
                 const LANES(hoop_here_out) _o113 =
                     LANES(hoop_here)(K(2.0), which);
                 here = _o113.here;
-                const M _m114 = lanes_both(_m94, here);
+                const M _m114 = lanes_both(_m103, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o115 =
-                        LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m114, _o115.x, x);
-                    y = lanes_select(_m114, _o115.y, y);
-                    z = lanes_select(_m114, _o115.z, z);
+                    const LANES(hoop_bridge_normal_out) _o115 =
+                        LANES(hoop_bridge_normal)();
+                    nx = lanes_select(_m114, _o115.nx, nx);
+                    ny = lanes_select(_m114, _o115.ny, ny);
+                    nz = lanes_select(_m114, _o115.nz, nz);
+                    const LANES(hoop_counted_out) _o116 =
+                        LANES(hoop_counted)(count_2);
+                    count_2 = lanes_select(_m114, _o116.count, count_2);
                 }
-                const M _m116 = lanes_both(_m94, touches);
+                const M _m117 = lanes_both(_m103, touches);
+                if (lanes_any(_m117)) {
+                    const LANES(hoop_impact_out) _o118 =
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
+                    vx = lanes_select(_m117, _o118.vx, vx);
+                    vy = lanes_select(_m117, _o118.vy, vy);
+                    vz = lanes_select(_m117, _o118.vz, vz);
+                    wx = lanes_select(_m117, _o118.wx, wx);
+                    wy = lanes_select(_m117, _o118.wy, wy);
+                    wz = lanes_select(_m117, _o118.wz, wz);
+                }
+                const LANES(hoop_here_out) _o119 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o119.here;
+                const M _m120 = lanes_both(_m103, here);
                 {
-                    const LANES(hoop_touched_out) _o117 =
+                    const LANES(hoop_backboard_place_out) _o121 =
+                        LANES(hoop_backboard_place)(y, z, lanes_load(lists->fixed[8]));
+                    x = lanes_select(_m120, _o121.x, x);
+                    y = lanes_select(_m120, _o121.y, y);
+                    z = lanes_select(_m120, _o121.z, z);
+                }
+                const LANES(hoop_here_out) _o122 =
+                    LANES(hoop_here)(K(2.0), which);
+                here = _o122.here;
+                const M _m123 = lanes_both(_m103, here);
+                {
+                    const LANES(hoop_bridge_place_out) _o124 =
+                        LANES(hoop_bridge_place)(x, y, lanes_load(lists->fixed[6]));
+                    x = lanes_select(_m123, _o124.x, x);
+                    y = lanes_select(_m123, _o124.y, y);
+                    z = lanes_select(_m123, _o124.z, z);
+                }
+                const M _m125 = lanes_both(_m103, touches);
+                {
+                    const LANES(hoop_touched_out) _o126 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m116, _o117.first, first);
-                    last = lanes_select(_m116, _o117.last, last);
+                    first = lanes_select(_m125, _o126.first, first);
+                    last = lanes_select(_m125, _o126.last, last);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -1720,6 +2134,7 @@ typedef struct {
     LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth;
     LANES(hoop_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(hoop_column) body;
+    LANES(hoop_column) permitted;
     LANES(hoop_column) doubt;
     LANES(hoop_column) extent;
     LANES(hoop_column) late;
@@ -1793,6 +2208,10 @@ typedef struct {
     LANES(hoop_singles) open_leaping_short_x;
     LANES(hoop_singles) open_leaping_short_y;
     LANES(hoop_singles) open_leaping_short_z;
+    LANES(hoop_column) turning_p_ball_radius;
+    LANES(hoop_column) turning_p_gravity;
+    LANES(hoop_column) turning_p_ring_radius;
+    LANES(hoop_column) turning_p_wire_radius;
     LANES(hoop_column) open_searching_row;
     LANES(hoop_column) open_searching_arrival;
     LANES(hoop_column) open_searching_certain;
@@ -1878,7 +2297,16 @@ typedef struct {
     LANES(hoop_column) open_refining_x;
     LANES(hoop_column) open_refining_y;
     LANES(hoop_column) open_refining_z;
+    /* What kernels make of parameters alone. */
+    _Alignas(64) double fixed[56][LANES_WIDTH];
+    _Alignas(64) float fixed_single[26][LANES_WIDTH];
 } LANES(hoop_bounded_lists);
+
+/* Look at the parameters of a row of lanes. */
+LANES_INLINE void LANES(hoop_bounded_permitted)(LANES(hoop_bounded_lists) *lists, size_t row)
+{
+    lanes_store(lists->permitted + row, lanes_select(LANES(hoop_permit)(lanes_load(lists->p_ball_radius + row), lanes_load(lists->p_ring_radius + row), lanes_load(lists->p_wire_radius + row), lanes_load(lists->p_board_distance + row), lanes_load(lists->p_board_half_width + row), lanes_load(lists->p_board_bottom + row), lanes_load(lists->p_board_top + row), lanes_load(lists->p_bridge_half_width + row), lanes_load(lists->p_restitution + row), lanes_load(lists->p_gravity + row), lanes_load(lists->p_end_depth + row)), K(1.0), K(0.0)));
+}
 
 /* Put the next shots into rows, from one on. */
 LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, size_t row, size_t shots, const hoop_job *job, size_t start)
@@ -1924,6 +2352,9 @@ LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, si
             lists->p_gravity[row + k] = job->parameters[9][job->strides[9] * (int64_t)(start + k)];
             lists->p_end_depth[row + k] = job->parameters[10][job->strides[10] * (int64_t)(start + k)];
         }
+    if (job->varying)
+        for (k = 0; k < shots; k += LANES_WIDTH)
+            LANES(hoop_bounded_permitted)(lists, row + k);
     for (k = 0; k < shots; k++)
         lists->shot[row + k] = start + k;
     for (k = 0; k < shots; k += LANES_WIDTH) {
@@ -2124,6 +2555,527 @@ LANES_INLINE size_t LANES(hoop_bounded_leave)(LANES(hoop_bounded_lists) *lists, 
     return kept;
 }
 
+/* Make what kernels are given ready made, of the parameters of the first row. */
+static void LANES(hoop_bounded_fix)(LANES(hoop_bounded_lists) *lists)
+{
+    (void)lists;
+    const V p_ball_radius = lanes_load(lists->p_ball_radius);
+    const V p_board_bottom = lanes_load(lists->p_board_bottom);
+    const V p_board_distance = lanes_load(lists->p_board_distance);
+    const V p_board_half_width = lanes_load(lists->p_board_half_width);
+    const V p_board_top = lanes_load(lists->p_board_top);
+    const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width);
+    const V p_end_depth = lanes_load(lists->p_end_depth);
+    const V p_gravity = lanes_load(lists->p_gravity);
+    const V p_restitution = lanes_load(lists->p_restitution);
+    const V p_ring_radius = lanes_load(lists->p_ring_radius);
+    const V p_wire_radius = lanes_load(lists->p_wire_radius);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_sub(p_ball_radius, p_board_distance);
+        const V _s2 = lanes_mul(K(2.0), p_ball_radius);
+        const V _s3 = lanes_abs(p_board_bottom);
+        const V _s4 = lanes_abs(p_board_top);
+        const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), _s3), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), _s4), lanes_abs(p_bridge_half_width));
+        const V _s6 = lanes_div(K(1.0), p_gravity);
+        const V _s7 = lanes_neg(_s6);
+        const V _s8 = lanes_mul(K(6.667843360785852e-16), p_ball_radius);
+        const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
+        const V _s10 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s11 = lanes_add(p_ring_radius, _s10);
+        const V _s12 = lanes_mul(_s11, _s11);
+        const V _s13 = lanes_mul(K(9.313225746154785e-10), _s12);
+        const V _s14 = lanes_sub(p_ring_radius, _s10);
+        const V _s15 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s16 = lanes_max(_s14, _s15);
+        const V _s17 = lanes_mul(_s16, _s16);
+        const V _s18 = lanes_div(K(1.0), _s16);
+        const V _s19 = lanes_div(_s10, _s16);
+        const V _s20 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[1], p_board_distance);
+        lanes_store(lists->fixed[2], p_board_half_width);
+        lanes_store(lists->fixed[3], p_board_bottom);
+        lanes_store(lists->fixed[4], p_board_top);
+        lanes_store(lists->fixed[5], p_bridge_half_width);
+        lanes_store(lists->fixed[6], _s0);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[8], _s1);
+        lanes_store(lists->fixed[9], lanes_sub(_s1, _s2));
+        lanes_store(lists->fixed[10], lanes_sub(lanes_sub(_s0, _s2), lanes_mul(K(2.0), p_wire_radius)));
+        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        lanes_store(lists->fixed[12], lanes_add(lanes_add(lanes_add(_s5, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
+        lanes_store(lists->fixed[13], _s6);
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[15], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[17], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[18], _s7);
+        lanes_store(lists->fixed[19], lanes_mul(K(0.5), _s7));
+        lanes_store(lists->fixed[20], lanes_mul(K(6.667843360785852e-16), p_end_depth));
+        lanes_store(lists->fixed[21], lanes_mul(p_bridge_half_width, p_bridge_half_width));
+        lanes_store(lists->fixed[22], lanes_neg(p_board_distance));
+        lanes_store(lists->fixed[23], lanes_add(_s8, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
+        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[25], lanes_add(lanes_add(_s9, _s3), _s4));
+        lanes_store(lists->fixed[26], lanes_add(_s8, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
+        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[30], _s10);
+        lanes_store(lists->fixed[31], lanes_mul(K(5.820766091346741e-11), _s11));
+        lanes_store(lists->fixed[32], lanes_mul(K(65536.0), _s11));
+        lanes_store(lists->fixed[33], _s12);
+        lanes_store(lists->fixed[34], _s13);
+        lanes_store(lists->fixed[35], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[36], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[37], _s17);
+        lanes_store(lists->fixed[38], lanes_mul(_s16, _s17));
+        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[40], lanes_add(_s13, _s17));
+        lanes_store(lists->fixed[41], lanes_mul(_s18, lanes_mul(_s18, _s18)));
+        lanes_store(lists->fixed[42], _s11);
+        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s11));
+        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s19));
+        lanes_store(lists->fixed[46], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[47], lanes_mul(K(9.094947017729282e-13), _s11));
+        lanes_store(lists->fixed[48], _s16);
+        lanes_store(lists->fixed[49], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[50], lanes_div(K(1.0), lanes_min(_s20, _s0)));
+        lanes_store(lists->fixed[51], p_ball_radius);
+        lanes_store(lists->fixed[52], p_restitution);
+        lanes_store(lists->fixed[53], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[54], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[55], lanes_abs(K(0.0)));
+    }
+    {
+        const S _p_ball_radius = lanes_narrow(p_ball_radius);
+        const S _p_ring_radius = lanes_narrow(p_ring_radius);
+        const S _p_wire_radius = lanes_narrow(p_wire_radius);
+        const S _p_gravity = lanes_narrow(p_gravity);
+        const S _s0 = singles_add(_p_ball_radius, _p_wire_radius);
+        const S _s1 = singles_mul(KS(1.00006103515625), _s0);
+        const S _s2 = singles_add(_p_ring_radius, _s1);
+        const S _s3 = singles_sub(_p_ring_radius, _s1);
+        const S _s4 = singles_mul(KS(0.0001220703125), _p_ring_radius);
+        const S _s5 = singles_max(_s3, _s4);
+        const S _s6 = singles_div(_s0, _s5);
+        const S _s7 = singles_max(KS(1.0), _s6);
+        const S _s8 = singles_div(KS(1.0), _s5);
+        singles_store(lists->fixed_single[0], _p_gravity);
+        singles_store(lists->fixed_single[1], _s1);
+        singles_store(lists->fixed_single[2], singles_mul(KS(2.0), _p_gravity));
+        singles_store(lists->fixed_single[3], singles_div(KS(1.0), _p_gravity));
+        singles_store(lists->fixed_single[4], _s2);
+        singles_store(lists->fixed_single[5], singles_mul(_s2, _s2));
+        singles_store(lists->fixed_single[6], _s5);
+        singles_store(lists->fixed_single[7], singles_mul(_s5, _s5));
+        singles_store(lists->fixed_single[8], singles_mul(KS(32.0), _s5));
+        singles_store(lists->fixed_single[9], singles_add(singles_mul(KS(32.0), _p_ball_radius), singles_mul(KS(32.0), _p_wire_radius)));
+        singles_store(lists->fixed_single[10], _s0);
+        singles_store(lists->fixed_single[11], _s7);
+        singles_store(lists->fixed_single[12], singles_mul(KS(4.0), _p_gravity));
+        singles_store(lists->fixed_single[13], singles_mul(KS(2.0), _p_ring_radius));
+        singles_store(lists->fixed_single[14], singles_mul(singles_mul(KS(6.0003662109375), _p_gravity), _s0));
+        singles_store(lists->fixed_single[15], singles_mul(_s8, singles_mul(_s8, _s8)));
+        singles_store(lists->fixed_single[16], singles_mul(KS(5.0048828125), _s0));
+        singles_store(lists->fixed_single[17], singles_mul(KS(7.62939453125e-06), singles_mul(singles_div(_s2, _s5), _s7)));
+        singles_store(lists->fixed_single[18], singles_add(singles_mul(KS(128.0), _p_ball_radius), singles_mul(KS(128.0), _p_wire_radius)));
+        singles_store(lists->fixed_single[19], _p_ring_radius);
+        singles_store(lists->fixed_single[20], singles_mul(KS(0.5), _p_gravity));
+        singles_store(lists->fixed_single[21], singles_mul(_s0, _s0));
+        singles_store(lists->fixed_single[22], singles_mul(KS(6.0), _p_gravity));
+        singles_store(lists->fixed_single[23], singles_add(singles_mul(KS(0.0001220703125), _p_ball_radius), singles_mul(KS(0.0001220703125), _p_wire_radius)));
+        singles_store(lists->fixed_single[24], singles_mul(KS(9.5367431640625e-07), _s2));
+        singles_store(lists->fixed_single[25], singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_bounded_fix_f1)(LANES(hoop_bounded_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
+    const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
+    const V p_board_distance = lanes_load(lists->p_board_distance + i);
+    const V p_board_half_width = lanes_load(lists->p_board_half_width + i);
+    const V p_board_top = lanes_load(lists->p_board_top + i);
+    const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + i);
+    const V p_end_depth = lanes_load(lists->p_end_depth + i);
+    const V p_ring_radius = lanes_load(lists->p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_sub(p_ball_radius, p_board_distance);
+        const V _s2 = lanes_mul(K(2.0), p_ball_radius);
+        const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[1], p_board_distance);
+        lanes_store(lists->fixed[2], p_board_half_width);
+        lanes_store(lists->fixed[3], p_board_bottom);
+        lanes_store(lists->fixed[4], p_board_top);
+        lanes_store(lists->fixed[5], p_bridge_half_width);
+        lanes_store(lists->fixed[6], _s0);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[8], _s1);
+        lanes_store(lists->fixed[9], lanes_sub(_s1, _s2));
+        lanes_store(lists->fixed[10], lanes_sub(lanes_sub(_s0, _s2), lanes_mul(K(2.0), p_wire_radius)));
+        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        lanes_store(lists->fixed[12], lanes_add(lanes_add(lanes_add(_s3, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_bounded_fix_f5)(LANES(hoop_bounded_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
+    const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
+    const V p_board_distance = lanes_load(lists->p_board_distance + i);
+    const V p_board_half_width = lanes_load(lists->p_board_half_width + i);
+    const V p_board_top = lanes_load(lists->p_board_top + i);
+    const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + i);
+    const V p_end_depth = lanes_load(lists->p_end_depth + i);
+    const V p_gravity = lanes_load(lists->p_gravity + i);
+    const V p_ring_radius = lanes_load(lists->p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_div(K(1.0), p_gravity);
+        const V _s2 = lanes_neg(_s1);
+        const V _s3 = lanes_mul(K(6.667843360785852e-16), p_ball_radius);
+        const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
+        const V _s5 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s6 = lanes_add(p_ring_radius, _s5);
+        const V _s7 = lanes_mul(_s6, _s6);
+        const V _s8 = lanes_mul(K(9.313225746154785e-10), _s7);
+        const V _s9 = lanes_sub(p_ring_radius, _s5);
+        const V _s10 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s11 = lanes_max(_s9, _s10);
+        const V _s12 = lanes_mul(_s11, _s11);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[1], p_board_distance);
+        lanes_store(lists->fixed[2], p_board_half_width);
+        lanes_store(lists->fixed[3], p_board_bottom);
+        lanes_store(lists->fixed[4], p_board_top);
+        lanes_store(lists->fixed[5], p_bridge_half_width);
+        lanes_store(lists->fixed[6], _s0);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[8], lanes_sub(p_ball_radius, p_board_distance));
+        lanes_store(lists->fixed[13], _s1);
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[15], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[17], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[18], _s2);
+        lanes_store(lists->fixed[19], lanes_mul(K(0.5), _s2));
+        lanes_store(lists->fixed[20], lanes_mul(K(6.667843360785852e-16), p_end_depth));
+        lanes_store(lists->fixed[21], lanes_mul(p_bridge_half_width, p_bridge_half_width));
+        lanes_store(lists->fixed[22], lanes_neg(p_board_distance));
+        lanes_store(lists->fixed[23], lanes_add(_s3, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
+        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[25], lanes_add(lanes_add(_s4, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        lanes_store(lists->fixed[26], lanes_add(_s3, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
+        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[30], _s5);
+        lanes_store(lists->fixed[31], lanes_mul(K(5.820766091346741e-11), _s6));
+        lanes_store(lists->fixed[32], lanes_mul(K(65536.0), _s6));
+        lanes_store(lists->fixed[33], _s7);
+        lanes_store(lists->fixed[34], _s8);
+        lanes_store(lists->fixed[35], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[36], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[37], _s12);
+        lanes_store(lists->fixed[38], lanes_mul(_s11, _s12));
+        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[40], lanes_add(_s8, _s12));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_bounded_fix_f64)(LANES(hoop_bounded_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
+    const V p_gravity = lanes_load(lists->open_p_gravity + i);
+    const V p_ring_radius = lanes_load(lists->open_p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
+    {
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius))));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    }
+    {
+        const S _p_ball_radius = lanes_narrow(p_ball_radius);
+        const S _p_ring_radius = lanes_narrow(p_ring_radius);
+        const S _p_wire_radius = lanes_narrow(p_wire_radius);
+        const S _p_gravity = lanes_narrow(p_gravity);
+        const S _s0 = singles_add(_p_ball_radius, _p_wire_radius);
+        const S _s1 = singles_mul(KS(1.00006103515625), _s0);
+        const S _s2 = singles_add(_p_ring_radius, _s1);
+        const S _s3 = singles_sub(_p_ring_radius, _s1);
+        const S _s4 = singles_mul(KS(0.0001220703125), _p_ring_radius);
+        const S _s5 = singles_max(_s3, _s4);
+        const S _s6 = singles_div(_s0, _s5);
+        const S _s7 = singles_max(KS(1.0), _s6);
+        const S _s8 = singles_div(KS(1.0), _s5);
+        singles_store(lists->fixed_single[0], _p_gravity);
+        singles_store(lists->fixed_single[1], _s1);
+        singles_store(lists->fixed_single[2], singles_mul(KS(2.0), _p_gravity));
+        singles_store(lists->fixed_single[3], singles_div(KS(1.0), _p_gravity));
+        singles_store(lists->fixed_single[4], _s2);
+        singles_store(lists->fixed_single[5], singles_mul(_s2, _s2));
+        singles_store(lists->fixed_single[6], _s5);
+        singles_store(lists->fixed_single[7], singles_mul(_s5, _s5));
+        singles_store(lists->fixed_single[8], singles_mul(KS(32.0), _s5));
+        singles_store(lists->fixed_single[9], singles_add(singles_mul(KS(32.0), _p_ball_radius), singles_mul(KS(32.0), _p_wire_radius)));
+        singles_store(lists->fixed_single[10], _s0);
+        singles_store(lists->fixed_single[11], _s7);
+        singles_store(lists->fixed_single[12], singles_mul(KS(4.0), _p_gravity));
+        singles_store(lists->fixed_single[13], singles_mul(KS(2.0), _p_ring_radius));
+        singles_store(lists->fixed_single[14], singles_mul(singles_mul(KS(6.0003662109375), _p_gravity), _s0));
+        singles_store(lists->fixed_single[15], singles_mul(_s8, singles_mul(_s8, _s8)));
+        singles_store(lists->fixed_single[16], singles_mul(KS(5.0048828125), _s0));
+        singles_store(lists->fixed_single[17], singles_mul(KS(7.62939453125e-06), singles_mul(singles_div(_s2, _s5), _s7)));
+        singles_store(lists->fixed_single[18], singles_add(singles_mul(KS(128.0), _p_ball_radius), singles_mul(KS(128.0), _p_wire_radius)));
+        singles_store(lists->fixed_single[19], _p_ring_radius);
+        singles_store(lists->fixed_single[20], singles_mul(KS(0.5), _p_gravity));
+        singles_store(lists->fixed_single[21], singles_mul(_s0, _s0));
+        singles_store(lists->fixed_single[22], singles_mul(KS(6.0), _p_gravity));
+        singles_store(lists->fixed_single[23], singles_add(singles_mul(KS(0.0001220703125), _p_ball_radius), singles_mul(KS(0.0001220703125), _p_wire_radius)));
+        singles_store(lists->fixed_single[24], singles_mul(KS(9.5367431640625e-07), _s2));
+        singles_store(lists->fixed_single[25], singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_bounded_fix_f78)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
+{
+    const V p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
+    const V p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
+    const V p_ring_radius = lanes_expand(lists->open_leaping_p_ring_radius + taken, idle, lanes_load(lists->turning_p_ring_radius));
+    const V p_wire_radius = lanes_expand(lists->open_leaping_p_wire_radius + taken, idle, lanes_load(lists->turning_p_wire_radius));
+    lanes_store(lists->turning_p_ball_radius, p_ball_radius);
+    lanes_store(lists->turning_p_gravity, p_gravity);
+    lanes_store(lists->turning_p_ring_radius, p_ring_radius);
+    lanes_store(lists->turning_p_wire_radius, p_wire_radius);
+    {
+        const S _p_ball_radius = lanes_narrow(p_ball_radius);
+        const S _p_ring_radius = lanes_narrow(p_ring_radius);
+        const S _p_wire_radius = lanes_narrow(p_wire_radius);
+        const S _p_gravity = lanes_narrow(p_gravity);
+        const S _s0 = singles_add(_p_ball_radius, _p_wire_radius);
+        const S _s1 = singles_mul(KS(1.00006103515625), _s0);
+        const S _s2 = singles_sub(_p_ring_radius, _s1);
+        const S _s3 = singles_mul(KS(0.0001220703125), _p_ring_radius);
+        singles_store(lists->fixed_single[0], _p_gravity);
+        singles_store(lists->fixed_single[1], _s1);
+        singles_store(lists->fixed_single[6], singles_max(_s2, _s3));
+        singles_store(lists->fixed_single[19], _p_ring_radius);
+        singles_store(lists->fixed_single[20], singles_mul(KS(0.5), _p_gravity));
+        singles_store(lists->fixed_single[21], singles_mul(_s0, _s0));
+        singles_store(lists->fixed_single[22], singles_mul(KS(6.0), _p_gravity));
+        singles_store(lists->fixed_single[23], singles_add(singles_mul(KS(0.0001220703125), _p_ball_radius), singles_mul(KS(0.0001220703125), _p_wire_radius)));
+        singles_store(lists->fixed_single[24], singles_mul(KS(9.5367431640625e-07), singles_add(_p_ring_radius, _s1)));
+        singles_store(lists->fixed_single[25], singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_bounded_fix_f81)(LANES(hoop_bounded_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->open_searching_p_ball_radius + i);
+    const V p_gravity = lanes_load(lists->open_searching_p_gravity + i);
+    const V p_ring_radius = lanes_load(lists->open_searching_p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->open_searching_p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s2 = lanes_add(p_ring_radius, _s1);
+        const V _s3 = lanes_sub(p_ring_radius, _s1);
+        const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s5 = lanes_max(_s3, _s4);
+        const V _s6 = lanes_div(K(1.0), _s5);
+        const V _s7 = lanes_div(_s1, _s5);
+        lanes_store(lists->fixed[13], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[30], _s1);
+        lanes_store(lists->fixed[33], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[35], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[36], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[37], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[41], lanes_mul(_s6, lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[42], _s2);
+        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s7));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_bounded_fix_f86)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
+{
+    const V p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
+    const V p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
+    const V p_ring_radius = lanes_expand(lists->open_searching_searching_p_ring_radius + taken, idle, lanes_load(lists->turning_p_ring_radius));
+    const V p_wire_radius = lanes_expand(lists->open_searching_searching_p_wire_radius + taken, idle, lanes_load(lists->turning_p_wire_radius));
+    lanes_store(lists->turning_p_ball_radius, p_ball_radius);
+    lanes_store(lists->turning_p_gravity, p_gravity);
+    lanes_store(lists->turning_p_ring_radius, p_ring_radius);
+    lanes_store(lists->turning_p_wire_radius, p_wire_radius);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s2 = lanes_add(p_ring_radius, _s1);
+        const V _s3 = lanes_sub(p_ring_radius, _s1);
+        const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s5 = lanes_max(_s3, _s4);
+        const V _s6 = lanes_div(_s1, _s5);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[30], _s1);
+        lanes_store(lists->fixed[42], _s2);
+        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s6));
+        lanes_store(lists->fixed[46], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[47], lanes_mul(K(9.094947017729282e-13), _s2));
+        lanes_store(lists->fixed[48], _s5);
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_bounded_fix_f99)(LANES(hoop_bounded_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
+    const V p_gravity = lanes_load(lists->open_p_gravity + i);
+    const V p_ring_radius = lanes_load(lists->open_p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_bounded_fix_f108)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
+{
+    const V p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
+    const V p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
+    const V p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, lanes_load(lists->turning_p_ring_radius));
+    const V p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, lanes_load(lists->turning_p_wire_radius));
+    lanes_store(lists->turning_p_ball_radius, p_ball_radius);
+    lanes_store(lists->turning_p_gravity, p_gravity);
+    lanes_store(lists->turning_p_ring_radius, p_ring_radius);
+    lanes_store(lists->turning_p_wire_radius, p_wire_radius);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_bounded_fix_f111)(LANES(hoop_bounded_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
+    const V p_gravity = lanes_load(lists->open_p_gravity + i);
+    const V p_ring_radius = lanes_load(lists->open_p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s2 = lanes_add(p_ring_radius, _s1);
+        const V _s3 = lanes_sub(p_ring_radius, _s1);
+        const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s5 = lanes_div(_s1, lanes_max(_s3, _s4));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[30], _s1);
+        lanes_store(lists->fixed[42], _s2);
+        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s5));
+    }
+}
+
+/* What is rarely done: apart, so that it takes no registers from what is done often. */
+#ifdef __GNUC__
+__attribute__((noinline))
+#endif
+static void LANES(hoop_bounded_fix_f119)(LANES(hoop_bounded_lists) *lists, size_t i)
+{
+    const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
+    const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
+    const V p_board_distance = lanes_load(lists->p_board_distance + i);
+    const V p_board_half_width = lanes_load(lists->p_board_half_width + i);
+    const V p_board_top = lanes_load(lists->p_board_top + i);
+    const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + i);
+    const V p_end_depth = lanes_load(lists->p_end_depth + i);
+    const V p_gravity = lanes_load(lists->p_gravity + i);
+    const V p_restitution = lanes_load(lists->p_restitution + i);
+    const V p_ring_radius = lanes_load(lists->p_ring_radius + i);
+    const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
+    {
+        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
+        const V _s2 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        lanes_store(lists->fixed[0], p_ring_radius);
+        lanes_store(lists->fixed[6], _s0);
+        lanes_store(lists->fixed[8], lanes_sub(p_ball_radius, p_board_distance));
+        lanes_store(lists->fixed[14], p_gravity);
+        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[25], lanes_add(lanes_add(_s1, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        lanes_store(lists->fixed[49], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[50], lanes_div(K(1.0), lanes_min(_s2, _s0)));
+        lanes_store(lists->fixed[51], p_ball_radius);
+        lanes_store(lists->fixed[52], p_restitution);
+        lanes_store(lists->fixed[53], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[54], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[55], lanes_abs(K(0.0)));
+    }
+}
+
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
    Errors are bounded. */
 static void LANES(hoop_bounded)(const hoop_job *job)
@@ -2149,7 +3101,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     lanes_store(lists->p_restitution, K(*job->parameters[8]));
     lanes_store(lists->p_gravity, K(*job->parameters[9]));
     lanes_store(lists->p_end_depth, K(*job->parameters[10]));
-    const M all_permitted = LANES(hoop_permit)(lanes_load(lists->p_ball_radius), lanes_load(lists->p_ring_radius), lanes_load(lists->p_wire_radius), lanes_load(lists->p_board_distance), lanes_load(lists->p_board_half_width), lanes_load(lists->p_board_bottom), lanes_load(lists->p_board_top), lanes_load(lists->p_bridge_half_width), lanes_load(lists->p_restitution), lanes_load(lists->p_gravity), lanes_load(lists->p_end_depth));
+    LANES(hoop_bounded_permitted)(lists, 0);
+    LANES(hoop_bounded_fix)(lists);
     for (;;) {
         if (job->stop && *job->stop)
             return;
@@ -2168,18 +3121,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
 
         /* A new shot is looked at once. */
         for (size_t i = fresh; i < shots; i += LANES_WIDTH) {
+            if (LANES_SELDOM(varying))
+                LANES(hoop_bounded_fix_f1)(lists, i);
             V last = lanes_load(lists->last + i);
-            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
-            const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
-            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
-            const V p_board_half_width = lanes_load(lists->p_board_half_width + (i & varying));
-            const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
-            const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
-            const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
-            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
-            const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
-            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
-            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
@@ -2189,20 +3133,18 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            M permitted = all_permitted;
-            if (varying)
-                permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
-            const LANES(hoop_finite_state_out) _o1 =
+            M permitted = lanes_less(K(0.0), lanes_load(lists->permitted + (i & varying)));
+            const LANES(hoop_finite_state_out) _o2 =
                 LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
-            M finite = _o1.finite;
-            const LANES(hoop_valid_out) _o2 =
-                LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
-            V valid = _o2.valid;
-            V doubt = _o2.doubt;
-            const LANES(hoop_admitted_out) _o3 =
+            M finite = _o2.finite;
+            const LANES(hoop_valid_out) _o3 =
+                LANES(hoop_valid)(last, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]));
+            V valid = _o3.valid;
+            V doubt = _o3.doubt;
+            const LANES(hoop_admitted_out) _o4 =
                 LANES(hoop_admitted)(doubt, finite, permitted, valid);
-            V outcome = _o3.outcome;
-            V uncertain = _o3.uncertain;
+            V outcome = _o4.outcome;
+            V uncertain = _o4.uncertain;
             lanes_store(lists->outcome + i, outcome);
             lanes_store(lists->uncertain + i, uncertain);
         }
@@ -2221,6 +3163,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             LANES(hoop_ahead)(job, begun + i);
+            if (LANES_SELDOM(varying))
+                LANES(hoop_bounded_fix_f5)(lists, i);
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
             V dvy = lanes_load(lists->dvy + i);
@@ -2232,239 +3176,229 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V dy = lanes_load(lists->dy + i);
             V dz = lanes_load(lists->dz + i);
             V last = lanes_load(lists->last + i);
-            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
-            const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
-            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
-            const V p_board_half_width = lanes_load(lists->p_board_half_width + (i & varying));
-            const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
-            const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
-            const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
-            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
-            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
-            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(hoop_error_bounds_out) _o4 =
+            const LANES(hoop_error_bounds_out) _o6 =
                 LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o4.position_error;
-            V velocity_error = _o4.velocity_error;
-            V time_error = _o4.time_error;
-            const LANES(hoop_scale_out) _o5 =
-                LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
-            V extent = _o5.extent;
-            V speed = _o5.speed;
-            V excess = _o5.excess;
-            const LANES(hoop_opening_out) _o6 =
+            V position_error = _o6.position_error;
+            V velocity_error = _o6.velocity_error;
+            V time_error = _o6.time_error;
+            const LANES(hoop_scale_out) _o7 =
+                LANES(hoop_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[13]));
+            V extent = _o7.extent;
+            V speed = _o7.speed;
+            V excess = _o7.excess;
+            const LANES(hoop_opening_out) _o8 =
                 LANES(hoop_opening)(excess, position_error, velocity_error);
-            V when = _o6.when;
-            V which = _o6.which;
-            V late = _o6.late;
-            V doubt = _o6.doubt;
-            const LANES(hoop_limited_out) _o7 =
+            V when = _o8.when;
+            V which = _o8.which;
+            V late = _o8.late;
+            V doubt = _o8.doubt;
+            const LANES(hoop_limited_out) _o9 =
                 LANES(hoop_limited)(time_limit);
-            M limited = _o7.limited;
-            const LANES(hoop_left_out) _o8 =
+            M limited = _o9.limited;
+            const LANES(hoop_left_out) _o10 =
                 LANES(hoop_left)(K(3.0), last);
-            V leaving = _o8.leaving;
-            const LANES(hoop_end_arrival_out) _o9 =
-                LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
-            V time = _o9.time;
-            V rate = _o9.rate;
-            V bend = _o9.bend;
-            V apex = _o9.apex;
-            V height = _o9.height;
-            const LANES(hoop_meeting_plane_out) _o10 =
+            V leaving = _o10.leaving;
+            const LANES(hoop_end_arrival_out) _o11 =
+                LANES(hoop_end_arrival)(leaving, z, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
+            V time = _o11.time;
+            V rate = _o11.rate;
+            V bend = _o11.bend;
+            V apex = _o11.apex;
+            V height = _o11.height;
+            const LANES(hoop_meeting_plane_out) _o12 =
                 LANES(hoop_meeting_plane)(bend, rate, time);
-            M arrives = _o10.arrives;
-            V ceiling = _o10.ceiling;
-            const LANES(hoop_end_margin_out) _o11 =
-                LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-            V margin = _o11.margin;
-            const LANES(hoop_crossing_out) _o12 =
+            M arrives = _o12.arrives;
+            V ceiling = _o12.ceiling;
+            const LANES(hoop_end_margin_out) _o13 =
+                LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[20]));
+            V margin = _o13.margin;
+            const LANES(hoop_crossing_out) _o14 =
                 LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-            V clearance = _o12.clearance;
-            V delay = _o12.delay;
-            const LANES(hoop_timely_out) _o13 =
+            V clearance = _o14.clearance;
+            V delay = _o14.delay;
+            const LANES(hoop_timely_out) _o15 =
                 LANES(hoop_timely)(arrives, delay, late, time, when);
-            M possible = _o13.possible;
-            const LANES(hoop_end_margin_out) _o14 =
-                LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-            margin = _o14.margin;
-            const LANES(hoop_grazed_out) _o15 =
+            M possible = _o15.possible;
+            const LANES(hoop_end_margin_out) _o16 =
+                LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[20]));
+            margin = _o16.margin;
+            const LANES(hoop_grazed_out) _o17 =
                 LANES(hoop_grazed)(apex, doubt, height, margin);
-            doubt = _o15.doubt;
-            const M _m16 = lanes_both(rows, possible);
+            doubt = _o17.doubt;
+            const M _m18 = lanes_both(rows, possible);
             {
-                const LANES(hoop_crossed_out) _o17 =
+                const LANES(hoop_crossed_out) _o19 =
                     LANES(hoop_crossed)(arrives, clearance, doubt, time);
-                doubt = lanes_select(_m16, _o17.doubt, doubt);
-                const LANES(hoop_tied_out) _o18 =
+                doubt = lanes_select(_m18, _o19.doubt, doubt);
+                const LANES(hoop_tied_out) _o20 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m16, _o18.doubt, doubt);
-                late = lanes_select(_m16, _o18.late, late);
-                const LANES(hoop_sooner_out) _o19 =
+                doubt = lanes_select(_m18, _o20.doubt, doubt);
+                late = lanes_select(_m18, _o20.late, late);
+                const LANES(hoop_sooner_out) _o21 =
                     LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m16, _o19.when, when);
-                which = lanes_select(_m16, _o19.which, which);
+                when = lanes_select(_m18, _o21.when, when);
+                which = lanes_select(_m18, _o21.which, which);
             }
-            const LANES(hoop_released_out) _o20 =
+            const LANES(hoop_released_out) _o22 =
                 LANES(hoop_released)(last);
-            M released = _o20.released;
-            M reachable = _o20.reachable;
-            const M _m21 = lanes_both(rows, released);
-            if (lanes_any(_m21)) {
-                const LANES(hoop_horizon_out) _o22 =
-                    LANES(hoop_horizon)(when, speed, p_gravity);
-                V until = _o22.horizon;
-                V pad = _o22.pad;
-                const LANES(hoop_reachable_out) _o23 =
-                    LANES(hoop_reachable)(p_ball_radius, p_board_distance, p_bridge_half_width, extent, p_gravity, until, late, pad, position_error, p_ring_radius, speed, velocity_error, vx, x);
-                reachable = lanes_choose(_m21, _o23.reachable, reachable);
+            M released = _o22.released;
+            M reachable = _o22.reachable;
+            const M _m23 = lanes_both(rows, released);
+            if (lanes_any(_m23)) {
+                const LANES(hoop_horizon_out) _o24 =
+                    LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[13]));
+                V until = _o24.horizon;
+                V pad = _o24.pad;
+                const LANES(hoop_reachable_out) _o25 =
+                    LANES(hoop_reachable)(extent, until, late, pad, position_error, speed, velocity_error, vx, x, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[22]));
+                reachable = lanes_choose(_m23, _o25.reachable, reachable);
             }
-            const M _m24 = lanes_both(rows, reachable);
-            if (lanes_any(_m24)) {
-                const LANES(hoop_left_out) _o25 =
+            const M _m26 = lanes_both(rows, reachable);
+            if (lanes_any(_m26)) {
+                const LANES(hoop_left_out) _o27 =
                     LANES(hoop_left)(K(1.0), last);
-                V leaving = _o25.leaving;
-                const LANES(hoop_backboard_arrival_out) _o26 =
-                    LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-                V time = _o26.time;
-                V rate = _o26.rate;
-                V bend = _o26.bend;
-                V apex = _o26.apex;
-                V height = _o26.height;
-                const LANES(hoop_meeting_plane_out) _o27 =
+                V leaving = _o27.leaving;
+                const LANES(hoop_backboard_arrival_out) _o28 =
+                    LANES(hoop_backboard_arrival)(leaving, x, vx, lanes_load(lists->fixed[8]));
+                V time = _o28.time;
+                V rate = _o28.rate;
+                V bend = _o28.bend;
+                V apex = _o28.apex;
+                V height = _o28.height;
+                const LANES(hoop_meeting_plane_out) _o29 =
                     LANES(hoop_meeting_plane)(bend, rate, time);
-                M arrives = _o27.arrives;
-                V ceiling = _o27.ceiling;
-                const LANES(hoop_backboard_margin_out) _o28 =
-                    LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-                V margin = _o28.margin;
-                const LANES(hoop_crossing_out) _o29 =
+                M arrives = _o29.arrives;
+                V ceiling = _o29.ceiling;
+                const LANES(hoop_backboard_margin_out) _o30 =
+                    LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[23]));
+                V margin = _o30.margin;
+                const LANES(hoop_crossing_out) _o31 =
                     LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-                V clearance = _o29.clearance;
-                V delay = _o29.delay;
-                const LANES(hoop_timely_out) _o30 =
+                V clearance = _o31.clearance;
+                V delay = _o31.delay;
+                const LANES(hoop_timely_out) _o32 =
                     LANES(hoop_timely)(arrives, delay, late, time, when);
-                M possible = _o30.possible;
-                const LANES(hoop_backboard_margin_out) _o31 =
-                    LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-                margin = _o31.margin;
-                const LANES(hoop_grazed_out) _o32 =
+                M possible = _o32.possible;
+                const LANES(hoop_backboard_margin_out) _o33 =
+                    LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[23]));
+                margin = _o33.margin;
+                const LANES(hoop_grazed_out) _o34 =
                     LANES(hoop_grazed)(apex, doubt, height, margin);
-                doubt = lanes_select(_m24, _o32.doubt, doubt);
-                const M _m33 = lanes_both(_m24, possible);
-                if (lanes_any(_m33)) {
-                    const LANES(hoop_flight_out) _o34 =
-                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                    V there_y = _o34.y;
-                    V there_z = _o34.z;
-                    const LANES(hoop_backboard_bounds_out) _o35 =
-                        LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-                    V g0 = _o35.g0;
-                    V g1 = _o35.g1;
-                    V g2 = _o35.g2;
-                    V g3 = _o35.g3;
-                    const LANES(hoop_displacement_out) _o36 =
-                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-                    V slack = _o36.margin;
-                    const LANES(hoop_backboard_edges_out) _o37 =
+                doubt = lanes_select(_m26, _o34.doubt, doubt);
+                const M _m35 = lanes_both(_m26, possible);
+                if (lanes_any(_m35)) {
+                    const LANES(hoop_flight_out) _o36 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]));
+                    V there_y = _o36.y;
+                    V there_z = _o36.z;
+                    const LANES(hoop_backboard_bounds_out) _o37 =
+                        LANES(hoop_backboard_bounds)(there_y, there_z, lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]));
+                    V g0 = _o37.g0;
+                    V g1 = _o37.g1;
+                    V g2 = _o37.g2;
+                    V g3 = _o37.g3;
+                    const LANES(hoop_displacement_out) _o38 =
+                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[25]));
+                    V slack = _o38.margin;
+                    const LANES(hoop_backboard_edges_out) _o39 =
                         LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
-                    M unsure = _o37.unsure;
-                    const LANES(hoop_questioned_out) _o38 =
+                    M unsure = _o39.unsure;
+                    const LANES(hoop_questioned_out) _o40 =
                         LANES(hoop_questioned)(doubt, time, unsure);
-                    doubt = lanes_select(_m33, _o38.doubt, doubt);
-                    const LANES(hoop_backboard_within_out) _o39 =
+                    doubt = lanes_select(_m35, _o40.doubt, doubt);
+                    const LANES(hoop_backboard_within_out) _o41 =
                         LANES(hoop_backboard_within)(g0, g1, g2, g3);
-                    M arrives = _o39.arrives;
-                    const LANES(hoop_tied_out) _o40 =
+                    M arrives = _o41.arrives;
+                    const LANES(hoop_tied_out) _o42 =
                         LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                    doubt = lanes_select(_m33, _o40.doubt, doubt);
-                    late = lanes_select(_m33, _o40.late, late);
-                    const LANES(hoop_sooner_out) _o41 =
+                    doubt = lanes_select(_m35, _o42.doubt, doubt);
+                    late = lanes_select(_m35, _o42.late, late);
+                    const LANES(hoop_sooner_out) _o43 =
                         LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-                    when = lanes_select(_m33, _o41.when, when);
-                    which = lanes_select(_m33, _o41.which, which);
+                    when = lanes_select(_m35, _o43.when, when);
+                    which = lanes_select(_m35, _o43.which, which);
                 }
-                const LANES(hoop_left_out) _o42 =
+                const LANES(hoop_left_out) _o44 =
                     LANES(hoop_left)(K(2.0), last);
-                leaving = _o42.leaving;
-                const LANES(hoop_bridge_arrival_out) _o43 =
-                    LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-                time = _o43.time;
-                rate = _o43.rate;
-                bend = _o43.bend;
-                apex = _o43.apex;
-                height = _o43.height;
-                const LANES(hoop_meeting_plane_out) _o44 =
+                leaving = _o44.leaving;
+                const LANES(hoop_bridge_arrival_out) _o45 =
+                    LANES(hoop_bridge_arrival)(leaving, z, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
+                time = _o45.time;
+                rate = _o45.rate;
+                bend = _o45.bend;
+                apex = _o45.apex;
+                height = _o45.height;
+                const LANES(hoop_meeting_plane_out) _o46 =
                     LANES(hoop_meeting_plane)(bend, rate, time);
-                arrives = _o44.arrives;
-                ceiling = _o44.ceiling;
-                const LANES(hoop_bridge_margin_out) _o45 =
-                    LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-                margin = _o45.margin;
-                const LANES(hoop_crossing_out) _o46 =
+                arrives = _o46.arrives;
+                ceiling = _o46.ceiling;
+                const LANES(hoop_bridge_margin_out) _o47 =
+                    LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[26]));
+                margin = _o47.margin;
+                const LANES(hoop_crossing_out) _o48 =
                     LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-                clearance = _o46.clearance;
-                delay = _o46.delay;
-                const LANES(hoop_timely_out) _o47 =
+                clearance = _o48.clearance;
+                delay = _o48.delay;
+                const LANES(hoop_timely_out) _o49 =
                     LANES(hoop_timely)(arrives, delay, late, time, when);
-                possible = _o47.possible;
-                const LANES(hoop_bridge_margin_out) _o48 =
-                    LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-                margin = _o48.margin;
-                const LANES(hoop_grazed_out) _o49 =
+                possible = _o49.possible;
+                const LANES(hoop_bridge_margin_out) _o50 =
+                    LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[26]));
+                margin = _o50.margin;
+                const LANES(hoop_grazed_out) _o51 =
                     LANES(hoop_grazed)(apex, doubt, height, margin);
-                doubt = lanes_select(_m24, _o49.doubt, doubt);
-                const M _m50 = lanes_both(_m24, possible);
-                if (lanes_any(_m50)) {
-                    const LANES(hoop_flight_out) _o51 =
-                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                    V there_x = _o51.x;
-                    V there_y = _o51.y;
-                    const LANES(hoop_bridge_bounds_out) _o52 =
-                        LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-                    V g0 = _o52.g0;
-                    V g1 = _o52.g1;
-                    V g2 = _o52.g2;
-                    V g3 = _o52.g3;
-                    V g4 = _o52.g4;
-                    const LANES(hoop_displacement_out) _o53 =
-                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-                    V slack = _o53.margin;
-                    const LANES(hoop_bridge_edges_out) _o54 =
+                doubt = lanes_select(_m26, _o51.doubt, doubt);
+                const M _m52 = lanes_both(_m26, possible);
+                if (lanes_any(_m52)) {
+                    const LANES(hoop_flight_out) _o53 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]));
+                    V there_x = _o53.x;
+                    V there_y = _o53.y;
+                    const LANES(hoop_bridge_bounds_out) _o54 =
+                        LANES(hoop_bridge_bounds)(there_x, there_y, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[5]));
+                    V g0 = _o54.g0;
+                    V g1 = _o54.g1;
+                    V g2 = _o54.g2;
+                    V g3 = _o54.g3;
+                    V g4 = _o54.g4;
+                    const LANES(hoop_displacement_out) _o55 =
+                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[25]));
+                    V slack = _o55.margin;
+                    const LANES(hoop_bridge_edges_out) _o56 =
                         LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
-                    M unsure = _o54.unsure;
-                    const LANES(hoop_questioned_out) _o55 =
+                    M unsure = _o56.unsure;
+                    const LANES(hoop_questioned_out) _o57 =
                         LANES(hoop_questioned)(doubt, time, unsure);
-                    doubt = lanes_select(_m50, _o55.doubt, doubt);
-                    const LANES(hoop_bridge_within_out) _o56 =
+                    doubt = lanes_select(_m52, _o57.doubt, doubt);
+                    const LANES(hoop_bridge_within_out) _o58 =
                         LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-                    M arrives = _o56.arrives;
-                    const LANES(hoop_tied_out) _o57 =
+                    M arrives = _o58.arrives;
+                    const LANES(hoop_tied_out) _o59 =
                         LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                    doubt = lanes_select(_m50, _o57.doubt, doubt);
-                    late = lanes_select(_m50, _o57.late, late);
-                    const LANES(hoop_sooner_out) _o58 =
+                    doubt = lanes_select(_m52, _o59.doubt, doubt);
+                    late = lanes_select(_m52, _o59.late, late);
+                    const LANES(hoop_sooner_out) _o60 =
                         LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-                    when = lanes_select(_m50, _o58.when, when);
-                    which = lanes_select(_m50, _o58.which, which);
+                    when = lanes_select(_m52, _o60.when, when);
+                    which = lanes_select(_m52, _o60.which, which);
                 }
             }
-            const LANES(hoop_horizon_out) _o59 =
-                LANES(hoop_horizon)(when, speed, p_gravity);
-            V until = _o59.horizon;
-            V pad = _o59.pad;
-            const LANES(hoop_ring_clear_out) _o60 =
-                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V clear = _o60.clear;
-            const LANES(hoop_opens_out) _o61 =
+            const LANES(hoop_horizon_out) _o61 =
+                LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[13]));
+            V until = _o61.horizon;
+            V pad = _o61.pad;
+            const LANES(hoop_ring_clear_out) _o62 =
+                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]));
+            V clear = _o62.clear;
+            const LANES(hoop_opens_out) _o63 =
                 LANES(hoop_opens)(clear);
-            M open = _o61.open;
+            M open = _o63.open;
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->extent + i, extent);
             lanes_store(lists->late + i, late);
@@ -2482,14 +3416,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_extent + open_shots, packed, extent);
                 lanes_pack(lists->open_last + open_shots, packed, last);
                 lanes_pack(lists->open_late + open_shots, packed, late);
-                if (varying)
-                    lanes_pack(lists->open_p_ball_radius + open_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->open_p_gravity + open_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->open_p_ring_radius + open_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->open_p_wire_radius + open_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_pad + open_shots, packed, pad);
                 lanes_pack(lists->open_position_error + open_shots, packed, position_error);
                 lanes_pack(lists->open_speed + open_shots, packed, speed);
@@ -2503,6 +3429,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_x + open_shots, packed, x);
                 lanes_pack(lists->open_y + open_shots, packed, y);
                 lanes_pack(lists->open_z + open_shots, packed, z);
+                if (LANES_SELDOM(varying)) {
+                    lanes_pack(lists->open_p_ball_radius + open_shots, packed, lanes_load(lists->p_ball_radius + (i & varying)));
+                    lanes_pack(lists->open_p_gravity + open_shots, packed, lanes_load(lists->p_gravity + (i & varying)));
+                    lanes_pack(lists->open_p_ring_radius + open_shots, packed, lanes_load(lists->p_ring_radius + (i & varying)));
+                    lanes_pack(lists->open_p_wire_radius + open_shots, packed, lanes_load(lists->p_wire_radius + (i & varying)));
+                }
                 open_shots += lanes_many(packed);
             }
         }
@@ -2510,14 +3442,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         size_t open_leaping_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
+            if (LANES_SELDOM(varying))
+                LANES(hoop_bounded_fix_f64)(lists, i);
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
             V late = lanes_load(lists->open_late + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V pad = lanes_load(lists->open_pad + i);
             V position_error = lanes_load(lists->open_position_error + i);
             V speed = lanes_load(lists->open_speed + i);
@@ -2529,93 +3459,93 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_beginning_out) _o62 =
+            const LANES(hoop_beginning_out) _o65 =
                 LANES(hoop_beginning)();
-            V share = _o62.share;
-            V arrival = _o62.arrival;
-            M certain = _o62.certain;
-            const LANES(hoop_left_out) _o63 =
+            V share = _o65.share;
+            V arrival = _o65.arrival;
+            M certain = _o65.certain;
+            const LANES(hoop_left_out) _o66 =
                 LANES(hoop_left)(K(0.0), last);
-            V leaving = _o63.leaving;
-            const LANES(hoop_ring_opened_out) _o64 =
-                LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S onset = _o64.t;
-            S wide_end = _o64.end;
-            M searching = _o64.searching;
-            S wide_low1 = _o64.low1;
-            S wide_high1 = _o64.high1;
-            S wide_low2 = _o64.low2;
-            S wide_high2 = _o64.high2;
-            S lapsed = _o64.latest;
-            M sound = _o64.sound;
-            const LANES(hoop_opened_out) _o65 =
+            V leaving = _o66.leaving;
+            const LANES(hoop_ring_opened_out) _o67 =
+                LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[2]), singles_load(lists->fixed_single[3]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[5]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[7]), singles_load(lists->fixed_single[8]), singles_load(lists->fixed_single[9]));
+            S onset = _o67.t;
+            S wide_end = _o67.end;
+            M searching = _o67.searching;
+            S wide_low1 = _o67.low1;
+            S wide_high1 = _o67.high1;
+            S wide_low2 = _o67.low2;
+            S wide_high2 = _o67.high2;
+            S lapsed = _o67.latest;
+            M sound = _o67.sound;
+            const LANES(hoop_opened_out) _o68 =
                 LANES(hoop_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o65.time;
-            V latest = _o65.latest;
-            const LANES(hoop_ring_started_out) _o66 =
-                LANES(hoop_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
-            V rho_start = _o66.rho_start;
-            V parting = _o66.parting;
-            V drift = _o66.drift;
-            const LANES(hoop_flight_out) _o67 =
-                LANES(hoop_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o67.x;
-            V near_y = _o67.y;
-            V near_z = _o67.z;
-            V near_vz = _o67.vz;
-            const LANES(hoop_ring_grain_out) _o68 =
-                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_share = _o68.share;
-            S short_t = _o68.t;
-            S short_end = _o68.end;
-            S short_x = _o68.x;
-            S short_y = _o68.y;
-            S short_z = _o68.z;
-            S short_vx = _o68.vx;
-            S short_vy = _o68.vy;
-            S short_vz = _o68.vz;
-            S short_steady = _o68.steady;
-            S short_swing = _o68.swing;
-            S short_rho_start = _o68.rho_start;
-            S short_ceiling = _o68.ceiling;
-            S short_flat = _o68.flat;
-            S short_tilt = _o68.tilt;
-            S short_jerk = _o68.jerk;
-            S short_grit = _o68.grit;
-            S short_parting = _o68.parting;
-            S short_drift = _o68.drift;
-            S short_rate_margin = _o68.rate_margin;
-            S short_low1 = _o68.low1;
-            S short_high1 = _o68.high1;
-            S short_low2 = _o68.low2;
-            S short_high2 = _o68.high2;
-            M fits = _o68.fits;
-            const LANES(hoop_coarse_out) _o69 =
+            V since = _o68.time;
+            V latest = _o68.latest;
+            const LANES(hoop_ring_started_out) _o69 =
+                LANES(hoop_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[0]));
+            V rho_start = _o69.rho_start;
+            V parting = _o69.parting;
+            V drift = _o69.drift;
+            const LANES(hoop_flight_out) _o70 =
+                LANES(hoop_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]));
+            V near_x = _o70.x;
+            V near_y = _o70.y;
+            V near_z = _o70.z;
+            V near_vz = _o70.vz;
+            const LANES(hoop_ring_grain_out) _o71 =
+                LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[10]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[11]), singles_load(lists->fixed_single[12]), singles_load(lists->fixed_single[13]), singles_load(lists->fixed_single[14]), singles_load(lists->fixed_single[15]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[16]), singles_load(lists->fixed_single[17]), singles_load(lists->fixed_single[18]));
+            S short_share = _o71.share;
+            S short_t = _o71.t;
+            S short_end = _o71.end;
+            S short_x = _o71.x;
+            S short_y = _o71.y;
+            S short_z = _o71.z;
+            S short_vx = _o71.vx;
+            S short_vy = _o71.vy;
+            S short_vz = _o71.vz;
+            S short_steady = _o71.steady;
+            S short_swing = _o71.swing;
+            S short_rho_start = _o71.rho_start;
+            S short_ceiling = _o71.ceiling;
+            S short_flat = _o71.flat;
+            S short_tilt = _o71.tilt;
+            S short_jerk = _o71.jerk;
+            S short_grit = _o71.grit;
+            S short_parting = _o71.parting;
+            S short_drift = _o71.drift;
+            S short_rate_margin = _o71.rate_margin;
+            S short_low1 = _o71.low1;
+            S short_high1 = _o71.high1;
+            S short_low2 = _o71.low2;
+            S short_high2 = _o71.high2;
+            M fits = _o71.fits;
+            const LANES(hoop_coarse_out) _o72 =
                 LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o69.leaping;
-            searching = _o69.searching;
-            M served = _o69.served;
-            V ceiling = _o69.ceiling;
-            V flat = _o69.flat;
-            V tilt = _o69.tilt;
-            V allowing = _o69.allowing;
-            const LANES(hoop_allowance_out) _o70 =
-                LANES(hoop_allowance)(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V excess = _o70.excess;
-            const LANES(hoop_ring_lost_out) _o71 =
-                LANES(hoop_ring_lost)(until, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius);
-            V lost = _o71.lost;
-            const LANES(hoop_beyond_out) _o72 =
+            M leaping = _o72.leaping;
+            searching = _o72.searching;
+            M served = _o72.served;
+            V ceiling = _o72.ceiling;
+            V flat = _o72.flat;
+            V tilt = _o72.tilt;
+            V allowing = _o72.allowing;
+            const LANES(hoop_allowance_out) _o73 =
+                LANES(hoop_allowance)(allowing, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]));
+            V excess = _o73.excess;
+            const LANES(hoop_ring_lost_out) _o74 =
+                LANES(hoop_ring_lost)(until, position_error, velocity_error, lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]));
+            V lost = _o74.lost;
+            const LANES(hoop_beyond_out) _o75 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o72.doubt;
-            const M _m73 = lanes_both(rows, leaping);
-            if (lanes_any(_m73)) {
-                const LANES(hoop_ring_leap_out) _o74 =
-                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = singles_select(singles_of(_m73), _o74.t, short_t);
-                short_end = singles_select(singles_of(_m73), _o74.end, short_end);
-                certain = lanes_choose(_m73, _o74.certain, certain);
-                leaping = lanes_choose(_m73, _o74.leaping, leaping);
+            doubt = _o75.doubt;
+            const M _m76 = lanes_both(rows, leaping);
+            if (lanes_any(_m76)) {
+                const LANES(hoop_ring_leap_out) _o77 =
+                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
+                short_t = singles_select(singles_of(_m76), _o77.t, short_t);
+                short_end = singles_select(singles_of(_m76), _o77.end, short_end);
+                certain = lanes_choose(_m76, _o77.certain, certain);
+                leaping = lanes_choose(_m76, _o77.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -2633,14 +3563,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const M packed = lanes_both(rows, leaping);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_leaping_row + open_leaping_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                if (varying)
-                    lanes_pack(lists->open_leaping_p_ball_radius + open_leaping_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->open_leaping_p_gravity + open_leaping_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->open_leaping_p_ring_radius + open_leaping_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, p_wire_radius);
                 singles_pack(lists->open_leaping_short_ceiling + open_leaping_shots, packed, short_ceiling);
                 singles_pack(lists->open_leaping_short_drift + open_leaping_shots, packed, short_drift);
                 singles_pack(lists->open_leaping_short_end + open_leaping_shots, packed, short_end);
@@ -2664,6 +3586,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 singles_pack(lists->open_leaping_short_x + open_leaping_shots, packed, short_x);
                 singles_pack(lists->open_leaping_short_y + open_leaping_shots, packed, short_y);
                 singles_pack(lists->open_leaping_short_z + open_leaping_shots, packed, short_z);
+                if (LANES_SELDOM(varying)) {
+                    lanes_pack(lists->open_leaping_p_ball_radius + open_leaping_shots, packed, lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius));
+                    lanes_pack(lists->open_leaping_p_gravity + open_leaping_shots, packed, lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity));
+                    lanes_pack(lists->open_leaping_p_ring_radius + open_leaping_shots, packed, lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius));
+                    lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius));
+                }
                 open_leaping_shots += lanes_many(packed);
             }
         }
@@ -2671,10 +3599,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
             V row = K(0.0), turns = K(0.0);
-            V p_ball_radius = lanes_load(lists->p_ball_radius);
-            V p_gravity = lanes_load(lists->p_gravity);
-            V p_ring_radius = lanes_load(lists->p_ring_radius);
-            V p_wire_radius = lanes_load(lists->p_wire_radius);
             S short_ceiling = KS(0.0);
             S short_drift = KS(0.0);
             S short_end = KS(0.0);
@@ -2726,12 +3650,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     short_x = singles_expand(lists->open_leaping_short_x + taken, idle, short_x);
                     short_y = singles_expand(lists->open_leaping_short_y + taken, idle, short_y);
                     short_z = singles_expand(lists->open_leaping_short_z + taken, idle, short_z);
-                    if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, p_ball_radius);
-                        p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_leaping_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_leaping_p_wire_radius + taken, idle, p_wire_radius);
-                    }
+                    if (LANES_SELDOM(varying))
+                        LANES(hoop_bounded_fix_f78)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_leaping_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -2740,12 +3660,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o75 =
-                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o75.t;
-                short_end = _o75.end;
-                M certain = _o75.certain;
-                leaping = _o75.leaping;
+                const LANES(hoop_ring_leap_out) _o79 =
+                    LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
+                short_t = _o79.t;
+                short_end = _o79.end;
+                M certain = _o79.certain;
+                leaping = _o79.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -2776,10 +3696,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_position_error + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
@@ -2795,11 +3711,11 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o76 =
+            const LANES(hoop_leapt_out) _o80 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o76.arrival;
-            V t = _o76.t;
-            searching = _o76.searching;
+            arrival = _o80.arrival;
+            V t = _o80.t;
+            searching = _o80.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -2809,14 +3725,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_searching_doubt + open_searching_shots, packed, doubt);
                 lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
                 lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                if (varying)
-                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->open_searching_p_gravity + open_searching_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
                 lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
                 lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
@@ -2829,6 +3737,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_searching_x + open_searching_shots, packed, x);
                 lanes_pack(lists->open_searching_y + open_searching_shots, packed, y);
                 lanes_pack(lists->open_searching_z + open_searching_shots, packed, z);
+                if (LANES_SELDOM(varying)) {
+                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius));
+                    lanes_pack(lists->open_searching_p_gravity + open_searching_shots, packed, lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity));
+                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius));
+                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius));
+                }
                 open_searching_shots += lanes_many(packed);
             }
         }
@@ -2836,15 +3750,13 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         size_t open_searching_searching_shots = 0;
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
+            if (LANES_SELDOM(varying))
+                LANES(hoop_bounded_fix_f81)(lists, i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
             V doubt = lanes_load(lists->open_searching_doubt + i);
             V extent = lanes_load(lists->open_searching_extent + i);
             V last = lanes_load(lists->open_searching_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_searching_p_ball_radius + i : lists->p_ball_radius);
-            const V p_gravity = lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_searching_position_error + i);
             V share = lanes_load(lists->open_searching_share + i);
             V speed = lanes_load(lists->open_searching_speed + i);
@@ -2857,33 +3769,33 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o77 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o77.steady;
-            V swing = _o77.swing;
-            V rho_start = _o77.rho_start;
-            V low0 = _o77.low0;
-            V high0 = _o77.high0;
-            V low1 = _o77.low1;
-            V high1 = _o77.high1;
-            V low2 = _o77.low2;
-            V high2 = _o77.high2;
-            V ceiling = _o77.ceiling;
-            V latest = _o77.latest;
-            const LANES(hoop_allowance_out) _o78 =
-                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o78.position_level;
-            V velocity_level = _o78.velocity_level;
-            const LANES(hoop_ring_margins_out) _o79 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o79.margin;
-            V tilt = _o79.leaving_margin;
-            V rate_slack = _o79.rate_margin;
-            const LANES(hoop_ring_enter_out) _o80 =
+            const LANES(hoop_ring_prepare_out) _o82 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, lanes_load(lists->fixed[35]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]));
+            V steady = _o82.steady;
+            V swing = _o82.swing;
+            V rho_start = _o82.rho_start;
+            V low0 = _o82.low0;
+            V high0 = _o82.high0;
+            V low1 = _o82.low1;
+            V high1 = _o82.high1;
+            V low2 = _o82.low2;
+            V high2 = _o82.high2;
+            V ceiling = _o82.ceiling;
+            V latest = _o82.latest;
+            const LANES(hoop_allowance_out) _o83 =
+                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]));
+            V position_level = _o83.position_level;
+            V velocity_level = _o83.velocity_level;
+            const LANES(hoop_ring_margins_out) _o84 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]));
+            V flat = _o84.margin;
+            V tilt = _o84.leaving_margin;
+            V rate_slack = _o84.rate_margin;
+            const LANES(hoop_ring_enter_out) _o85 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o80.t;
-            V end = _o80.end;
-            M searching = _o80.searching;
+            t = _o85.t;
+            V end = _o85.end;
+            M searching = _o85.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
@@ -2909,14 +3821,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_searching_searching_low0 + open_searching_searching_shots, packed, low0);
                 lanes_pack(lists->open_searching_searching_low1 + open_searching_searching_shots, packed, low1);
                 lanes_pack(lists->open_searching_searching_low2 + open_searching_searching_shots, packed, low2);
-                if (varying)
-                    lanes_pack(lists->open_searching_searching_p_ball_radius + open_searching_searching_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->open_searching_searching_p_gravity + open_searching_searching_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_searching_searching_position_error + open_searching_searching_shots, packed, position_error);
                 lanes_pack(lists->open_searching_searching_rate_slack + open_searching_searching_shots, packed, rate_slack);
                 lanes_pack(lists->open_searching_searching_rho_start + open_searching_searching_shots, packed, rho_start);
@@ -2933,6 +3837,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_searching_searching_x + open_searching_searching_shots, packed, x);
                 lanes_pack(lists->open_searching_searching_y + open_searching_searching_shots, packed, y);
                 lanes_pack(lists->open_searching_searching_z + open_searching_searching_shots, packed, z);
+                if (LANES_SELDOM(varying)) {
+                    lanes_pack(lists->open_searching_searching_p_ball_radius + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_ball_radius + i : lists->p_ball_radius));
+                    lanes_pack(lists->open_searching_searching_p_gravity + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity));
+                    lanes_pack(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius));
+                    lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius));
+                }
                 open_searching_searching_shots += lanes_many(packed);
             }
         }
@@ -2940,10 +3850,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
             V row = K(0.0), turns = K(0.0);
-            V p_ball_radius = lanes_load(lists->p_ball_radius);
-            V p_gravity = lanes_load(lists->p_gravity);
-            V p_ring_radius = lanes_load(lists->p_ring_radius);
-            V p_wire_radius = lanes_load(lists->p_wire_radius);
             V arrival = K(0.0);
             V ceiling = K(0.0);
             M certain = lanes_nowhere();
@@ -3011,12 +3917,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     x = lanes_expand(lists->open_searching_searching_x + taken, idle, x);
                     y = lanes_expand(lists->open_searching_searching_y + taken, idle, y);
                     z = lanes_expand(lists->open_searching_searching_z + taken, idle, z);
-                    if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, p_ball_radius);
-                        p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_searching_searching_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_searching_searching_p_wire_radius + taken, idle, p_wire_radius);
-                    }
+                    if (LANES_SELDOM(varying))
+                        LANES(hoop_bounded_fix_f86)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_searching_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -3025,56 +3927,56 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o81 =
+                const LANES(hoop_nearby_out) _o87 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o81.leaving;
-                V margin = _o81.margin;
-                const LANES(hoop_ring_advance_out) _o82 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o82.gap;
-                V rate = _o82.rate;
-                V bend = _o82.bend;
-                V step = _o82.step;
-                V next = _o82.next;
-                V clearance = _o82.clearance;
-                const LANES(hoop_struck_out) _o83 =
+                V leaving = _o87.leaving;
+                V margin = _o87.margin;
+                const LANES(hoop_ring_advance_out) _o88 =
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
+                V gap = _o88.gap;
+                V rate = _o88.rate;
+                V bend = _o88.bend;
+                V step = _o88.step;
+                V next = _o88.next;
+                V clearance = _o88.clearance;
+                const LANES(hoop_struck_out) _o89 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o83.hit;
-                M sure = _o83.sure;
-                M vague = _o83.vague;
-                const M _m84 = lanes_both(active, vague);
-                if (lanes_any(_m84)) {
-                    const LANES(hoop_finer_out) _o85 =
+                M hit = _o89.hit;
+                M sure = _o89.sure;
+                M vague = _o89.vague;
+                const M _m90 = lanes_both(active, vague);
+                if (lanes_any(_m90)) {
+                    const LANES(hoop_finer_out) _o91 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m84, _o85.share, share);
-                    const LANES(hoop_allowance_out) _o86 =
-                        LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o86.position_level;
-                    V velocity_level = _o86.velocity_level;
-                    V excess = _o86.excess;
-                    const LANES(hoop_ring_margins_out) _o87 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m84, _o87.margin, flat);
-                    tilt = lanes_select(_m84, _o87.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m84, _o87.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o88 =
+                    share = lanes_select(_m90, _o91.share, share);
+                    const LANES(hoop_allowance_out) _o92 =
+                        LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]));
+                    V position_level = _o92.position_level;
+                    V velocity_level = _o92.velocity_level;
+                    V excess = _o92.excess;
+                    const LANES(hoop_ring_margins_out) _o93 =
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]));
+                    flat = lanes_select(_m90, _o93.margin, flat);
+                    tilt = lanes_select(_m90, _o93.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m90, _o93.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o94 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m84, _o88.doubt, doubt);
+                    doubt = lanes_select(_m90, _o94.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) _o89 =
+                const LANES(hoop_advanced_out) _o95 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o89.arrival;
-                certain = _o89.certain;
-                M exhausted = _o89.exhausted;
-                searching = _o89.searching;
-                t = _o89.t;
-                const M _m90 = lanes_both(active, exhausted);
+                arrival = _o95.arrival;
+                certain = _o95.certain;
+                M exhausted = _o95.exhausted;
+                searching = _o95.searching;
+                t = _o95.t;
+                const M _m96 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o91 =
+                    const LANES(hoop_ring_enter_out) _o97 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m90, _o91.t, t);
-                    end = lanes_select(_m90, _o91.end, end);
-                    searching = lanes_choose(_m90, _o91.searching, searching);
+                    t = lanes_select(_m96, _o97.t, t);
+                    end = lanes_select(_m96, _o97.end, end);
+                    searching = lanes_choose(_m96, _o97.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3116,9 +4018,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(hoop_questioned_out) _o92 =
+            const LANES(hoop_questioned_out) _o98 =
                 LANES(hoop_questioned)(doubt, t, searching);
-            doubt = _o92.doubt;
+            doubt = _o98.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -3137,15 +4039,13 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         size_t open_refining_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
+            if (LANES_SELDOM(varying))
+                LANES(hoop_bounded_fix_f99)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V flat = lanes_load(lists->open_flat + i);
             V last = lanes_load(lists->open_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V rho_start = lanes_load(lists->open_rho_start + i);
             V tilt = lanes_load(lists->open_tilt + i);
             V vx = lanes_load(lists->open_vx + i);
@@ -3154,37 +4054,37 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o93 =
+            const LANES(hoop_found_out) _o100 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o93.arrives;
-            M refining = _o93.refining;
-            V rate = _o93.rate;
-            const LANES(hoop_nearby_out) _o94 =
+            M arrives = _o100.arrives;
+            M refining = _o100.refining;
+            V rate = _o100.rate;
+            const LANES(hoop_nearby_out) _o101 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o94.leaving;
-            const M _m95 = lanes_both(rows, refining);
-            if (lanes_any(_m95)) {
-                const LANES(hoop_ring_refine_out) _o96 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o96.time;
-                V gap = _o96.gap;
-                rate = lanes_select(_m95, _o96.rate, rate);
-                const LANES(hoop_polished_out) _o97 =
+            V leaving = _o101.leaving;
+            const M _m102 = lanes_both(rows, refining);
+            if (lanes_any(_m102)) {
+                const LANES(hoop_ring_refine_out) _o103 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[7]));
+                V refined = _o103.time;
+                V gap = _o103.gap;
+                rate = lanes_select(_m102, _o103.rate, rate);
+                const LANES(hoop_polished_out) _o104 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m95, _o97.arrival, arrival);
-                refining = lanes_choose(_m95, _o97.refining, refining);
+                arrival = lanes_select(_m102, _o104.arrival, arrival);
+                refining = lanes_choose(_m102, _o104.refining, refining);
             }
-            const M _m98 = lanes_both(rows, refining);
-            if (lanes_any(_m98)) {
-                const LANES(hoop_ring_refine_out) _o99 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o99.time;
-                V gap = _o99.gap;
-                rate = lanes_select(_m98, _o99.rate, rate);
-                const LANES(hoop_polished_out) _o100 =
+            const M _m105 = lanes_both(rows, refining);
+            if (lanes_any(_m105)) {
+                const LANES(hoop_ring_refine_out) _o106 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[7]));
+                V refined = _o106.time;
+                V gap = _o106.gap;
+                rate = lanes_select(_m105, _o106.rate, rate);
+                const LANES(hoop_polished_out) _o107 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m98, _o100.arrival, arrival);
-                refining = lanes_choose(_m98, _o100.refining, refining);
+                arrival = lanes_select(_m105, _o107.arrival, arrival);
+                refining = lanes_choose(_m105, _o107.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -3197,14 +4097,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_refining_ceiling + open_refining_shots, packed, ceiling);
                 lanes_pack(lists->open_refining_certain + open_refining_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
                 lanes_pack(lists->open_refining_leaving + open_refining_shots, packed, leaving);
-                if (varying)
-                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_refining_rho_start + open_refining_shots, packed, rho_start);
                 lanes_pack(lists->open_refining_vx + open_refining_shots, packed, vx);
                 lanes_pack(lists->open_refining_vy + open_refining_shots, packed, vy);
@@ -3212,6 +4104,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_refining_x + open_refining_shots, packed, x);
                 lanes_pack(lists->open_refining_y + open_refining_shots, packed, y);
                 lanes_pack(lists->open_refining_z + open_refining_shots, packed, z);
+                if (LANES_SELDOM(varying)) {
+                    lanes_pack(lists->open_refining_p_ball_radius + open_refining_shots, packed, lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius));
+                    lanes_pack(lists->open_refining_p_gravity + open_refining_shots, packed, lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity));
+                    lanes_pack(lists->open_refining_p_ring_radius + open_refining_shots, packed, lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius));
+                    lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius));
+                }
                 open_refining_shots += lanes_many(packed);
             }
         }
@@ -3219,10 +4117,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
             V row = K(0.0), turns = K(0.0);
-            V p_ball_radius = lanes_load(lists->p_ball_radius);
-            V p_gravity = lanes_load(lists->p_gravity);
-            V p_ring_radius = lanes_load(lists->p_ring_radius);
-            V p_wire_radius = lanes_load(lists->p_wire_radius);
             V arrival = K(0.0);
             V ceiling = K(0.0);
             M certain = lanes_nowhere();
@@ -3250,12 +4144,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     x = lanes_expand(lists->open_refining_x + taken, idle, x);
                     y = lanes_expand(lists->open_refining_y + taken, idle, y);
                     z = lanes_expand(lists->open_refining_z + taken, idle, z);
-                    if (varying) {
-                        p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, p_ball_radius);
-                        p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, p_gravity);
-                        p_ring_radius = lanes_expand(lists->open_refining_p_ring_radius + taken, idle, p_ring_radius);
-                        p_wire_radius = lanes_expand(lists->open_refining_p_wire_radius + taken, idle, p_wire_radius);
-                    }
+                    if (LANES_SELDOM(varying))
+                        LANES(hoop_bounded_fix_f108)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -3264,15 +4154,15 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o101 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o101.time;
-                V gap = _o101.gap;
-                V rate = _o101.rate;
-                const LANES(hoop_polished_out) _o102 =
+                const LANES(hoop_ring_refine_out) _o109 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[7]));
+                V refined = _o109.time;
+                V gap = _o109.gap;
+                V rate = _o109.rate;
+                const LANES(hoop_polished_out) _o110 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o102.arrival;
-                refining = _o102.refining;
+                arrival = _o110.arrival;
+                refining = _o110.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -3295,6 +4185,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         }
         }
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            if (LANES_SELDOM(varying))
+                LANES(hoop_bounded_fix_f111)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V ceiling = lanes_load(lists->open_ceiling + i);
@@ -3304,43 +4196,39 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V late = lanes_load(lists->open_late + i);
             V latest = lanes_load(lists->open_latest + i);
             V leaving = lanes_load(lists->open_leaving + i);
-            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
-            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
-            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V position_error = lanes_load(lists->open_position_error + i);
             V rate = lanes_load(lists->open_rate + i);
             V speed = lanes_load(lists->open_speed + i);
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_ring_margins_out) _o103 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o103.margin;
-            V tilt = _o103.leaving_margin;
-            V rate_margin = _o103.rate_margin;
-            const LANES(hoop_own_margin_out) _o104 =
+            const LANES(hoop_ring_margins_out) _o112 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]));
+            V flat = _o112.margin;
+            V tilt = _o112.leaving_margin;
+            V rate_margin = _o112.rate_margin;
+            const LANES(hoop_own_margin_out) _o113 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o104.margin;
-            const LANES(hoop_crossing_out) _o105 =
+            V margin = _o113.margin;
+            const LANES(hoop_crossing_out) _o114 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o105.clearance;
-            V delay = _o105.delay;
-            const LANES(hoop_landed_out) _o106 =
+            V clearance = _o114.clearance;
+            V delay = _o114.delay;
+            const LANES(hoop_landed_out) _o115 =
                 LANES(hoop_landed)(arrival);
-            V time = _o106.time;
-            const LANES(hoop_landed_surely_out) _o107 =
+            V time = _o115.time;
+            const LANES(hoop_landed_surely_out) _o116 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o107.delay;
-            doubt = _o107.doubt;
-            const LANES(hoop_tied_out) _o108 =
+            delay = _o116.delay;
+            doubt = _o116.doubt;
+            const LANES(hoop_tied_out) _o117 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o108.doubt;
-            late = _o108.late;
-            const LANES(hoop_sooner_out) _o109 =
+            doubt = _o117.doubt;
+            late = _o117.late;
+            const LANES(hoop_sooner_out) _o118 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o109.when;
-            which = _o109.which;
+            when = _o118.when;
+            which = _o118.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -3356,6 +4244,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         }
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
+            if (LANES_SELDOM(varying))
+                LANES(hoop_bounded_fix_f119)(lists, i);
             V clock = lanes_load(lists->clock + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V contacts = lanes_load(lists->contacts + i);
@@ -3377,17 +4267,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V last = lanes_load(lists->last + i);
             V late = lanes_load(lists->late + i);
             M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
-            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
-            const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
-            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
-            const V p_board_half_width = lanes_load(lists->p_board_half_width + (i & varying));
-            const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
-            const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
-            const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
-            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
-            const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
-            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
-            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             V position_claim = lanes_load(lists->position_claim + i);
             V position_error = lanes_load(lists->position_error + i);
             V speed = lanes_load(lists->speed + i);
@@ -3408,81 +4287,81 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m110 = lanes_both(rows, limited);
-            if (lanes_any(_m110)) {
-                const LANES(hoop_expiry_out) _o111 =
+            const M _m120 = lanes_both(rows, limited);
+            if (lanes_any(_m120)) {
+                const LANES(hoop_expiry_out) _o121 =
                     LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o111.time;
-                V delay = _o111.delay;
-                M arrives = _o111.arrives;
-                doubt = lanes_select(_m110, _o111.doubt, doubt);
-                const LANES(hoop_tied_out) _o112 =
+                V time = _o121.time;
+                V delay = _o121.delay;
+                M arrives = _o121.arrives;
+                doubt = lanes_select(_m120, _o121.doubt, doubt);
+                const LANES(hoop_tied_out) _o122 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m110, _o112.doubt, doubt);
-                late = lanes_select(_m110, _o112.late, late);
-                const LANES(hoop_sooner_out) _o113 =
+                doubt = lanes_select(_m120, _o122.doubt, doubt);
+                late = lanes_select(_m120, _o122.late, late);
+                const LANES(hoop_sooner_out) _o123 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m110, _o113.when, when);
-                which = lanes_select(_m110, _o113.which, which);
+                when = lanes_select(_m120, _o123.when, when);
+                which = lanes_select(_m120, _o123.which, which);
             }
-            const LANES(hoop_departed_out) _o114 =
+            const LANES(hoop_departed_out) _o124 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o114.moves;
-            M ends = _o114.ends;
-            M touches = _o114.touches;
-            V reached = _o114.reached;
-            M edge = _o114.edge;
-            const LANES(hoop_body_of_out) _o115 =
+            M moves = _o124.moves;
+            M ends = _o124.ends;
+            M touches = _o124.touches;
+            V reached = _o124.reached;
+            M edge = _o124.edge;
+            const LANES(hoop_body_of_out) _o125 =
                 LANES(hoop_body_of)(which);
-            V body = _o115.body;
-            const M _m116 = lanes_both(rows, moves);
+            V body = _o125.body;
+            const M _m126 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o117 =
-                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m116, _o117.x, x);
-                y = lanes_select(_m116, _o117.y, y);
-                z = lanes_select(_m116, _o117.z, z);
-                vx = lanes_select(_m116, _o117.vx, vx);
-                vy = lanes_select(_m116, _o117.vy, vy);
-                vz = lanes_select(_m116, _o117.vz, vz);
-                const LANES(hoop_ticked_out) _o118 =
+                const LANES(hoop_flight_out) _o127 =
+                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]));
+                x = lanes_select(_m126, _o127.x, x);
+                y = lanes_select(_m126, _o127.y, y);
+                z = lanes_select(_m126, _o127.z, z);
+                vx = lanes_select(_m126, _o127.vx, vx);
+                vy = lanes_select(_m126, _o127.vy, vy);
+                vz = lanes_select(_m126, _o127.vz, vz);
+                const LANES(hoop_ticked_out) _o128 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m116, _o118.clock, clock);
+                clock = lanes_select(_m126, _o128.clock, clock);
             }
-            const M _m119 = lanes_both(rows, limited);
-            if (lanes_any(_m119)) {
-                const LANES(hoop_expired_out) _o120 =
+            const M _m129 = lanes_both(rows, limited);
+            if (lanes_any(_m129)) {
+                const LANES(hoop_expired_out) _o130 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m119, _o120.clock, clock);
-                body = lanes_select(_m119, _o120.body, body);
-                reached = lanes_select(_m119, _o120.reached, reached);
-                ends = lanes_choose(_m119, _o120.ends, ends);
+                clock = lanes_select(_m129, _o130.clock, clock);
+                body = lanes_select(_m129, _o130.body, body);
+                reached = lanes_select(_m129, _o130.reached, reached);
+                ends = lanes_choose(_m129, _o130.ends, ends);
             }
-            const LANES(hoop_displacement_out) _o121 =
-                LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o121.margin;
-            const LANES(hoop_here_out) _o122 =
+            const LANES(hoop_displacement_out) _o131 =
+                LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[25]));
+            V slack = _o131.margin;
+            const LANES(hoop_here_out) _o132 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o122.here;
-            const M _m123 = lanes_both(rows, here);
+            M here = _o132.here;
+            const M _m133 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o124 =
-                    LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o124.g0;
-                const LANES(hoop_end_reached_out) _o125 =
+                const LANES(hoop_end_bounds_out) _o134 =
+                    LANES(hoop_end_bounds)(x, y, lanes_load(lists->fixed[0]));
+                V g0 = _o134.g0;
+                const LANES(hoop_end_reached_out) _o135 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m123, _o125.reached, reached);
-                const LANES(hoop_end_edge_out) _o126 =
+                reached = lanes_select(_m133, _o135.reached, reached);
+                const LANES(hoop_end_edge_out) _o136 =
                     LANES(hoop_end_edge)(g0, slack);
-                edge = lanes_choose(_m123, _o126.edge, edge);
+                edge = lanes_choose(_m133, _o136.edge, edge);
             }
-            const LANES(hoop_doubted_out) _o127 =
+            const LANES(hoop_doubted_out) _o137 =
                 LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
-            uncertain = _o127.uncertain;
-            const LANES(hoop_accounted_out) _o128 =
+            uncertain = _o137.uncertain;
+            const LANES(hoop_accounted_out) _o138 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o128.contacts;
-            V outcome = _o128.outcome;
+            contacts = _o138.contacts;
+            V outcome = _o138.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -3495,205 +4374,205 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o129 =
+            const LANES(hoop_meeting_out) _o139 =
                 LANES(hoop_meeting)(claims, ends, touches);
-            M meeting = _o129.meeting;
-            const M _m130 = lanes_both(rows, meeting);
-            if (lanes_any(_m130)) {
-                const LANES(hoop_end_normal_out) _o131 =
+            M meeting = _o139.meeting;
+            const M _m140 = lanes_both(rows, meeting);
+            if (lanes_any(_m140)) {
+                const LANES(hoop_end_normal_out) _o141 =
                     LANES(hoop_end_normal)();
-                V nx = _o131.nx;
-                V ny = _o131.ny;
-                V nz = _o131.nz;
-                const LANES(hoop_here_out) _o132 =
+                V nx = _o141.nx;
+                V ny = _o141.ny;
+                V nz = _o141.nz;
+                const LANES(hoop_here_out) _o142 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o132.here;
-                const M _m133 = lanes_both(_m130, here);
+                M here = _o142.here;
+                const M _m143 = lanes_both(_m140, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o134 =
-                        LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m133, _o134.nx, nx);
-                    ny = lanes_select(_m133, _o134.ny, ny);
-                    nz = lanes_select(_m133, _o134.nz, nz);
-                    const LANES(hoop_counted_out) _o135 =
+                    const LANES(hoop_ring_normal_out) _o144 =
+                        LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[49]));
+                    nx = lanes_select(_m143, _o144.nx, nx);
+                    ny = lanes_select(_m143, _o144.ny, ny);
+                    nz = lanes_select(_m143, _o144.nz, nz);
+                    const LANES(hoop_counted_out) _o145 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m133, _o135.count, count_0);
+                    count_0 = lanes_select(_m143, _o145.count, count_0);
                 }
-                const LANES(hoop_here_out) _o136 =
+                const LANES(hoop_here_out) _o146 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o136.here;
-                const M _m137 = lanes_both(_m130, here);
+                here = _o146.here;
+                const M _m147 = lanes_both(_m140, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o138 =
+                    const LANES(hoop_backboard_normal_out) _o148 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m137, _o138.nx, nx);
-                    ny = lanes_select(_m137, _o138.ny, ny);
-                    nz = lanes_select(_m137, _o138.nz, nz);
-                    const LANES(hoop_counted_out) _o139 =
+                    nx = lanes_select(_m147, _o148.nx, nx);
+                    ny = lanes_select(_m147, _o148.ny, ny);
+                    nz = lanes_select(_m147, _o148.nz, nz);
+                    const LANES(hoop_counted_out) _o149 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m137, _o139.count, count_1);
+                    count_1 = lanes_select(_m147, _o149.count, count_1);
                 }
-                const LANES(hoop_here_out) _o140 =
+                const LANES(hoop_here_out) _o150 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o140.here;
-                const M _m141 = lanes_both(_m130, here);
+                here = _o150.here;
+                const M _m151 = lanes_both(_m140, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o142 =
+                    const LANES(hoop_bridge_normal_out) _o152 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m141, _o142.nx, nx);
-                    ny = lanes_select(_m141, _o142.ny, ny);
-                    nz = lanes_select(_m141, _o142.nz, nz);
-                    const LANES(hoop_counted_out) _o143 =
+                    nx = lanes_select(_m151, _o152.nx, nx);
+                    ny = lanes_select(_m151, _o152.ny, ny);
+                    nz = lanes_select(_m151, _o152.nz, nz);
+                    const LANES(hoop_counted_out) _o153 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m141, _o143.count, count_2);
+                    count_2 = lanes_select(_m151, _o153.count, count_2);
                 }
-                const LANES(hoop_elsewhere_out) _o144 =
+                const LANES(hoop_elsewhere_out) _o154 =
                     LANES(hoop_elsewhere)();
-                V curving = _o144.curving;
-                const LANES(hoop_again_out) _o145 =
+                V curving = _o154.curving;
+                const LANES(hoop_again_out) _o155 =
                     LANES(hoop_again)(K(0.0), last, which);
-                M again = _o145.again;
-                const M _m146 = lanes_both(_m130, again);
+                M again = _o155.again;
+                const M _m156 = lanes_both(_m140, again);
                 {
-                    const LANES(hoop_ring_curvature_out) _o147 =
-                        LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m146, _o147.curvature, curving);
+                    const LANES(hoop_ring_curvature_out) _o157 =
+                        LANES(hoop_ring_curvature)(lanes_load(lists->fixed[50]));
+                    curving = lanes_select(_m156, _o157.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o148 =
+                const LANES(hoop_again_out) _o158 =
                     LANES(hoop_again)(K(1.0), last, which);
-                again = _o148.again;
-                const M _m149 = lanes_both(_m130, again);
+                again = _o158.again;
+                const M _m159 = lanes_both(_m140, again);
                 {
-                    const LANES(hoop_backboard_curvature_out) _o150 =
+                    const LANES(hoop_backboard_curvature_out) _o160 =
                         LANES(hoop_backboard_curvature)();
-                    curving = lanes_select(_m149, _o150.curvature, curving);
+                    curving = lanes_select(_m159, _o160.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o151 =
+                const LANES(hoop_again_out) _o161 =
                     LANES(hoop_again)(K(2.0), last, which);
-                again = _o151.again;
-                const M _m152 = lanes_both(_m130, again);
+                again = _o161.again;
+                const M _m162 = lanes_both(_m140, again);
                 {
-                    const LANES(hoop_bridge_curvature_out) _o153 =
+                    const LANES(hoop_bridge_curvature_out) _o163 =
                         LANES(hoop_bridge_curvature)();
-                    curving = lanes_select(_m152, _o153.curvature, curving);
+                    curving = lanes_select(_m162, _o163.curvature, curving);
                 }
-                const LANES(hoop_carry_flight_out) _o154 =
-                    LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m130, _o154.dx, dx);
-                dy = lanes_select(_m130, _o154.dy, dy);
-                dz = lanes_select(_m130, _o154.dz, dz);
-                dvx = lanes_select(_m130, _o154.dvx, dvx);
-                dvy = lanes_select(_m130, _o154.dvy, dvy);
-                dvz = lanes_select(_m130, _o154.dvz, dvz);
-                V delay = _o154.delay;
-                V shift = _o154.shift;
-                const LANES(hoop_delayed_out) _o155 =
+                const LANES(hoop_carry_flight_out) _o164 =
+                    LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, lanes_load(lists->fixed[14]));
+                dx = lanes_select(_m140, _o164.dx, dx);
+                dy = lanes_select(_m140, _o164.dy, dy);
+                dz = lanes_select(_m140, _o164.dz, dz);
+                dvx = lanes_select(_m140, _o164.dvx, dvx);
+                dvy = lanes_select(_m140, _o164.dvy, dvy);
+                dvz = lanes_select(_m140, _o164.dvz, dvz);
+                V delay = _o164.delay;
+                V shift = _o164.shift;
+                const LANES(hoop_delayed_out) _o165 =
                     LANES(hoop_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m130, _o155.clock_error, clock_error);
-                const M _m156 = lanes_both(_m130, ends);
+                clock_error = lanes_select(_m140, _o165.clock_error, clock_error);
+                const M _m166 = lanes_both(_m140, ends);
                 {
-                    const LANES(hoop_floored_out) _o157 =
+                    const LANES(hoop_floored_out) _o167 =
                         LANES(hoop_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m156, _o157.dx, dx);
-                    dy = lanes_select(_m156, _o157.dy, dy);
-                    dz = lanes_select(_m156, _o157.dz, dz);
+                    dx = lanes_select(_m166, _o167.dx, dx);
+                    dy = lanes_select(_m166, _o167.dy, dy);
+                    dz = lanes_select(_m166, _o167.dz, dz);
                 }
-                const LANES(hoop_unturned_out) _o158 =
+                const LANES(hoop_unturned_out) _o168 =
                     LANES(hoop_unturned)();
-                V dnx = _o158.dnx;
-                V dny = _o158.dny;
-                V dnz = _o158.dnz;
-                V turn = _o158.turn;
-                const LANES(hoop_here_out) _o159 =
+                V dnx = _o168.dnx;
+                V dny = _o168.dny;
+                V dnz = _o168.dnz;
+                V turn = _o168.turn;
+                const LANES(hoop_here_out) _o169 =
                     LANES(hoop_here)(K(0.0), which);
-                here = _o159.here;
-                const M _m160 = lanes_both(_m130, here);
-                if (lanes_any(_m160)) {
-                    const LANES(hoop_ring_carry_normal_out) _o161 =
-                        LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m160, _o161.dnx, dnx);
-                    dny = lanes_select(_m160, _o161.dny, dny);
-                    dnz = lanes_select(_m160, _o161.dnz, dnz);
-                    turn = lanes_select(_m160, _o161.turn, turn);
+                here = _o169.here;
+                const M _m170 = lanes_both(_m140, here);
+                if (lanes_any(_m170)) {
+                    const LANES(hoop_ring_carry_normal_out) _o171 =
+                        LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[49]), lanes_load(lists->fixed[50]));
+                    dnx = lanes_select(_m170, _o171.dnx, dnx);
+                    dny = lanes_select(_m170, _o171.dny, dny);
+                    dnz = lanes_select(_m170, _o171.dnz, dnz);
+                    turn = lanes_select(_m170, _o171.turn, turn);
                 }
-                const M _m162 = lanes_both(_m130, touches);
-                if (lanes_any(_m162)) {
-                    const LANES(hoop_carry_impact_out) _o163 =
-                        LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                    dvx = lanes_select(_m162, _o163.dvx, dvx);
-                    dvy = lanes_select(_m162, _o163.dvy, dvy);
-                    dvz = lanes_select(_m162, _o163.dvz, dvz);
-                    dwx = lanes_select(_m162, _o163.dwx, dwx);
-                    dwy = lanes_select(_m162, _o163.dwy, dwy);
-                    dwz = lanes_select(_m162, _o163.dwz, dwz);
-                    const LANES(hoop_impact_out) _o164 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m162, _o164.vx, vx);
-                    vy = lanes_select(_m162, _o164.vy, vy);
-                    vz = lanes_select(_m162, _o164.vz, vz);
-                    wx = lanes_select(_m162, _o164.wx, wx);
-                    wy = lanes_select(_m162, _o164.wy, wy);
-                    wz = lanes_select(_m162, _o164.wz, wz);
+                const M _m172 = lanes_both(_m140, touches);
+                if (lanes_any(_m172)) {
+                    const LANES(hoop_carry_impact_out) _o173 =
+                        LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lanes_load(lists->fixed[51]), lanes_load(lists->fixed[52]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]));
+                    dvx = lanes_select(_m172, _o173.dvx, dvx);
+                    dvy = lanes_select(_m172, _o173.dvy, dvy);
+                    dvz = lanes_select(_m172, _o173.dvz, dvz);
+                    dwx = lanes_select(_m172, _o173.dwx, dwx);
+                    dwy = lanes_select(_m172, _o173.dwy, dwy);
+                    dwz = lanes_select(_m172, _o173.dwz, dwz);
+                    const LANES(hoop_impact_out) _o174 =
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[52]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]));
+                    vx = lanes_select(_m172, _o174.vx, vx);
+                    vy = lanes_select(_m172, _o174.vy, vy);
+                    vz = lanes_select(_m172, _o174.vz, vz);
+                    wx = lanes_select(_m172, _o174.wx, wx);
+                    wy = lanes_select(_m172, _o174.wy, wy);
+                    wz = lanes_select(_m172, _o174.wz, wz);
                 }
-                const LANES(hoop_here_out) _o165 =
+                const LANES(hoop_here_out) _o175 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o165.here;
-                const M _m166 = lanes_both(_m130, here);
+                here = _o175.here;
+                const M _m176 = lanes_both(_m140, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o167 =
-                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m166, _o167.x, x);
-                    y = lanes_select(_m166, _o167.y, y);
-                    z = lanes_select(_m166, _o167.z, z);
+                    const LANES(hoop_backboard_place_out) _o177 =
+                        LANES(hoop_backboard_place)(y, z, lanes_load(lists->fixed[8]));
+                    x = lanes_select(_m176, _o177.x, x);
+                    y = lanes_select(_m176, _o177.y, y);
+                    z = lanes_select(_m176, _o177.z, z);
                 }
-                const LANES(hoop_here_out) _o168 =
+                const LANES(hoop_here_out) _o178 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o168.here;
-                const M _m169 = lanes_both(_m130, here);
+                here = _o178.here;
+                const M _m179 = lanes_both(_m140, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o170 =
-                        LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m169, _o170.x, x);
-                    y = lanes_select(_m169, _o170.y, y);
-                    z = lanes_select(_m169, _o170.z, z);
+                    const LANES(hoop_bridge_place_out) _o180 =
+                        LANES(hoop_bridge_place)(x, y, lanes_load(lists->fixed[6]));
+                    x = lanes_select(_m179, _o180.x, x);
+                    y = lanes_select(_m179, _o180.y, y);
+                    z = lanes_select(_m179, _o180.z, z);
                 }
-                const M _m171 = lanes_both(_m130, touches);
+                const M _m181 = lanes_both(_m140, touches);
                 {
-                    const LANES(hoop_touched_out) _o172 =
+                    const LANES(hoop_touched_out) _o182 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m171, _o172.first, first);
-                    last = lanes_select(_m171, _o172.last, last);
+                    first = lanes_select(_m181, _o182.first, first);
+                    last = lanes_select(_m181, _o182.last, last);
                 }
             }
-            const M _m173 = lanes_both(rows, limited);
-            if (lanes_any(_m173)) {
-                const LANES(hoop_timed_out) _o174 =
+            const M _m183 = lanes_both(rows, limited);
+            if (lanes_any(_m183)) {
+                const LANES(hoop_timed_out) _o184 =
                     LANES(hoop_timed)(claims, K(4.0), which);
-                M timed = _o174.timed;
-                const M _m175 = lanes_both(_m173, timed);
-                if (lanes_any(_m175)) {
-                    const LANES(hoop_carry_time_out) _o176 =
-                        LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m175, _o176.dx, dx);
-                    dy = lanes_select(_m175, _o176.dy, dy);
-                    dz = lanes_select(_m175, _o176.dz, dz);
-                    dvx = lanes_select(_m175, _o176.dvx, dvx);
-                    dvy = lanes_select(_m175, _o176.dvy, dvy);
-                    dvz = lanes_select(_m175, _o176.dvz, dvz);
-                    clock_error = lanes_select(_m175, _o176.clock_error, clock_error);
+                M timed = _o184.timed;
+                const M _m185 = lanes_both(_m183, timed);
+                if (lanes_any(_m185)) {
+                    const LANES(hoop_carry_time_out) _o186 =
+                        LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[55]));
+                    dx = lanes_select(_m185, _o186.dx, dx);
+                    dy = lanes_select(_m185, _o186.dy, dy);
+                    dz = lanes_select(_m185, _o186.dz, dz);
+                    dvx = lanes_select(_m185, _o186.dvx, dvx);
+                    dvy = lanes_select(_m185, _o186.dvy, dvy);
+                    dvz = lanes_select(_m185, _o186.dvz, dvz);
+                    clock_error = lanes_select(_m185, _o186.clock_error, clock_error);
                 }
             }
-            const LANES(hoop_closing_out) _o177 =
+            const LANES(hoop_closing_out) _o187 =
                 LANES(hoop_closing)(claims, outcome);
-            M closed = _o177.closed;
-            const M _m178 = lanes_both(rows, closed);
+            M closed = _o187.closed;
+            const M _m188 = lanes_both(rows, closed);
             {
-                const LANES(hoop_claimed_errors_out) _o179 =
+                const LANES(hoop_claimed_errors_out) _o189 =
                     LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m178, _o179.position_error, position_claim);
-                velocity_claim = lanes_select(_m178, _o179.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m178, _o179.spin_error, spin_claim);
-                time_claim = lanes_select(_m178, _o179.time_error, time_claim);
+                position_claim = lanes_select(_m188, _o189.position_error, position_claim);
+                velocity_claim = lanes_select(_m188, _o189.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m188, _o189.spin_error, spin_claim);
+                time_claim = lanes_select(_m188, _o189.time_error, time_claim);
             }
             lanes_store(lists->clock + i, clock);
             lanes_store(lists->clock_error + i, clock_error);

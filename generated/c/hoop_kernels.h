@@ -11,7 +11,7 @@
      lanes_sqrt, lanes_abs, lanes_select */
 
 /* Position and velocity at time t of a flight.
-   Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications. */
+   Eq. 3. 10 operations: 3 additions, 2 subtractions, 5 multiplications. */
 typedef struct {
     V x;
     V y;
@@ -22,9 +22,9 @@ typedef struct {
 } LANES(hoop_flight_out);
 
 LANES_INLINE LANES(hoop_flight_out)
-LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V p_gravity)
+LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1)
 {
-    return (LANES(hoop_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t)))), vx, vy, lanes_sub(vz, lanes_mul(p_gravity, t)) };
+    return (LANES(hoop_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(_c1, t)))), vx, vy, lanes_sub(vz, lanes_mul(_c0, t)) };
 }
 
 /* Positive clearance if a crossing is certain, and the bound on its delay.
@@ -51,9 +51,9 @@ typedef struct {
 } LANES(hoop_allowance_out);
 
 LANES_INLINE LANES(hoop_allowance_out)
-LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity)
+LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V _c0)
 {
-    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
     const V _s1 = lanes_mul(share, lanes_add(extent, lanes_mul(horizon, _s0)));
     const V _s2 = lanes_mul(share, _s0);
     const V _s3 = lanes_sub(position_error, _s1);
@@ -62,21 +62,21 @@ LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V
 }
 
 /* A time after which no event is wanted, and how long that is after t.
-   the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division. */
+   the earliest arrival, with room for its delay. 4 operations: 2 additions, 2 multiplications. */
 typedef struct {
     V horizon;
     V pad;
 } LANES(hoop_horizon_out);
 
 LANES_INLINE LANES(hoop_horizon_out)
-LANES(hoop_horizon)(V t, V speed, V p_gravity)
+LANES(hoop_horizon)(V t, V speed, V _c0)
 {
-    const V _s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, lanes_div(K(1.0), p_gravity))));
+    const V _s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, _c0)));
     return (LANES(hoop_horizon_out)){ lanes_add(t, _s0), _s0 };
 }
 
 /* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
-   what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections. */
+   what rounding errors are measured by. 23 operations: 4 additions, 1 subtraction, 6 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V extent;
     V speed;
@@ -84,7 +84,7 @@ typedef struct {
 } LANES(hoop_scale_out);
 
 LANES_INLINE LANES(hoop_scale_out)
-LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
+LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V _c0)
 {
     const V _s0 = lanes_abs(x);
     const V _s1 = lanes_abs(y);
@@ -92,29 +92,26 @@ LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
     const V _s3 = lanes_abs(vx);
     const V _s4 = lanes_abs(vy);
     const V _s5 = lanes_abs(vz);
-    const V _s6 = lanes_div(K(1.0), p_gravity);
-    const V _s7 = lanes_max(_s6, _s0);
-    const V _s8 = lanes_max(_s7, _s1);
-    const V _s9 = lanes_max(_s8, _s2);
-    const V _s10 = lanes_max(_s9, _s3);
-    const V _s11 = lanes_max(_s10, _s4);
-    return (LANES(hoop_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s11, _s5), K(2.9073548971824276e+135)) };
+    const V _s6 = lanes_max(_c0, _s0);
+    const V _s7 = lanes_max(_s6, _s1);
+    const V _s8 = lanes_max(_s7, _s2);
+    const V _s9 = lanes_max(_s8, _s3);
+    const V _s10 = lanes_max(_s9, _s4);
+    return (LANES(hoop_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s10, _s5), K(2.9073548971824276e+135)) };
 }
 
 /* Bound on the error of a length at a computed arrival.
-   running error analysis. 25 operations: 15 additions, 8 multiplications, 2 absolute values. */
+   running error analysis. 15 operations: 7 additions, 8 multiplications. */
 typedef struct {
     V margin;
 } LANES(hoop_displacement_out);
 
 LANES_INLINE LANES(hoop_displacement_out)
-LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_gravity, V p_end_depth)
+LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1)
 {
-    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
     const V _s1 = lanes_add(extent, lanes_mul(horizon, _s0));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
-    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, lanes_add(lanes_add(_s2, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)))));
-    return (LANES(hoop_displacement_out)){ lanes_add(_s3, lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
+    return (LANES(hoop_displacement_out)){ lanes_add(lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, _c1))), lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
@@ -131,7 +128,7 @@ typedef struct {
 } LANES(hoop_carry_flight_out);
 
 LANES_INLINE LANES(hoop_carry_flight_out)
-LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V p_gravity)
+LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V _c0)
 {
     const V _s0 = lanes_add(dx, lanes_mul(dvx, t));
     const V _s1 = lanes_abs(vx);
@@ -144,7 +141,7 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     const V _s8 = lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s7), _s7));
     const V _s9 = lanes_add(dz, lanes_mul(dvz, t));
     const V _s10 = lanes_abs(vz);
-    const V _s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s2, _s10)), lanes_abs(z)));
+    const V _s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(_c0, lanes_mul(t, t)), lanes_mul(_s2, _s10)), lanes_abs(z)));
     const V _s12 = lanes_add(_s9, lanes_select(lanes_less(_s9, K(0.0)), lanes_neg(_s11), _s11));
     const V _s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, _s4), lanes_mul(ny, _s8)), lanes_mul(nz, _s12))), _s13);
@@ -170,11 +167,11 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     const V _s34 = lanes_add(lanes_mul(vz, _s14), _s12);
     const V _s35 = lanes_abs(_s14);
     const V _s36 = lanes_mul(K(0.0625), late);
-    return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s31), lanes_select(lanes_less(_s15, K(0.0)), _s32, _s31), _s15), lanes_select(lanes_less(lanes_abs(_s33), _s31), lanes_select(lanes_less(_s33, K(0.0)), _s32, _s31), _s33), lanes_select(lanes_less(lanes_abs(_s34), _s31), lanes_select(lanes_less(_s34, K(0.0)), _s32, _s31), _s34), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s35, _s36)), _s30 };
+    return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s31), lanes_select(lanes_less(_s15, K(0.0)), _s32, _s31), _s15), lanes_select(lanes_less(lanes_abs(_s33), _s31), lanes_select(lanes_less(_s33, K(0.0)), _s32, _s31), _s33), lanes_select(lanes_less(lanes_abs(_s34), _s31), lanes_select(lanes_less(_s34, K(0.0)), _s32, _s31), _s34), dvx, dvy, lanes_sub(dvz, lanes_mul(_c0, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s35, _s36)), _s30 };
 }
 
 /* Errors of a state at the time limit, from those at the start of the flight.
-   derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
+   derivative of Eq. 3, with roundings. 61 operations: 17 additions, 18 multiplications, 1 negation, 13 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -186,7 +183,7 @@ typedef struct {
 } LANES(hoop_carry_time_out);
 
 LANES_INLINE LANES(hoop_carry_time_out)
-LANES(hoop_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V p_gravity)
+LANES(hoop_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V _c0, V _c1)
 {
     const V _s0 = lanes_abs(vx);
     const V _s1 = lanes_add(clock_error, lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)));
@@ -200,14 +197,13 @@ LANES(hoop_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_er
     const V _s9 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y)));
     const V _s10 = lanes_max(_s7, _s9);
     const V _s11 = lanes_abs(vz);
-    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
+    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(_c0, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
     const V _s13 = lanes_abs(dx);
     const V _s14 = lanes_abs(dy);
     const V _s15 = lanes_max(_s13, _s14);
     const V _s16 = lanes_abs(dz);
     const V _s17 = lanes_add(lanes_add(lanes_mul(t, lanes_max(_s4, _s5)), lanes_max(_s10, _s12)), lanes_max(_s15, _s16));
-    const V _s18 = lanes_abs(K(0.0));
-    return (LANES(hoop_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_s18, _s2), lanes_mul(K(2.220446049250313e-16), _s0)), lanes_add(lanes_add(_s18, _s3), lanes_mul(K(2.220446049250313e-16), _s8)), lanes_add(lanes_add(_s5, lanes_mul(K(2.220446049250313e-16), _s11)), lanes_abs(lanes_neg(lanes_mul(p_gravity, _s1)))), K(0.0) };
+    return (LANES(hoop_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_c1, _s2), lanes_mul(K(2.220446049250313e-16), _s0)), lanes_add(lanes_add(_c1, _s3), lanes_mul(K(2.220446049250313e-16), _s8)), lanes_add(lanes_add(_s5, lanes_mul(K(2.220446049250313e-16), _s11)), lanes_abs(lanes_neg(lanes_mul(_c0, _s1)))), K(0.0) };
 }
 
 /* Bounds on the errors of a state and its time that decisions allow for.
@@ -293,55 +289,50 @@ LANES(hoop_finite_parameters)(V p_ball_radius, V p_ring_radius, V p_wire_radius,
 }
 
 /* 1 where no surface is overlapped; 1 where that is in doubt.
-   Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections. */
+   Table 2. 83 operations: 8 additions, 13 subtractions, 6 multiplications, 1 square root, 3 negations, 9 absolute values, 20 comparisons, 23 selections. */
 typedef struct {
     V valid;
     V doubt;
 } LANES(hoop_valid_out);
 
 LANES_INLINE LANES(hoop_valid_out)
-LANES(hoop_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_end_depth)
+LANES(hoop_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_sub(_s0, p_ring_radius);
-    const V _s2 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s3 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)), lanes_mul(_s2, _s2));
-    const M _s4 = lanes_less(lanes_abs(last), K(0.5));
-    const V _s5 = lanes_select(_s4, K(1.0), lanes_select(lanes_at_most(K(0.0), _s3), K(1.0), K(0.0)));
-    const V _s6 = lanes_sub(p_ball_radius, p_board_distance);
-    const V _s7 = lanes_sub(x, _s6);
-    const V _s8 = lanes_mul(K(2.0), p_ball_radius);
-    const V _s9 = lanes_sub(lanes_sub(_s6, _s8), x);
-    const V _s10 = lanes_max(_s7, _s9);
-    const V _s11 = lanes_neg(lanes_add(p_board_half_width, y));
-    const V _s12 = lanes_max(_s10, _s11);
-    const V _s13 = lanes_sub(y, p_board_half_width);
-    const V _s14 = lanes_max(_s12, _s13);
-    const V _s15 = lanes_sub(p_board_bottom, z);
-    const V _s16 = lanes_max(_s14, _s15);
-    const V _s17 = lanes_sub(z, p_board_top);
-    const V _s18 = lanes_max(_s16, _s17);
-    const M _s19 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
-    const V _s20 = lanes_select(_s19, _s5, lanes_select(lanes_at_most(K(0.0), _s18), _s5, K(0.0)));
-    const V _s21 = lanes_sub(z, _s2);
-    const V _s22 = lanes_sub(lanes_sub(lanes_sub(_s2, _s8), lanes_mul(K(2.0), p_wire_radius)), z);
-    const V _s23 = lanes_max(_s21, _s22);
-    const V _s24 = lanes_neg(lanes_add(p_bridge_half_width, y));
-    const V _s25 = lanes_max(_s23, _s24);
-    const V _s26 = lanes_sub(y, p_bridge_half_width);
-    const V _s27 = lanes_max(_s25, _s26);
-    const V _s28 = lanes_sub(p_ring_radius, _s0);
+    const V _s1 = lanes_sub(_s0, _c0);
+    const V _s2 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)), _c7);
+    const M _s3 = lanes_less(lanes_abs(last), K(0.5));
+    const V _s4 = lanes_select(_s3, K(1.0), lanes_select(lanes_at_most(K(0.0), _s2), K(1.0), K(0.0)));
+    const V _s5 = lanes_sub(x, _c8);
+    const V _s6 = lanes_sub(_c9, x);
+    const V _s7 = lanes_max(_s5, _s6);
+    const V _s8 = lanes_neg(lanes_add(_c2, y));
+    const V _s9 = lanes_max(_s7, _s8);
+    const V _s10 = lanes_sub(y, _c2);
+    const V _s11 = lanes_max(_s9, _s10);
+    const V _s12 = lanes_sub(_c3, z);
+    const V _s13 = lanes_max(_s11, _s12);
+    const V _s14 = lanes_sub(z, _c4);
+    const V _s15 = lanes_max(_s13, _s14);
+    const M _s16 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
+    const V _s17 = lanes_select(_s16, _s4, lanes_select(lanes_at_most(K(0.0), _s15), _s4, K(0.0)));
+    const V _s18 = lanes_sub(z, _c6);
+    const V _s19 = lanes_sub(_c10, z);
+    const V _s20 = lanes_max(_s18, _s19);
+    const V _s21 = lanes_neg(lanes_add(_c5, y));
+    const V _s22 = lanes_max(_s20, _s21);
+    const V _s23 = lanes_sub(y, _c5);
+    const V _s24 = lanes_max(_s22, _s23);
+    const V _s25 = lanes_sub(_c0, _s0);
+    const V _s26 = lanes_max(_s24, _s25);
+    const V _s27 = lanes_max(_s26, x);
+    const V _s28 = lanes_neg(lanes_add(_c1, x));
     const V _s29 = lanes_max(_s27, _s28);
-    const V _s30 = lanes_max(_s29, x);
-    const V _s31 = lanes_neg(lanes_add(p_board_distance, x));
-    const V _s32 = lanes_max(_s30, _s31);
-    const M _s33 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
-    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
-    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s34, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)), lanes_abs(x)), lanes_abs(y));
-    const V _s36 = lanes_mul(K(1.7763568394002505e-15), lanes_add(_s35, lanes_abs(z)));
-    const V _s37 = lanes_select(_s4, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s3), lanes_mul(lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), _s36)), K(1.0), K(0.0)));
-    const V _s38 = lanes_select(_s19, _s37, lanes_select(lanes_at_most(lanes_abs(_s18), _s36), K(1.0), _s37));
-    return (LANES(hoop_valid_out)){ lanes_select(_s33, _s20, lanes_select(lanes_at_most(K(0.0), _s32), _s20, K(0.0))), lanes_select(_s33, _s38, lanes_select(lanes_at_most(lanes_abs(_s32), _s36), K(1.0), _s38)) };
+    const M _s30 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
+    const V _s31 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_c12, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s32 = lanes_select(_s3, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s2), lanes_mul(_c11, _s31)), K(1.0), K(0.0)));
+    const V _s33 = lanes_select(_s16, _s32, lanes_select(lanes_at_most(lanes_abs(_s15), _s31), K(1.0), _s32));
+    return (LANES(hoop_valid_out)){ lanes_select(_s30, _s17, lanes_select(lanes_at_most(K(0.0), _s29), _s17, K(0.0))), lanes_select(_s30, _s33, lanes_select(lanes_at_most(lanes_abs(_s29), _s31), K(1.0), _s33)) };
 }
 
 /* 1 where the ball leaves a surface.
@@ -985,28 +976,27 @@ LANES(hoop_accounted)(V contacts, V most_contacts, V reached, M touches)
 }
 
 /* Where a flight that begins and ends like that may come to a plate.
-   Table 1. 34 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
+   Table 1. 31 operations: 6 additions, 2 subtractions, 9 multiplications, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 typedef struct {
     M reachable;
 } LANES(hoop_reachable_out);
 
 LANES_INLINE LANES(hoop_reachable_out)
-LANES(hoop_reachable)(V p_ball_radius, V p_board_distance, V p_bridge_half_width, V extent, V p_gravity, V horizon, V late, V pad, V position_error, V p_ring_radius, V speed, V velocity_error, V vx, V x)
+LANES(hoop_reachable)(V extent, V horizon, V late, V pad, V position_error, V speed, V velocity_error, V vx, V x, V _c0, V _c1, V _c2, V _c3, V _c4)
 {
-    const V _s0 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))))));
+    const V _s0 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c0, horizon))))));
     const V _s1 = lanes_select(lanes_less(pad, late), K(INFINITY), _s0);
     const V _s2 = lanes_add(x, lanes_mul(horizon, vx));
     const V _s3 = lanes_min(_s2, x);
-    const V _s4 = lanes_sub(p_ring_radius, lanes_mul(K(2.0), _s1));
-    const V _s5 = lanes_neg(p_board_distance);
-    const V _s6 = lanes_max(_s3, _s5);
-    const V _s7 = lanes_min(K(0.0), _s6);
-    const M _s8 = lanes_both(lanes_less(_s1, lanes_sub(_s3, lanes_sub(p_ball_radius, p_board_distance))), lanes_both(lanes_less(K(0.0), _s4), lanes_less(lanes_mul(K(1.0000000000009095), lanes_add(lanes_mul(p_bridge_half_width, p_bridge_half_width), lanes_mul(_s7, _s7))), lanes_mul(_s4, _s4))));
-    return (LANES(hoop_reachable_out)){ lanes_not(_s8) };
+    const V _s4 = lanes_sub(_c1, lanes_mul(K(2.0), _s1));
+    const V _s5 = lanes_max(_s3, _c4);
+    const V _s6 = lanes_min(K(0.0), _s5);
+    const M _s7 = lanes_both(lanes_less(_s1, lanes_sub(_s3, _c2)), lanes_both(lanes_less(K(0.0), _s4), lanes_less(lanes_mul(K(1.0000000000009095), lanes_add(_c3, lanes_mul(_s6, _s6))), lanes_mul(_s4, _s4))));
+    return (LANES(hoop_reachable_out)){ lanes_not(_s7) };
 }
 
 /* Velocity and spin after a contact, frame-free.
-   Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division. */
+   Eqs. 11-17, the frame eliminated. 61 operations: 10 additions, 12 subtractions, 39 multiplications. */
 typedef struct {
     V vx;
     V vy;
@@ -1017,20 +1007,18 @@ typedef struct {
 } LANES(hoop_impact_out);
 
 LANES_INLINE LANES(hoop_impact_out)
-LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_restitution)
+LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_mul(K(0.4), p_ball_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s2 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
-    const V _s3 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
-    const V _s4 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
-    const V _s5 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V _s6 = lanes_div(K(1.0), p_ball_radius);
-    return (LANES(hoop_impact_out)){ lanes_sub(_s2, lanes_mul(lanes_mul(nx, p_restitution), _s1)), lanes_sub(_s3, lanes_mul(lanes_mul(ny, p_restitution), _s1)), lanes_sub(_s4, lanes_mul(lanes_mul(nz, p_restitution), _s1)), lanes_add(lanes_mul(nx, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s3)))), lanes_add(lanes_mul(ny, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(lanes_mul(nz, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(nx, _s3), lanes_mul(ny, _s2)))) };
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_add(lanes_mul(_c1, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s0))));
+    const V _s2 = lanes_add(lanes_mul(_c1, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s0))));
+    const V _s3 = lanes_add(lanes_mul(_c1, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s0))));
+    const V _s4 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    return (LANES(hoop_impact_out)){ lanes_sub(_s1, lanes_mul(lanes_mul(nx, _c0), _s0)), lanes_sub(_s2, lanes_mul(lanes_mul(ny, _c0), _s0)), lanes_sub(_s3, lanes_mul(lanes_mul(nz, _c0), _s0)), lanes_add(lanes_mul(nx, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(ny, _s3), lanes_mul(nz, _s2)))), lanes_add(lanes_mul(ny, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(nz, _s1), lanes_mul(nx, _s3)))), lanes_add(lanes_mul(nz, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(nx, _s2), lanes_mul(ny, _s1)))) };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 241 operations: 46 additions, 30 subtractions, 96 multiplications, 3 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
 typedef struct {
     V dvx;
     V dvy;
@@ -1041,57 +1029,55 @@ typedef struct {
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_restitution)
+LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_mul(K(0.4), p_ball_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
-    const V _s3 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s1)), lanes_mul(nx, _s2))));
-    const V _s4 = lanes_sub(lanes_sub(_s3, lanes_mul(lanes_mul(dnx, p_restitution), _s1)), lanes_mul(lanes_mul(nx, p_restitution), _s2));
-    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s6 = lanes_add(_s5, lanes_abs(vz));
-    const V _s7 = lanes_mul(K(2.220446049250313e-16), _s6);
-    const V _s8 = lanes_neg(_s7);
-    const V _s9 = lanes_add(_s4, lanes_select(lanes_less(_s4, K(0.0)), _s8, _s7));
-    const V _s10 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
-    const V _s11 = lanes_abs(dwx);
-    const V _s12 = lanes_abs(dwy);
-    const V _s13 = lanes_max(_s11, _s12);
-    const V _s14 = lanes_abs(dwz);
-    const V _s15 = lanes_abs(dvx);
-    const V _s16 = lanes_abs(dvy);
-    const V _s17 = lanes_max(_s15, _s16);
-    const V _s18 = lanes_abs(dvz);
-    const V _s19 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s13, _s14)), lanes_mul(turn, _s6)), lanes_max(_s17, _s18));
-    const V _s20 = lanes_div(_s19, _s10);
-    const V _s21 = lanes_neg(_s20);
-    const V _s22 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s1)), lanes_mul(ny, _s2))));
-    const V _s23 = lanes_sub(lanes_sub(_s22, lanes_mul(lanes_mul(dny, p_restitution), _s1)), lanes_mul(lanes_mul(ny, p_restitution), _s2));
-    const V _s24 = lanes_add(_s23, lanes_select(lanes_less(_s23, K(0.0)), _s8, _s7));
-    const V _s25 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s1)), lanes_mul(nz, _s2))));
-    const V _s26 = lanes_sub(lanes_sub(_s25, lanes_mul(lanes_mul(dnz, p_restitution), _s1)), lanes_mul(lanes_mul(nz, p_restitution), _s2));
-    const V _s27 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s8, _s7));
-    const V _s28 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
-    const V _s30 = lanes_div(K(1.0), p_ball_radius);
-    const V _s31 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
-    const V _s32 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
-    const V _s33 = lanes_add(lanes_add(lanes_mul(dnx, _s28), lanes_mul(nx, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s31), lanes_mul(ny, _s25)), lanes_mul(dnz, _s32)), lanes_mul(nz, _s22))));
-    const V _s34 = lanes_div(_s7, p_ball_radius);
-    const V _s35 = lanes_neg(_s34);
-    const V _s36 = lanes_add(_s33, lanes_select(lanes_less(_s33, K(0.0)), _s35, _s34));
-    const V _s37 = lanes_div(_s19, lanes_mul(p_ball_radius, _s10));
-    const V _s38 = lanes_neg(_s37);
-    const V _s39 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
-    const V _s40 = lanes_add(lanes_add(lanes_mul(dny, _s28), lanes_mul(ny, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s39), lanes_mul(nz, _s3)), lanes_mul(dnx, _s31)), lanes_mul(nx, _s25))));
-    const V _s41 = lanes_add(_s40, lanes_select(lanes_less(_s40, K(0.0)), _s35, _s34));
-    const V _s42 = lanes_add(lanes_add(lanes_mul(dnz, _s28), lanes_mul(nz, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s32), lanes_mul(nx, _s22)), lanes_mul(dny, _s39)), lanes_mul(ny, _s3))));
-    const V _s43 = lanes_add(_s42, lanes_select(lanes_less(_s42, K(0.0)), _s35, _s34));
-    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(_s9), _s20), lanes_select(lanes_less(_s9, K(0.0)), _s21, _s20), _s9), lanes_select(lanes_less(lanes_abs(_s24), _s20), lanes_select(lanes_less(_s24, K(0.0)), _s21, _s20), _s24), lanes_select(lanes_less(lanes_abs(_s27), _s20), lanes_select(lanes_less(_s27, K(0.0)), _s21, _s20), _s27), lanes_select(lanes_less(lanes_abs(_s36), _s37), lanes_select(lanes_less(_s36, K(0.0)), _s38, _s37), _s36), lanes_select(lanes_less(lanes_abs(_s41), _s37), lanes_select(lanes_less(_s41, K(0.0)), _s38, _s37), _s41), lanes_select(lanes_less(lanes_abs(_s43), _s37), lanes_select(lanes_less(_s43, K(0.0)), _s38, _s37), _s43) };
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
+    const V _s2 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1))));
+    const V _s3 = lanes_sub(lanes_sub(_s2, lanes_mul(lanes_mul(dnx, _c1), _s0)), lanes_mul(lanes_mul(nx, _c1), _s1));
+    const V _s4 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s5 = lanes_add(_s4, lanes_abs(vz));
+    const V _s6 = lanes_mul(K(2.220446049250313e-16), _s5);
+    const V _s7 = lanes_neg(_s6);
+    const V _s8 = lanes_add(_s3, lanes_select(lanes_less(_s3, K(0.0)), _s7, _s6));
+    const V _s9 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s10 = lanes_abs(dwx);
+    const V _s11 = lanes_abs(dwy);
+    const V _s12 = lanes_max(_s10, _s11);
+    const V _s13 = lanes_abs(dwz);
+    const V _s14 = lanes_abs(dvx);
+    const V _s15 = lanes_abs(dvy);
+    const V _s16 = lanes_max(_s14, _s15);
+    const V _s17 = lanes_abs(dvz);
+    const V _s18 = lanes_add(lanes_add(lanes_mul(_c0, lanes_max(_s12, _s13)), lanes_mul(turn, _s5)), lanes_max(_s16, _s17));
+    const V _s19 = lanes_div(_s18, _s9);
+    const V _s20 = lanes_neg(_s19);
+    const V _s21 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1))));
+    const V _s22 = lanes_sub(lanes_sub(_s21, lanes_mul(lanes_mul(dny, _c1), _s0)), lanes_mul(lanes_mul(ny, _c1), _s1));
+    const V _s23 = lanes_add(_s22, lanes_select(lanes_less(_s22, K(0.0)), _s7, _s6));
+    const V _s24 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1))));
+    const V _s25 = lanes_sub(lanes_sub(_s24, lanes_mul(lanes_mul(dnz, _c1), _s0)), lanes_mul(lanes_mul(nz, _c1), _s1));
+    const V _s26 = lanes_add(_s25, lanes_select(lanes_less(_s25, K(0.0)), _s7, _s6));
+    const V _s27 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
+    const V _s29 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s0))));
+    const V _s30 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s0))));
+    const V _s31 = lanes_add(lanes_add(lanes_mul(dnx, _s27), lanes_mul(nx, _s28)), lanes_mul(_c3, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s29), lanes_mul(ny, _s24)), lanes_mul(dnz, _s30)), lanes_mul(nz, _s21))));
+    const V _s32 = lanes_div(_s6, _c0);
+    const V _s33 = lanes_neg(_s32);
+    const V _s34 = lanes_add(_s31, lanes_select(lanes_less(_s31, K(0.0)), _s33, _s32));
+    const V _s35 = lanes_div(_s18, lanes_mul(_c0, _s9));
+    const V _s36 = lanes_neg(_s35);
+    const V _s37 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s0))));
+    const V _s38 = lanes_add(lanes_add(lanes_mul(dny, _s27), lanes_mul(ny, _s28)), lanes_mul(_c3, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s37), lanes_mul(nz, _s2)), lanes_mul(dnx, _s29)), lanes_mul(nx, _s24))));
+    const V _s39 = lanes_add(_s38, lanes_select(lanes_less(_s38, K(0.0)), _s33, _s32));
+    const V _s40 = lanes_add(lanes_add(lanes_mul(dnz, _s27), lanes_mul(nz, _s28)), lanes_mul(_c3, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s30), lanes_mul(nx, _s21)), lanes_mul(dny, _s37)), lanes_mul(ny, _s2))));
+    const V _s41 = lanes_add(_s40, lanes_select(lanes_less(_s40, K(0.0)), _s33, _s32));
+    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(_s8), _s19), lanes_select(lanes_less(_s8, K(0.0)), _s20, _s19), _s8), lanes_select(lanes_less(lanes_abs(_s23), _s19), lanes_select(lanes_less(_s23, K(0.0)), _s20, _s19), _s23), lanes_select(lanes_less(lanes_abs(_s26), _s19), lanes_select(lanes_less(_s26, K(0.0)), _s20, _s19), _s26), lanes_select(lanes_less(lanes_abs(_s34), _s35), lanes_select(lanes_less(_s34, K(0.0)), _s36, _s35), _s34), lanes_select(lanes_less(lanes_abs(_s39), _s35), lanes_select(lanes_less(_s39, K(0.0)), _s36, _s35), _s39), lanes_select(lanes_less(lanes_abs(_s41), _s35), lanes_select(lanes_less(_s41, K(0.0)), _s36, _s35), _s41) };
 }
 
 /* Outward unit normal n3 at a contact.
-   Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root. */
+   Table 2. 11 operations: 1 addition, 1 subtraction, 7 multiplications, 1 division, 1 square root. */
 typedef struct {
     V nx;
     V ny;
@@ -1099,30 +1085,27 @@ typedef struct {
 } LANES(hoop_ring_normal_out);
 
 LANES_INLINE LANES(hoop_ring_normal_out)
-LANES(hoop_ring_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+LANES(hoop_ring_normal)(V x, V y, V z, V _c0, V _c1)
 {
-    const V _s0 = lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius));
-    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s2 = lanes_mul(lanes_mul(_s0, lanes_sub(_s1, p_ring_radius)), lanes_div(K(1.0), _s1));
-    return (LANES(hoop_ring_normal_out)){ lanes_mul(x, _s2), lanes_mul(y, _s2), lanes_mul(z, _s0) };
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_mul(lanes_mul(_c1, lanes_sub(_s0, _c0)), lanes_div(K(1.0), _s0));
+    return (LANES(hoop_ring_normal_out)){ lanes_mul(x, _s1), lanes_mul(y, _s1), lanes_mul(z, _c1) };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection. */
+   Table 2. No operations. */
 typedef struct {
     V curvature;
 } LANES(hoop_ring_curvature_out);
 
 LANES_INLINE LANES(hoop_ring_curvature_out)
-LANES(hoop_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
+LANES(hoop_ring_curvature)(V _c0)
 {
-    const V _s0 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
-    return (LANES(hoop_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(_s0, _s1)) };
+    return (LANES(hoop_ring_curvature_out)){ _c0 };
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
+   derivative of Table 2's normal. 31 operations: 5 additions, 1 subtraction, 21 multiplications, 2 divisions, 1 square root, 1 negation. */
 typedef struct {
     V dnx;
     V dny;
@@ -1131,75 +1114,59 @@ typedef struct {
 } LANES(hoop_ring_carry_normal_out);
 
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
-LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_div(K(1.0), _s0);
-    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s3 = lanes_sub(_s2, p_ring_radius);
-    const V _s4 = lanes_div(K(1.0), _s2);
-    const V _s5 = lanes_mul(lanes_mul(_s1, _s3), _s4);
-    const V _s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s2);
-    const V _s7 = lanes_add(lanes_mul(lanes_mul(_s6, _s1), _s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s1), _s3));
-    const V _s8 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(_s8, _s0))) };
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_sub(_s0, _c0);
+    const V _s2 = lanes_div(K(1.0), _s0);
+    const V _s3 = lanes_mul(lanes_mul(_c1, _s1), _s2);
+    const V _s4 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s0);
+    const V _s5 = lanes_add(lanes_mul(lanes_mul(_s4, _c1), _s2), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _c1), _s1));
+    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s3), lanes_mul(x, _s5)), lanes_add(lanes_mul(dy, _s3), lanes_mul(y, _s5)), lanes_mul(dz, _c1), lanes_mul(shift, _c2) };
 }
 
 /* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections. */
+   bounds of the event condition. 119 operations: 24 additions, 16 subtractions, 49 multiplications, 2 square roots, 14 comparisons, 14 selections. */
 typedef struct {
     V clear;
 } LANES(hoop_ring_clear_out);
 
 LANES_INLINE LANES(hoop_ring_clear_out)
-LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14, V _c15, V _c16, V _c17, V _c18, V _c19)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0));
-    const V _s2 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
-    const V _s3 = lanes_sub(lanes_sub(_s2, lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
-    const V _s4 = lanes_mul(K(1.00006103515625), _s0);
-    const V _s5 = lanes_add(p_ring_radius, _s4);
-    const V _s6 = lanes_mul(vz, vz);
-    const V _s7 = lanes_add(_s6, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s4)));
-    const V _s8 = lanes_div(K(1.0), p_gravity);
-    const V _s9 = lanes_sqrt(_s7);
-    const V _s10 = lanes_mul(_s8, lanes_sub(vz, _s9));
-    const V _s11 = lanes_mul(_s8, lanes_add(vz, _s9));
-    const V _s12 = lanes_add(x, lanes_mul(vx, _s11));
-    const V _s13 = lanes_add(y, lanes_mul(vy, _s11));
-    const V _s14 = lanes_add(lanes_mul(_s12, _s12), lanes_mul(_s13, _s13));
-    const V _s15 = lanes_sqrt(_s14);
-    const V _s16 = lanes_sub(_s15, p_ring_radius);
-    const V _s17 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s11)), _s11));
-    const V _s18 = lanes_mul(_s5, _s5);
-    const V _s19 = lanes_mul(K(9.313225746154785e-10), _s18);
-    const V _s20 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s17, _s17)), lanes_mul(_s0, _s0)), _s19);
-    const V _s21 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V _s22 = lanes_sub(p_ring_radius, _s4);
-    const V _s23 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s24 = lanes_max(_s22, _s23);
-    const V _s25 = lanes_mul(_s24, _s24);
-    const V _s26 = lanes_mul(_s24, _s25);
-    const V _s27 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s6), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s21)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s26);
-    const V _s28 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
-    const V _s29 = lanes_mul(_s28, _s28);
-    const V _s30 = lanes_sub(_s27, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s29));
-    const V _s31 = lanes_add(lanes_mul(_s16, lanes_add(lanes_mul(vx, _s12), lanes_mul(vy, _s13))), lanes_mul(lanes_mul(_s17, lanes_sub(vz, lanes_mul(p_gravity, _s11))), _s15));
-    const V _s32 = lanes_add(x, lanes_mul(horizon, vx));
-    const V _s33 = lanes_add(y, lanes_mul(horizon, vy));
-    const V _s34 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s19, lanes_mul(_s32, _s32)), lanes_mul(_s33, _s33)), _s25), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s21, lanes_add(_s19, _s25)), _s29), K(0.0)), K(1.0), K(0.0)));
-    const V _s35 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s31, _s31)), _s26), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s30), _s14), _s20)), K(0.0)), _s34, K(0.0));
-    const V _s36 = lanes_select(lanes_less(horizon, lanes_sub(_s11, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s20), lanes_select(lanes_less(K(0.0), _s30), _s35, K(0.0)), K(0.0)));
-    const V _s37 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
-    const V _s38 = lanes_add(lanes_mul(_s10, _s21), _s37);
-    const V _s39 = lanes_select(lanes_less(_s38, K(0.0)), lanes_select(lanes_less(_s18, lanes_add(lanes_mul(_s10, lanes_add(_s37, _s38)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s36, K(0.0)), K(0.0));
-    const V _s40 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s5)), lanes_select(lanes_less(K(0.0), _s7), lanes_select(lanes_less(_s10, K(0.0)), _s36, _s39), K(0.0)), K(0.0));
-    return (LANES(hoop_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_s1, _s3)), K(0.0), lanes_select(lanes_less(_s2, lanes_mul(K(5.820766091346741e-11), _s5)), _s40, K(0.0))) };
+    const V _s0 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
+    const V _s1 = lanes_sub(lanes_sub(_s0, _c3), _c4);
+    const V _s2 = lanes_mul(vz, vz);
+    const V _s3 = lanes_add(_s2, lanes_mul(_c8, lanes_sub(z, _c5)));
+    const V _s4 = lanes_sqrt(_s3);
+    const V _s5 = lanes_mul(_c9, lanes_sub(vz, _s4));
+    const V _s6 = lanes_mul(_c9, lanes_add(vz, _s4));
+    const V _s7 = lanes_add(x, lanes_mul(vx, _s6));
+    const V _s8 = lanes_add(y, lanes_mul(vy, _s6));
+    const V _s9 = lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s8, _s8));
+    const V _s10 = lanes_sqrt(_s9);
+    const V _s11 = lanes_sub(_s10, _c0);
+    const V _s12 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(_c10, _s6)), _s6));
+    const V _s13 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), _c11), _c13);
+    const V _s14 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s15 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s16 = lanes_mul(_s15, _s15);
+    const V _s17 = lanes_sub(lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s2), lanes_mul(_c14, z)), lanes_mul(K(2.0), _s14)), _c15), _c17), lanes_mul(_c18, _s16));
+    const V _s18 = lanes_add(lanes_mul(_s11, lanes_add(lanes_mul(vx, _s7), lanes_mul(vy, _s8))), lanes_mul(lanes_mul(_s12, lanes_sub(vz, lanes_mul(_c1, _s6))), _s10));
+    const V _s19 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s20 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s21 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_c13, lanes_mul(_s19, _s19)), lanes_mul(_s20, _s20)), _c16), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s14, _c19), _s16), K(0.0)), K(1.0), K(0.0)));
+    const V _s22 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s18, _s18)), _c17), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s17), _s9), _s13)), K(0.0)), _s21, K(0.0));
+    const V _s23 = lanes_select(lanes_less(horizon, lanes_sub(_s6, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s13), lanes_select(lanes_less(K(0.0), _s17), _s22, K(0.0)), K(0.0)));
+    const V _s24 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s25 = lanes_add(lanes_mul(_s5, _s14), _s24);
+    const V _s26 = lanes_select(lanes_less(_s25, K(0.0)), lanes_select(lanes_less(_c12, lanes_add(lanes_mul(_s5, lanes_add(_s24, _s25)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s23, K(0.0)), K(0.0));
+    const V _s27 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c1, horizon)))), _c7), lanes_select(lanes_less(K(0.0), _s3), lanes_select(lanes_less(_s5, K(0.0)), _s23, _s26), K(0.0)), K(0.0));
+    return (LANES(hoop_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_c2, _s1)), K(0.0), lanes_select(lanes_less(_s0, _c6), _s27, K(0.0))) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
+   bounds of the event condition. 154 operations: 26 additions, 17 subtractions, 34 multiplications, 1 division, 5 square roots, 1 negation, 5 absolute values, 29 comparisons, 36 selections. */
 typedef struct {
     V steady;
     V swing;
@@ -1216,73 +1183,62 @@ typedef struct {
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
-LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11)
 {
     const V _s0 = lanes_mul(vz, vz);
     const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V _s2 = lanes_add(lanes_add(lanes_mul(K(2.0), _s0), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s1));
+    const V _s2 = lanes_add(lanes_add(lanes_mul(K(2.0), _s0), lanes_mul(_c0, z)), lanes_mul(K(2.0), _s1));
     const V _s3 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
     const V _s4 = lanes_mul(_s3, _s3);
-    const V _s5 = lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s4);
+    const V _s5 = lanes_mul(_c1, _s4);
     const V _s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
-    const V _s7 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s8 = lanes_mul(K(1.00006103515625), _s7);
-    const V _s9 = lanes_mul(K(2.0), p_gravity);
-    const V _s10 = lanes_mul(K(8.881784197001252e-16), lanes_add(_s0, lanes_mul(_s9, lanes_add(lanes_abs(z), _s8))));
-    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(_s9, lanes_add(z, _s8))), _s10);
-    const V _s12 = lanes_div(K(1.0), p_gravity);
-    const V _s13 = lanes_sqrt(_s11);
-    const V _s14 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), _s13));
-    const M _s15 = lanes_at_most(K(0.0), _s11);
-    const V _s16 = lanes_select(_s15, lanes_mul(_s12, lanes_sub(lanes_sub(vz, _s13), _s14)), K(INFINITY));
-    const V _s17 = lanes_add(p_ring_radius, _s8);
-    const V _s18 = lanes_mul(_s17, _s17);
-    const V _s19 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_s18, _s6));
-    const V _s20 = lanes_sub(lanes_add(lanes_mul(_s18, _s1), _s19), _s4);
-    const V _s21 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
-    const V _s22 = lanes_sqrt(_s20);
-    const V _s23 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s21), lanes_abs(_s3)), _s22));
-    const V _s24 = lanes_div(K(1.0), _s1);
-    const M _s25 = lanes_at_most(K(0.0), _s20);
-    const M _s26 = lanes_less(K(2.409919865102884e-181), _s1);
-    const V _s27 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_neg(lanes_add(lanes_add(_s21, _s22), _s23)), _s24), K(INFINITY)), K(-INFINITY));
-    const V _s28 = lanes_max(_s16, _s27);
-    const V _s29 = lanes_sub(p_ring_radius, _s8);
-    const V _s30 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s31 = lanes_max(_s29, _s30);
-    const V _s32 = lanes_sub(lanes_sub(lanes_mul(_s1, lanes_mul(_s31, _s31)), _s19), _s4);
-    const V _s33 = lanes_sqrt(lanes_max(_s32, K(0.0)));
-    const V _s34 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_sub(lanes_add(_s22, _s23), _s21), _s24), K(-INFINITY)), K(INFINITY));
-    const M _s35 = lanes_less(K(0.0), lanes_select(_s26, _s32, K(0.0)));
-    const V _s36 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s23, _s21), _s33), _s24), _s34);
-    const V _s37 = lanes_sub(lanes_add(_s0, lanes_mul(_s9, lanes_sub(z, _s8))), _s10);
-    const V _s38 = lanes_sqrt(lanes_max(_s37, K(0.0)));
-    const V _s39 = lanes_select(_s15, lanes_mul(_s12, lanes_add(lanes_add(vz, _s13), _s14)), K(-INFINITY));
-    const M _s40 = lanes_less(K(0.0), _s37);
-    const V _s41 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s14), _s38)), _s39);
-    const V _s42 = lanes_min(_s36, _s41);
-    const V _s43 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s33, _s21), _s23), _s24), K(INFINITY));
-    const V _s44 = lanes_max(_s43, _s36);
-    const V _s45 = lanes_max(_s16, _s44);
-    const V _s46 = lanes_min(_s34, _s41);
-    const V _s47 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s38), _s14)), K(INFINITY));
-    const V _s48 = lanes_max(_s47, _s41);
-    const M _s49 = lanes_at_most(_s45, _s46);
-    const V _s50 = lanes_select(_s49, _s45, lanes_max(_s48, _s27));
-    const V _s51 = lanes_select(_s49, _s46, lanes_min(_s36, _s39));
-    const V _s52 = lanes_max(_s48, _s44);
-    const V _s53 = lanes_min(_s34, _s39);
-    const V _s54 = lanes_div(K(1.0), _s31);
-    const V _s55 = lanes_max(K(0.0), _s42);
-    const V _s56 = lanes_max(_s55, _s51);
-    const V _s57 = lanes_max(_s56, _s53);
-    const V _s58 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s7));
-    const V _s59 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
-    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s28), lanes_min(_s42, horizon), lanes_max(K(0.0), _s50), lanes_min(_s51, horizon), lanes_max(K(0.0), _s52), lanes_min(_s53, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s54, lanes_mul(_s54, _s54)))), lanes_abs(_s2)), lanes_min(_s57, horizon), lanes_max(_s58, _s59) };
+    const V _s7 = lanes_mul(K(8.881784197001252e-16), lanes_add(_s0, lanes_mul(_c3, lanes_add(lanes_abs(z), _c2))));
+    const V _s8 = lanes_add(lanes_add(_s0, lanes_mul(_c3, lanes_add(z, _c2))), _s7);
+    const V _s9 = lanes_sqrt(_s8);
+    const V _s10 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), _s9));
+    const M _s11 = lanes_at_most(K(0.0), _s8);
+    const V _s12 = lanes_select(_s11, lanes_mul(_c4, lanes_sub(lanes_sub(vz, _s9), _s10)), K(INFINITY));
+    const V _s13 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_c5, _s6));
+    const V _s14 = lanes_sub(lanes_add(lanes_mul(_c5, _s1), _s13), _s4);
+    const V _s15 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s16 = lanes_sqrt(_s14);
+    const V _s17 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s15), lanes_abs(_s3)), _s16));
+    const V _s18 = lanes_div(K(1.0), _s1);
+    const M _s19 = lanes_at_most(K(0.0), _s14);
+    const M _s20 = lanes_less(K(2.409919865102884e-181), _s1);
+    const V _s21 = lanes_select(_s20, lanes_select(_s19, lanes_mul(lanes_neg(lanes_add(lanes_add(_s15, _s16), _s17)), _s18), K(INFINITY)), K(-INFINITY));
+    const V _s22 = lanes_max(_s12, _s21);
+    const V _s23 = lanes_sub(lanes_sub(lanes_mul(_s1, _c6), _s13), _s4);
+    const V _s24 = lanes_sqrt(lanes_max(_s23, K(0.0)));
+    const V _s25 = lanes_select(_s20, lanes_select(_s19, lanes_mul(lanes_sub(lanes_add(_s16, _s17), _s15), _s18), K(-INFINITY)), K(INFINITY));
+    const M _s26 = lanes_less(K(0.0), lanes_select(_s20, _s23, K(0.0)));
+    const V _s27 = lanes_select(_s26, lanes_mul(lanes_sub(lanes_sub(_s17, _s15), _s24), _s18), _s25);
+    const V _s28 = lanes_sub(lanes_add(_s0, lanes_mul(_c3, lanes_sub(z, _c2))), _s7);
+    const V _s29 = lanes_sqrt(lanes_max(_s28, K(0.0)));
+    const V _s30 = lanes_select(_s11, lanes_mul(_c4, lanes_add(lanes_add(vz, _s9), _s10)), K(-INFINITY));
+    const M _s31 = lanes_less(K(0.0), _s28);
+    const V _s32 = lanes_select(_s31, lanes_mul(_c4, lanes_sub(lanes_add(vz, _s10), _s29)), _s30);
+    const V _s33 = lanes_min(_s27, _s32);
+    const V _s34 = lanes_select(_s26, lanes_mul(lanes_sub(lanes_sub(_s24, _s15), _s17), _s18), K(INFINITY));
+    const V _s35 = lanes_max(_s34, _s27);
+    const V _s36 = lanes_max(_s12, _s35);
+    const V _s37 = lanes_min(_s25, _s32);
+    const V _s38 = lanes_select(_s31, lanes_mul(_c4, lanes_sub(lanes_add(vz, _s29), _s10)), K(INFINITY));
+    const V _s39 = lanes_max(_s38, _s32);
+    const M _s40 = lanes_at_most(_s36, _s37);
+    const V _s41 = lanes_select(_s40, _s36, lanes_max(_s39, _s21));
+    const V _s42 = lanes_select(_s40, _s37, lanes_min(_s27, _s30));
+    const V _s43 = lanes_max(_s39, _s35);
+    const V _s44 = lanes_min(_s25, _s30);
+    const V _s45 = lanes_max(K(0.0), _s33);
+    const V _s46 = lanes_max(_s45, _s42);
+    const V _s47 = lanes_max(_s46, _s44);
+    const V _s48 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), _c10), _c11);
+    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s22), lanes_min(_s33, horizon), lanes_max(K(0.0), _s41), lanes_min(_s42, horizon), lanes_max(K(0.0), _s43), lanes_min(_s44, horizon), lanes_add(lanes_add(_c7, lanes_mul(_s5, _c8)), lanes_abs(_s2)), lanes_min(_s47, horizon), lanes_max(_c9, _s48) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
-   running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
+   running error analysis. 34 operations: 12 additions, 22 multiplications. */
 typedef struct {
     V margin;
     V leaving_margin;
@@ -1290,26 +1246,19 @@ typedef struct {
 } LANES(hoop_ring_margins_out);
 
 LANES_INLINE LANES(hoop_ring_margins_out)
-LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(speed, lanes_mul(p_gravity, horizon));
-    const V _s2 = lanes_mul(K(1.00006103515625), _s0);
-    const V _s3 = lanes_mul(_s2, _s1);
-    const V _s4 = lanes_add(p_ring_radius, _s2);
-    const V _s5 = lanes_add(extent, lanes_mul(horizon, _s1));
-    const V _s6 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s5));
-    const V _s7 = lanes_sub(p_ring_radius, _s2);
-    const V _s8 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s9 = lanes_div(_s2, lanes_max(_s7, _s8));
-    const V _s10 = lanes_max(K(1.0), _s9);
-    const V _s11 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s1, _s10), _s6), lanes_mul(_s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s1)))));
-    const V _s12 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s1), lanes_add(lanes_mul(_s5, _s10), _s4)), lanes_mul(K(4.440892098500626e-16), _s3)), _s11));
-    return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s4)), lanes_mul(lanes_mul(K(5.00030517578125), _s0), _s6))), _s12, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_s4, _s1)), _s11)) };
+    const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
+    const V _s1 = lanes_mul(_c1, _s0);
+    const V _s2 = lanes_add(extent, lanes_mul(horizon, _s0));
+    const V _s3 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s2));
+    const V _s4 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s0, _c5), _s3), lanes_mul(_c1, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s0)))));
+    const V _s5 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s0), lanes_add(lanes_mul(_s2, _c5), _c2)), lanes_mul(K(4.440892098500626e-16), _s1)), _s4));
+    return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s1), _c3), lanes_mul(_c4, _s3))), _s5, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_c2, _s0)), _s4)) };
 }
 
 /* Newton's next value of a root near t, and gap and rate there.
-   Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
+   Newton's method. 53 operations: 14 additions, 6 subtractions, 28 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
 typedef struct {
     V time;
     V gap;
@@ -1317,25 +1266,24 @@ typedef struct {
 } LANES(hoop_ring_refine_out);
 
 LANES_INLINE LANES(hoop_ring_refine_out)
-LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_add(x, lanes_mul(t, vx));
     const V _s1 = lanes_add(y, lanes_mul(t, vy));
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
     const V _s3 = lanes_add(rho_start, _s2);
     const V _s4 = lanes_div(K(1.0), lanes_mul(_s3, _s2));
-    const V _s5 = lanes_sub(_s2, p_ring_radius);
-    const V _s6 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s5 = lanes_sub(_s2, _c0);
+    const V _s6 = lanes_sub(vz, lanes_mul(_c2, t));
     const V _s7 = lanes_add(z, lanes_mul(t, _s6));
-    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s7)));
-    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s5)), lanes_mul(_s2, _s4));
-    const V _s10 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s11 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), lanes_mul(_s10, _s10)));
-    return (LANES(hoop_ring_refine_out)){ lanes_sub(t, lanes_div(_s11, _s8)), _s11, _s8 };
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(_c1, t)), _s7)));
+    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, _c0), _s5)), lanes_mul(_s2, _s4));
+    const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), _c3));
+    return (LANES(hoop_ring_refine_out)){ lanes_sub(t, lanes_div(_s10, _s8)), _s10, _s8 };
 }
 
 /* Gap, rate, bend, a step without a root, its end, and the clearance of a root.
-   Newton from the left under a curvature bound. 143 operations: 29 additions, 16 subtractions, 53 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
+   Newton from the left under a curvature bound. 132 operations: 27 additions, 15 subtractions, 47 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 15 comparisons, 18 selections. */
 typedef struct {
     V gap;
     V rate;
@@ -1346,56 +1294,49 @@ typedef struct {
 } LANES(hoop_ring_advance_out);
 
 LANES_INLINE LANES(hoop_ring_advance_out)
-LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7)
 {
     const V _s0 = lanes_add(x, lanes_mul(t, vx));
     const V _s1 = lanes_add(y, lanes_mul(t, vy));
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
-    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s3 = lanes_sub(_s2, _c0);
     const V _s4 = lanes_add(rho_start, _s2);
     const V _s5 = lanes_div(K(1.0), lanes_mul(_s4, _s2));
-    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s3)), lanes_mul(_s2, _s5));
-    const V _s7 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, _c0), _s3)), lanes_mul(_s2, _s5));
+    const V _s7 = lanes_sub(vz, lanes_mul(_c2, t));
     const V _s8 = lanes_add(z, lanes_mul(t, _s7));
-    const V _s9 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), lanes_mul(_s9, _s9)));
-    const V _s11 = lanes_mul(_s4, _s5);
-    const V _s12 = lanes_mul(_s11, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
-    const V _s13 = lanes_sub(vz, lanes_mul(p_gravity, t));
-    const V _s14 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s12, _s3), lanes_mul(_s13, _s8)));
-    const V _s15 = lanes_mul(K(6.0), p_gravity);
-    const V _s16 = lanes_mul(_s15, _s8);
-    const V _s17 = lanes_mul(swing, lanes_mul(_s11, lanes_mul(_s11, _s11)));
-    const V _s18 = lanes_mul(K(1.00006103515625), _s9);
-    const V _s19 = lanes_mul(K(9.094947017729282e-13), lanes_add(p_ring_radius, _s18));
-    const V _s20 = lanes_sub(_s14, rate_margin);
-    const V _s21 = lanes_sub(_s10, margin);
-    const V _s22 = lanes_max(_s21, K(0.0));
-    const V _s23 = lanes_sub(lanes_add(_s16, _s17), steady);
-    const M _s24 = lanes_less(_s20, K(0.0));
-    const V _s25 = lanes_mul(K(2.0), _s22);
-    const V _s26 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s20), _s22, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s24, _s25, lanes_mul(K(4.0), _s20)), lanes_select(_s24, lanes_neg(_s20), lanes_max(K(0.0), _s23))));
-    const V _s27 = lanes_sub(end, t);
-    const V _s28 = lanes_min(_s26, _s27);
-    const V _s29 = lanes_add(_s19, lanes_add(lanes_mul(_s28, lanes_max(_s13, K(0.0))), _s8));
-    const V _s30 = lanes_mul(_s15, lanes_min(_s18, _s29));
-    const V _s31 = lanes_sub(lanes_add(lanes_mul(_s28, lanes_min(K(0.0), _s12)), _s2), _s19);
-    const V _s32 = lanes_sub(p_ring_radius, _s18);
-    const V _s33 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s34 = lanes_max(_s32, _s33);
-    const V _s35 = lanes_div(K(1.0), lanes_max(_s31, _s34));
-    const V _s36 = lanes_mul(swing, lanes_mul(_s35, lanes_mul(_s35, _s35)));
-    const V _s37 = lanes_sub(lanes_add(lanes_add(_s30, _s36), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s36, lanes_abs(steady)), lanes_abs(_s30)))), steady);
-    const V _s38 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s37), _s22), lanes_mul(_s20, _s20));
-    const V _s39 = lanes_sqrt(_s38);
-    const V _s40 = lanes_select(lanes_at_most(K(0.0), _s38), lanes_div(lanes_select(_s24, _s25, lanes_add(_s20, _s39)), lanes_select(_s24, lanes_sub(_s39, _s20), lanes_max(K(0.0), _s37))), K(INFINITY));
-    const V _s41 = lanes_min(_s40, _s28);
-    const V _s42 = lanes_neg(lanes_add(rate_margin, _s14));
-    return (LANES(hoop_ring_advance_out)){ _s10, _s14, lanes_sub(lanes_sub(steady, _s16), _s17), _s41, lanes_add(t, _s41), lanes_select(lanes_less(K(0.0), _s42), lanes_sub(lanes_mul(_s42, _s42), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s25))), _s42) };
+    const V _s9 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), _c3));
+    const V _s10 = lanes_mul(_s4, _s5);
+    const V _s11 = lanes_mul(_s10, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
+    const V _s12 = lanes_sub(vz, lanes_mul(_c1, t));
+    const V _s13 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s11, _s3), lanes_mul(_s12, _s8)));
+    const V _s14 = lanes_mul(_c4, _s8);
+    const V _s15 = lanes_mul(swing, lanes_mul(_s10, lanes_mul(_s10, _s10)));
+    const V _s16 = lanes_sub(_s13, rate_margin);
+    const V _s17 = lanes_sub(_s9, margin);
+    const V _s18 = lanes_max(_s17, K(0.0));
+    const V _s19 = lanes_sub(lanes_add(_s14, _s15), steady);
+    const M _s20 = lanes_less(_s16, K(0.0));
+    const V _s21 = lanes_mul(K(2.0), _s18);
+    const V _s22 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s16), _s18, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s20, _s21, lanes_mul(K(4.0), _s16)), lanes_select(_s20, lanes_neg(_s16), lanes_max(K(0.0), _s19))));
+    const V _s23 = lanes_sub(end, t);
+    const V _s24 = lanes_min(_s22, _s23);
+    const V _s25 = lanes_add(_c6, lanes_add(lanes_mul(_s24, lanes_max(_s12, K(0.0))), _s8));
+    const V _s26 = lanes_mul(_c4, lanes_min(_c5, _s25));
+    const V _s27 = lanes_sub(lanes_add(lanes_mul(_s24, lanes_min(K(0.0), _s11)), _s2), _c6);
+    const V _s28 = lanes_div(K(1.0), lanes_max(_s27, _c7));
+    const V _s29 = lanes_mul(swing, lanes_mul(_s28, lanes_mul(_s28, _s28)));
+    const V _s30 = lanes_sub(lanes_add(lanes_add(_s26, _s29), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s29, lanes_abs(steady)), lanes_abs(_s26)))), steady);
+    const V _s31 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s30), _s18), lanes_mul(_s16, _s16));
+    const V _s32 = lanes_sqrt(_s31);
+    const V _s33 = lanes_select(lanes_at_most(K(0.0), _s31), lanes_div(lanes_select(_s20, _s21, lanes_add(_s16, _s32)), lanes_select(_s20, lanes_sub(_s32, _s16), lanes_max(K(0.0), _s30))), K(INFINITY));
+    const V _s34 = lanes_min(_s33, _s24);
+    const V _s35 = lanes_neg(lanes_add(rate_margin, _s13));
+    return (LANES(hoop_ring_advance_out)){ _s9, _s13, lanes_sub(lanes_sub(steady, _s14), _s15), _s34, lanes_add(t, _s34), lanes_select(lanes_less(K(0.0), _s35), lanes_sub(lanes_mul(_s35, _s35), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s21))), _s35) };
 }
 
 /* Windows of the search along a flight, and whether single precision serves for it.
-   bounds of the event condition. 186 operations: 24 additions, 16 subtractions, 37 multiplications, 2 divisions, 4 square roots, 1 negation, 4 absolute values, 43 comparisons, 7 conjunctions, 3 disjunctions, 45 selections. */
+   bounds of the event condition. 171 operations: 21 additions, 15 subtractions, 29 multiplications, 1 division, 4 square roots, 1 negation, 4 absolute values, 42 comparisons, 7 conjunctions, 3 disjunctions, 44 selections. */
 typedef struct {
     S t;
     S end;
@@ -1409,80 +1350,72 @@ typedef struct {
 } LANES(hoop_ring_opened_out);
 
 LANES_INLINE LANES(hoop_ring_opened_out)
-LANES(hoop_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
+LANES(hoop_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
 {
     const S _s0 = singles_mul(vz, vz);
-    const S _s1 = singles_mul(KS(1.00006103515625), singles_add(p_ball_radius, p_wire_radius));
-    const S _s2 = singles_mul(KS(2.0), p_gravity);
-    const S _s3 = singles_mul(KS(4.76837158203125e-07), singles_add(_s0, singles_mul(_s2, singles_add(singles_abs(z), _s1))));
-    const S _s4 = singles_add(singles_add(_s0, singles_mul(_s2, singles_add(z, _s1))), _s3);
-    const S _s5 = singles_div(KS(1.0), p_gravity);
-    const S _s6 = singles_sqrt(_s4);
-    const S _s7 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_abs(vz), _s6));
-    const Q _s8 = singles_at_most(KS(0.0), _s4);
-    const S _s9 = singles_select(_s8, singles_mul(_s5, singles_sub(singles_sub(vz, _s6), _s7)), KS(INFINITY));
-    const S _s10 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
-    const S _s11 = singles_add(p_ring_radius, _s1);
-    const S _s12 = singles_mul(_s11, _s11);
-    const S _s13 = singles_mul(singles_mul(KS(9.5367431640625e-07), _s10), singles_add(_s12, singles_add(singles_mul(x, x), singles_mul(y, y))));
-    const S _s14 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
-    const S _s15 = singles_mul(_s14, _s14);
-    const S _s16 = singles_sub(singles_add(singles_mul(_s12, _s10), _s13), _s15);
-    const S _s17 = singles_add(singles_mul(vx, x), singles_mul(vy, y));
-    const S _s18 = singles_sqrt(_s16);
-    const S _s19 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_abs(_s17), singles_abs(_s14)), _s18));
-    const S _s20 = singles_div(KS(1.0), _s10);
-    const Q _s21 = singles_at_most(KS(0.0), _s16);
-    const Q _s22 = singles_less(KS(8.673617379884035e-19), _s10);
-    const S _s23 = singles_select(_s22, singles_select(_s21, singles_mul(singles_neg(singles_add(singles_add(_s17, _s18), _s19)), _s20), KS(INFINITY)), KS(-INFINITY));
-    const S _s24 = singles_max(_s9, _s23);
-    const S _s25 = singles_max(KS(0.0), _s24);
-    const S _s26 = singles_max(KS(0.0), _s25);
-    const S _s27 = singles_sub(p_ring_radius, _s1);
-    const S _s28 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s29 = singles_max(_s27, _s28);
-    const S _s30 = singles_sub(singles_sub(singles_mul(_s10, singles_mul(_s29, _s29)), _s13), _s15);
-    const S _s31 = singles_sqrt(singles_max(_s30, KS(0.0)));
-    const S _s32 = singles_select(_s22, singles_select(_s21, singles_mul(singles_sub(singles_add(_s18, _s19), _s17), _s20), KS(-INFINITY)), KS(INFINITY));
-    const Q _s33 = singles_less(KS(0.0), singles_select(_s22, _s30, KS(0.0)));
-    const S _s34 = singles_select(_s33, singles_mul(singles_sub(singles_sub(_s19, _s17), _s31), _s20), _s32);
-    const S _s35 = singles_sub(singles_add(_s0, singles_mul(_s2, singles_sub(z, _s1))), _s3);
-    const S _s36 = singles_sqrt(singles_max(_s35, KS(0.0)));
-    const S _s37 = singles_select(_s8, singles_mul(_s5, singles_add(singles_add(vz, _s6), _s7)), KS(-INFINITY));
-    const Q _s38 = singles_less(KS(0.0), _s35);
-    const S _s39 = singles_select(_s38, singles_mul(_s5, singles_sub(singles_add(vz, _s7), _s36)), _s37);
-    const S _s40 = singles_min(_s34, _s39);
-    const S _s41 = singles_mul(KS(1.000000238418579), horizon);
-    const S _s42 = singles_min(_s40, _s41);
-    const Q _s43 = singles_less(_s26, _s42);
-    const S _s44 = singles_select(_s33, singles_mul(singles_sub(singles_sub(_s31, _s17), _s19), _s20), KS(INFINITY));
-    const S _s45 = singles_max(_s44, _s34);
-    const S _s46 = singles_max(_s9, _s45);
-    const S _s47 = singles_min(_s32, _s39);
-    const S _s48 = singles_select(_s38, singles_mul(_s5, singles_sub(singles_add(vz, _s36), _s7)), KS(INFINITY));
-    const S _s49 = singles_max(_s48, _s39);
-    const Q _s50 = singles_at_most(_s46, _s47);
-    const S _s51 = singles_select(_s50, _s46, singles_max(_s49, _s23));
-    const S _s52 = singles_max(KS(0.0), _s51);
-    const S _s53 = singles_max(KS(0.0), _s52);
-    const S _s54 = singles_select(_s50, _s47, singles_min(_s34, _s37));
-    const S _s55 = singles_min(_s54, _s41);
-    const Q _s56 = singles_less(_s53, _s55);
-    const S _s57 = singles_max(_s49, _s45);
-    const S _s58 = singles_max(KS(0.0), _s57);
-    const S _s59 = singles_max(KS(0.0), _s58);
-    const S _s60 = singles_min(_s32, _s37);
-    const S _s61 = singles_min(_s60, _s41);
-    const Q _s62 = singles_less(_s59, _s61);
-    const S _s63 = singles_max(KS(0.0), _s40);
-    const S _s64 = singles_max(_s63, _s54);
-    const S _s65 = singles_max(_s64, _s60);
-    const Q _s66 = singles_both(singles_both(singles_both(singles_at_most(_s11, singles_mul(KS(32.0), _s29)), singles_at_most(_s11, singles_add(singles_mul(KS(32.0), p_ball_radius), singles_mul(KS(32.0), p_wire_radius)))), singles_at_most(_s11, KS(4096.0))), singles_at_most(KS(0.000244140625), _s29));
-    return (LANES(hoop_ring_opened_out)){ singles_select(_s43, _s26, singles_select(_s56, _s53, singles_select(_s62, _s59, KS(0.0)))), singles_select(_s43, _s42, singles_select(_s56, _s55, singles_select(_s62, _s61, KS(0.0)))), singles_truth(singles_either(singles_either(singles_either(singles_nowhere(), _s62), _s56), _s43)), _s52, _s55, _s58, _s61, singles_min(_s65, _s41), singles_truth(singles_both(singles_both(singles_both(singles_both(_s66, singles_at_most(p_gravity, KS(4096.0))), singles_at_most(KS(0.000244140625), p_gravity)), singles_at_most(extent, KS(4096.0))), singles_at_most(speed, KS(4096.0)))) };
+    const S _s1 = singles_mul(KS(4.76837158203125e-07), singles_add(_s0, singles_mul(_c2, singles_add(singles_abs(z), _c1))));
+    const S _s2 = singles_add(singles_add(_s0, singles_mul(_c2, singles_add(z, _c1))), _s1);
+    const S _s3 = singles_sqrt(_s2);
+    const S _s4 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_abs(vz), _s3));
+    const Q _s5 = singles_at_most(KS(0.0), _s2);
+    const S _s6 = singles_select(_s5, singles_mul(_c3, singles_sub(singles_sub(vz, _s3), _s4)), KS(INFINITY));
+    const S _s7 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
+    const S _s8 = singles_mul(singles_mul(KS(9.5367431640625e-07), _s7), singles_add(_c5, singles_add(singles_mul(x, x), singles_mul(y, y))));
+    const S _s9 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s10 = singles_mul(_s9, _s9);
+    const S _s11 = singles_sub(singles_add(singles_mul(_c5, _s7), _s8), _s10);
+    const S _s12 = singles_add(singles_mul(vx, x), singles_mul(vy, y));
+    const S _s13 = singles_sqrt(_s11);
+    const S _s14 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_abs(_s12), singles_abs(_s9)), _s13));
+    const S _s15 = singles_div(KS(1.0), _s7);
+    const Q _s16 = singles_at_most(KS(0.0), _s11);
+    const Q _s17 = singles_less(KS(8.673617379884035e-19), _s7);
+    const S _s18 = singles_select(_s17, singles_select(_s16, singles_mul(singles_neg(singles_add(singles_add(_s12, _s13), _s14)), _s15), KS(INFINITY)), KS(-INFINITY));
+    const S _s19 = singles_max(_s6, _s18);
+    const S _s20 = singles_max(KS(0.0), _s19);
+    const S _s21 = singles_max(KS(0.0), _s20);
+    const S _s22 = singles_sub(singles_sub(singles_mul(_s7, _c7), _s8), _s10);
+    const S _s23 = singles_sqrt(singles_max(_s22, KS(0.0)));
+    const S _s24 = singles_select(_s17, singles_select(_s16, singles_mul(singles_sub(singles_add(_s13, _s14), _s12), _s15), KS(-INFINITY)), KS(INFINITY));
+    const Q _s25 = singles_less(KS(0.0), singles_select(_s17, _s22, KS(0.0)));
+    const S _s26 = singles_select(_s25, singles_mul(singles_sub(singles_sub(_s14, _s12), _s23), _s15), _s24);
+    const S _s27 = singles_sub(singles_add(_s0, singles_mul(_c2, singles_sub(z, _c1))), _s1);
+    const S _s28 = singles_sqrt(singles_max(_s27, KS(0.0)));
+    const S _s29 = singles_select(_s5, singles_mul(_c3, singles_add(singles_add(vz, _s3), _s4)), KS(-INFINITY));
+    const Q _s30 = singles_less(KS(0.0), _s27);
+    const S _s31 = singles_select(_s30, singles_mul(_c3, singles_sub(singles_add(vz, _s4), _s28)), _s29);
+    const S _s32 = singles_min(_s26, _s31);
+    const S _s33 = singles_mul(KS(1.000000238418579), horizon);
+    const S _s34 = singles_min(_s32, _s33);
+    const Q _s35 = singles_less(_s21, _s34);
+    const S _s36 = singles_select(_s25, singles_mul(singles_sub(singles_sub(_s23, _s12), _s14), _s15), KS(INFINITY));
+    const S _s37 = singles_max(_s36, _s26);
+    const S _s38 = singles_max(_s6, _s37);
+    const S _s39 = singles_min(_s24, _s31);
+    const S _s40 = singles_select(_s30, singles_mul(_c3, singles_sub(singles_add(vz, _s28), _s4)), KS(INFINITY));
+    const S _s41 = singles_max(_s40, _s31);
+    const Q _s42 = singles_at_most(_s38, _s39);
+    const S _s43 = singles_select(_s42, _s38, singles_max(_s41, _s18));
+    const S _s44 = singles_max(KS(0.0), _s43);
+    const S _s45 = singles_max(KS(0.0), _s44);
+    const S _s46 = singles_select(_s42, _s39, singles_min(_s26, _s29));
+    const S _s47 = singles_min(_s46, _s33);
+    const Q _s48 = singles_less(_s45, _s47);
+    const S _s49 = singles_max(_s41, _s37);
+    const S _s50 = singles_max(KS(0.0), _s49);
+    const S _s51 = singles_max(KS(0.0), _s50);
+    const S _s52 = singles_min(_s24, _s29);
+    const S _s53 = singles_min(_s52, _s33);
+    const Q _s54 = singles_less(_s51, _s53);
+    const S _s55 = singles_max(KS(0.0), _s32);
+    const S _s56 = singles_max(_s55, _s46);
+    const S _s57 = singles_max(_s56, _s52);
+    const Q _s58 = singles_both(singles_both(singles_both(singles_both(singles_both(singles_at_most(_c4, _c8), singles_at_most(_c4, _c9)), singles_at_most(_c4, KS(4096.0))), singles_at_most(KS(0.000244140625), _c6)), singles_at_most(_c0, KS(4096.0))), singles_at_most(KS(0.000244140625), _c0));
+    return (LANES(hoop_ring_opened_out)){ singles_select(_s35, _s21, singles_select(_s48, _s45, singles_select(_s54, _s51, KS(0.0)))), singles_select(_s35, _s34, singles_select(_s48, _s47, singles_select(_s54, _s53, KS(0.0)))), singles_truth(singles_either(singles_either(singles_either(singles_nowhere(), _s54), _s48), _s35)), _s44, _s47, _s50, _s53, singles_min(_s57, _s33), singles_truth(singles_both(singles_both(_s58, singles_at_most(extent, KS(4096.0))), singles_at_most(speed, KS(4096.0)))) };
 }
 
 /* What a search in single precision is given, from where it begins.
-   running error analysis. 109 operations: 21 additions, 8 subtractions, 55 multiplications, 5 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections. */
+   running error analysis. 85 operations: 18 additions, 7 subtractions, 42 multiplications, 2 divisions, 1 square root, 5 absolute values, 5 comparisons, 1 conjunction, 4 selections. */
 typedef struct {
     S share;
     S t;
@@ -1512,39 +1445,29 @@ typedef struct {
 } LANES(hoop_ring_grain_out);
 
 LANES_INLINE LANES(hoop_ring_grain_out)
-LANES(hoop_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S parting, S drift, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
+LANES(hoop_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S parting, S drift, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11)
 {
     const Q _s0 = singles_less(KS(0.0), leaving);
-    const S _s1 = singles_add(speed, singles_mul(p_gravity, horizon));
-    const S _s2 = singles_add(p_ball_radius, p_wire_radius);
-    const S _s3 = singles_mul(KS(1.00006103515625), _s2);
-    const S _s4 = singles_sub(p_ring_radius, _s3);
-    const S _s5 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s6 = singles_max(_s4, _s5);
-    const S _s7 = singles_div(_s2, _s6);
-    const S _s8 = singles_max(KS(1.0), _s7);
-    const S _s9 = singles_mul(_s1, _s8);
-    const S _s10 = singles_add(extent, singles_mul(horizon, _s1));
-    const S _s11 = singles_mul(KS(5.0), singles_add(singles_mul(_s9, _s10), singles_mul(_s2, _s1)));
-    const S _s12 = singles_div(singles_mul(KS(0.00390625), parting), _s11);
-    const S _s13 = singles_min(_s12, KS(2.9802322387695312e-08));
-    const S _s14 = singles_select(_s0, singles_max(KS(2.842170943040401e-14), _s13), KS(2.9802322387695312e-08));
-    const S _s15 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(singles_mul(KS(4.0), p_gravity), z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
-    const S _s16 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
-    const S _s17 = singles_mul(singles_mul(KS(2.0), p_ring_radius), singles_mul(_s16, _s16));
-    const S _s18 = singles_div(KS(1.0), _s6);
-    const S _s19 = singles_mul(_s18, singles_mul(_s18, _s18));
-    const S _s20 = singles_add(singles_add(singles_mul(singles_mul(KS(6.0003662109375), p_gravity), _s2), singles_mul(_s17, _s19)), singles_abs(_s15));
-    const S _s21 = singles_sub(horizon, t);
-    const S _s22 = singles_mul(p_gravity, singles_mul(_s21, _s21));
-    const S _s23 = singles_add(p_ring_radius, _s3);
-    const S _s24 = singles_add(singles_mul(_s10, _s14), singles_mul(KS(9.5367431640625e-07), singles_add(_s22, _s23)));
-    const S _s25 = singles_div(singles_mul(KS(0.5), singles_mul(singles_mul(_s17, singles_add(singles_abs(vx), singles_abs(vy))), _s19)), _s6);
-    return (LANES(hoop_ring_grain_out)){ _s14, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s15, _s17, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s20), singles_mul(singles_mul(KS(5.0048828125), _s2), _s24), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s14), _s11))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(p_gravity, singles_add(singles_mul(p_gravity, _s21), singles_abs(vz))), _s25)), singles_mul(singles_mul(KS(7.62939453125e-06), singles_mul(singles_div(_s23, _s6), _s8)), _s20), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s9), _s24), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s14), _s2), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s22, singles_add(singles_mul(KS(128.0), p_ball_radius), singles_mul(KS(128.0), p_wire_radius))), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
+    const S _s1 = singles_add(speed, singles_mul(_c0, horizon));
+    const S _s2 = singles_mul(_s1, _c3);
+    const S _s3 = singles_add(extent, singles_mul(horizon, _s1));
+    const S _s4 = singles_mul(KS(5.0), singles_add(singles_mul(_s2, _s3), singles_mul(_c1, _s1)));
+    const S _s5 = singles_div(singles_mul(KS(0.00390625), parting), _s4);
+    const S _s6 = singles_min(_s5, KS(2.9802322387695312e-08));
+    const S _s7 = singles_select(_s0, singles_max(KS(2.842170943040401e-14), _s6), KS(2.9802322387695312e-08));
+    const S _s8 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(_c4, z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
+    const S _s9 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s10 = singles_mul(_c5, singles_mul(_s9, _s9));
+    const S _s11 = singles_add(singles_add(_c6, singles_mul(_s10, _c7)), singles_abs(_s8));
+    const S _s12 = singles_sub(horizon, t);
+    const S _s13 = singles_mul(_c0, singles_mul(_s12, _s12));
+    const S _s14 = singles_add(singles_mul(_s3, _s7), singles_mul(KS(9.5367431640625e-07), singles_add(_s13, _c8)));
+    const S _s15 = singles_div(singles_mul(KS(0.5), singles_mul(singles_mul(_s10, singles_add(singles_abs(vx), singles_abs(vy))), _c7)), _c2);
+    return (LANES(hoop_ring_grain_out)){ _s7, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s8, _s10, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s11), singles_mul(_c9, _s14), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s7), _s4))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(_c0, singles_add(singles_mul(_c0, _s12), singles_abs(vz))), _s15)), singles_mul(_c10, _s11), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s2), _s14), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s7), _c1), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s13, _c11), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
 }
 
 /* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
-   Newton from the left under a curvature bound. 237 operations: 42 additions, 20 subtractions, 82 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections. */
+   Newton from the left under a curvature bound. 220 operations: 38 additions, 19 subtractions, 72 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 29 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 33 selections. */
 typedef struct {
     S t;
     S end;
@@ -1553,7 +1476,7 @@ typedef struct {
 } LANES(hoop_ring_leap_out);
 
 LANES_INLINE LANES(hoop_ring_leap_out)
-LANES(hoop_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S jerk, S parting, S drift, S low1, S high1, S low2, S high2, S p_ball_radius, S p_ring_radius, S p_wire_radius, S p_gravity)
+LANES(hoop_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S jerk, S parting, S drift, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
 {
     const S _s0 = singles_add(tilt, singles_mul(grit, t));
     const S _s1 = singles_mul(t, _s0);
@@ -1568,63 +1491,57 @@ LANES(hoop_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx,
     const S _s10 = singles_div(KS(1.0), singles_mul(_s9, _s8));
     const S _s11 = singles_mul(_s8, _s10);
     const S _s12 = singles_mul(_s11, singles_add(singles_mul(t, _s5), singles_mul(KS(2.0), singles_add(singles_mul(vx, x), singles_mul(vy, y)))));
-    const S _s13 = singles_sub(vz, singles_mul(singles_mul(KS(0.5), p_gravity), t));
-    const S _s14 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, p_ring_radius)), singles_sub(_s5, singles_mul(drift, _s12))), _s11), singles_mul(_s12, _s12)), singles_mul(_s13, _s13));
-    const S _s15 = singles_add(parting, singles_mul(t, singles_sub(_s14, singles_mul(p_gravity, z))));
+    const S _s13 = singles_sub(vz, singles_mul(_c2, t));
+    const S _s14 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, _c0)), singles_sub(_s5, singles_mul(drift, _s12))), _s11), singles_mul(_s12, _s12)), singles_mul(_s13, _s13));
+    const S _s15 = singles_add(parting, singles_mul(t, singles_sub(_s14, singles_mul(_c1, z))));
     const S _s16 = singles_mul(_s9, _s10);
     const S _s17 = singles_mul(_s16, singles_add(singles_mul(vx, _s6), singles_mul(vy, _s7)));
-    const S _s18 = singles_sub(_s8, p_ring_radius);
-    const S _s19 = singles_sub(vz, singles_mul(p_gravity, t));
+    const S _s18 = singles_sub(_s8, _c0);
+    const S _s19 = singles_sub(vz, singles_mul(_c1, t));
     const S _s20 = singles_add(z, singles_mul(t, _s13));
     const S _s21 = singles_select(_s4, singles_sub(singles_mul(KS(2.0), _s15), parting), singles_mul(KS(2.0), singles_add(singles_mul(_s17, _s18), singles_mul(_s19, _s20))));
     const S _s22 = singles_select(_s4, singles_add(_s3, singles_mul(KS(2.0), _s0)), rate_margin);
     const S _s23 = singles_neg(singles_add(_s21, _s22));
     const S _s24 = singles_select(_s2, _s1, flat);
-    const S _s25 = singles_add(p_ball_radius, p_wire_radius);
-    const S _s26 = singles_sub(singles_select(_s2, singles_mul(t, _s15), singles_sub(singles_add(singles_mul(_s18, _s18), singles_mul(_s20, _s20)), singles_mul(_s25, _s25))), _s24);
-    const S _s27 = singles_max(_s26, KS(0.0));
-    const S _s28 = singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s24), _s27));
-    const S _s29 = singles_sub(_s21, _s22);
-    const S _s30 = singles_mul(KS(6.0), p_gravity);
-    const S _s31 = singles_mul(_s30, _s20);
-    const S _s32 = singles_mul(swing, singles_mul(_s16, singles_mul(_s16, _s16)));
-    const S _s33 = singles_sub(singles_add(_s31, _s32), steady);
-    const Q _s34 = singles_less(_s29, KS(0.0));
-    const S _s35 = singles_mul(KS(2.0), _s27);
-    const S _s36 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s29), _s27, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s34, singles_add(singles_mul(KS(8.0), _s24), _s35), singles_mul(KS(4.0), _s29)), singles_select(_s34, singles_neg(_s29), singles_max(KS(0.0), _s33))));
-    const S _s37 = singles_sub(end, t);
-    const S _s38 = singles_min(_s36, _s37);
-    const S _s39 = singles_mul(KS(1.00006103515625), _s25);
-    const S _s40 = singles_add(singles_add(singles_mul(KS(0.0001220703125), p_ball_radius), singles_mul(KS(0.0001220703125), p_wire_radius)), singles_add(singles_mul(_s38, singles_max(_s19, KS(0.0))), _s20));
-    const S _s41 = singles_mul(_s30, singles_min(_s39, _s40));
-    const S _s42 = singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s38);
-    const S _s43 = singles_sub(singles_sub(singles_add(singles_mul(_s38, singles_min(KS(0.0), _s17)), _s8), singles_mul(KS(0.0001220703125), _s42)), singles_mul(KS(9.5367431640625e-07), singles_add(p_ring_radius, _s39)));
-    const S _s44 = singles_sub(p_ring_radius, _s39);
-    const S _s45 = singles_mul(KS(0.0001220703125), p_ring_radius);
-    const S _s46 = singles_max(_s44, _s45);
-    const S _s47 = singles_div(KS(1.0), singles_max(_s43, _s46));
-    const S _s48 = singles_mul(swing, singles_mul(_s47, singles_mul(_s47, _s47)));
-    const S _s49 = singles_abs(steady);
-    const S _s50 = singles_sub(singles_add(singles_add(_s41, _s48), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s48, _s49), singles_abs(_s41)))), steady);
-    const S _s51 = singles_neg(_s19);
-    const S _s52 = singles_add(singles_mul(_s30, singles_add(singles_add(singles_mul(KS(0.000244140625), p_ball_radius), singles_mul(KS(0.000244140625), p_wire_radius)), singles_mul(singles_add(singles_mul(p_gravity, _s38), singles_max(_s51, KS(0.0))), _s38))), singles_mul(singles_mul(KS(3.0), singles_mul(_s32, _s16)), _s42));
-    const S _s53 = singles_add(steady, singles_add(_s52, singles_mul(KS(0.000244140625), singles_add(singles_add(_s49, singles_abs(_s31)), _s32))));
-    const S _s54 = singles_sub(singles_sub(_s53, _s31), _s32);
-    const S _s55 = singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s28, singles_mul(_s23, _s38)), singles_max(_s50, _s54), ceiling)), _s28));
-    const Q _s56 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s23), _s55, _s23));
-    const S _s57 = singles_add(singles_mul(singles_mul(KS(2.0), _s50), _s27), singles_mul(_s29, _s29));
-    const S _s58 = singles_sqrt(_s57);
-    const S _s59 = singles_select(singles_at_most(KS(0.0), _s57), singles_div(singles_select(_s34, _s35, singles_add(_s58, _s29)), singles_select(_s34, singles_sub(_s58, _s29), singles_max(KS(0.0), _s50))), KS(INFINITY));
-    const S _s60 = singles_min(_s59, _s38);
-    const S _s61 = singles_add(t, _s60);
-    const Q _s62 = singles_both(singles_not(_s56), singles_either(singles_both(singles_less(_s21, KS(0.0)), singles_at_most(_s26, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s61)))));
-    const Q _s63 = singles_not(singles_either(_s56, _s62));
-    const Q _s64 = singles_both(_s63, singles_at_most(_s37, _s60));
-    const S _s65 = singles_max(end, low1);
-    const Q _s66 = singles_less(_s65, high1);
-    const S _s67 = singles_max(end, low2);
-    const Q _s68 = singles_less(_s67, high2);
-    return (LANES(hoop_ring_leap_out)){ singles_select(_s64, singles_select(_s66, _s65, singles_select(_s68, _s67, KS(INFINITY))), singles_select(_s62, t, _s61)), singles_select(_s64, singles_select(_s66, high1, singles_select(_s68, high2, end)), end), singles_truth(_s56), singles_truth(singles_both(_s63, singles_either(singles_not(_s64), singles_either(singles_either(singles_nowhere(), _s68), _s66)))) };
+    const S _s25 = singles_sub(singles_select(_s2, singles_mul(t, _s15), singles_sub(singles_add(singles_mul(_s18, _s18), singles_mul(_s20, _s20)), _c3)), _s24);
+    const S _s26 = singles_max(_s25, KS(0.0));
+    const S _s27 = singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s24), _s26));
+    const S _s28 = singles_sub(_s21, _s22);
+    const S _s29 = singles_mul(_c4, _s20);
+    const S _s30 = singles_mul(swing, singles_mul(_s16, singles_mul(_s16, _s16)));
+    const S _s31 = singles_sub(singles_add(_s29, _s30), steady);
+    const Q _s32 = singles_less(_s28, KS(0.0));
+    const S _s33 = singles_mul(KS(2.0), _s26);
+    const S _s34 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s28), _s26, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s32, singles_add(singles_mul(KS(8.0), _s24), _s33), singles_mul(KS(4.0), _s28)), singles_select(_s32, singles_neg(_s28), singles_max(KS(0.0), _s31))));
+    const S _s35 = singles_sub(end, t);
+    const S _s36 = singles_min(_s34, _s35);
+    const S _s37 = singles_add(_c6, singles_add(singles_mul(_s36, singles_max(_s19, KS(0.0))), _s20));
+    const S _s38 = singles_mul(_c4, singles_min(_c5, _s37));
+    const S _s39 = singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s36);
+    const S _s40 = singles_sub(singles_sub(singles_add(singles_mul(_s36, singles_min(KS(0.0), _s17)), _s8), singles_mul(KS(0.0001220703125), _s39)), _c7);
+    const S _s41 = singles_div(KS(1.0), singles_max(_s40, _c8));
+    const S _s42 = singles_mul(swing, singles_mul(_s41, singles_mul(_s41, _s41)));
+    const S _s43 = singles_abs(steady);
+    const S _s44 = singles_sub(singles_add(singles_add(_s38, _s42), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s42, _s43), singles_abs(_s38)))), steady);
+    const S _s45 = singles_neg(_s19);
+    const S _s46 = singles_add(singles_mul(_c4, singles_add(_c9, singles_mul(singles_add(singles_mul(_c1, _s36), singles_max(_s45, KS(0.0))), _s36))), singles_mul(singles_mul(KS(3.0), singles_mul(_s30, _s16)), _s39));
+    const S _s47 = singles_add(steady, singles_add(_s46, singles_mul(KS(0.000244140625), singles_add(singles_add(_s43, singles_abs(_s29)), _s30))));
+    const S _s48 = singles_sub(singles_sub(_s47, _s29), _s30);
+    const S _s49 = singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s27, singles_mul(_s23, _s36)), singles_max(_s44, _s48), ceiling)), _s27));
+    const Q _s50 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s23), _s49, _s23));
+    const S _s51 = singles_add(singles_mul(singles_mul(KS(2.0), _s44), _s26), singles_mul(_s28, _s28));
+    const S _s52 = singles_sqrt(_s51);
+    const S _s53 = singles_select(singles_at_most(KS(0.0), _s51), singles_div(singles_select(_s32, _s33, singles_add(_s52, _s28)), singles_select(_s32, singles_sub(_s52, _s28), singles_max(KS(0.0), _s44))), KS(INFINITY));
+    const S _s54 = singles_min(_s53, _s36);
+    const S _s55 = singles_add(t, _s54);
+    const Q _s56 = singles_both(singles_not(_s50), singles_either(singles_both(singles_less(_s21, KS(0.0)), singles_at_most(_s25, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s55)))));
+    const Q _s57 = singles_not(singles_either(_s50, _s56));
+    const Q _s58 = singles_both(_s57, singles_at_most(_s35, _s54));
+    const S _s59 = singles_max(end, low1);
+    const Q _s60 = singles_less(_s59, high1);
+    const S _s61 = singles_max(end, low2);
+    const Q _s62 = singles_less(_s61, high2);
+    return (LANES(hoop_ring_leap_out)){ singles_select(_s58, singles_select(_s60, _s59, singles_select(_s62, _s61, KS(INFINITY))), singles_select(_s56, t, _s55)), singles_select(_s58, singles_select(_s60, high1, singles_select(_s62, high2, end)), end), singles_truth(_s50), singles_truth(singles_both(_s57, singles_either(singles_not(_s58), singles_either(singles_either(singles_nowhere(), _s62), _s60)))) };
 }
 
 /* Distance from the axis, its rate and that of the gap, at the start of a flight.
@@ -1636,25 +1553,24 @@ typedef struct {
 } LANES(hoop_ring_started_out);
 
 LANES_INLINE LANES(hoop_ring_started_out)
-LANES(hoop_ring_started)(V x, V y, V z, V vx, V vy, V vz, V p_ring_radius)
+LANES(hoop_ring_started)(V x, V y, V z, V vx, V vy, V vz, V _c0)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
     const V _s1 = lanes_div(lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)), _s0);
-    return (LANES(hoop_ring_started_out)){ _s0, lanes_mul(K(2.0), lanes_add(lanes_mul(vz, z), lanes_mul(_s1, lanes_sub(_s0, p_ring_radius)))), _s1 };
+    return (LANES(hoop_ring_started_out)){ _s0, lanes_mul(K(2.0), lanes_add(lanes_mul(vz, z), lanes_mul(_s1, lanes_sub(_s0, _c0)))), _s1 };
 }
 
 /* Positive where the bounds of the search do not hold.
-   bounds of the event condition. 12 operations: 2 additions, 4 subtractions, 4 multiplications, 1 comparison, 1 selection. */
+   bounds of the event condition. 6 operations: 1 addition, 2 subtractions, 1 multiplication, 1 comparison, 1 selection. */
 typedef struct {
     V lost;
 } LANES(hoop_ring_lost_out);
 
 LANES_INLINE LANES(hoop_ring_lost_out)
-LANES(hoop_ring_lost)(V horizon, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+LANES(hoop_ring_lost)(V horizon, V position_error, V velocity_error, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius)));
-    const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
-    return (LANES(hoop_ring_lost_out)){ lanes_max(_s0, _s1) };
+    const V _s0 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), _c1), _c2);
+    return (LANES(hoop_ring_lost_out)){ lanes_max(_c0, _s0) };
 }
 
 /* The first window that ends later than a time, if there is one, from then on.
@@ -1713,13 +1629,13 @@ typedef struct {
 } LANES(hoop_backboard_bounds_out);
 
 LANES_INLINE LANES(hoop_backboard_bounds_out)
-LANES(hoop_backboard_bounds)(V y, V z, V p_board_half_width, V p_board_bottom, V p_board_top)
+LANES(hoop_backboard_bounds)(V y, V z, V _c0, V _c1, V _c2)
 {
-    return (LANES(hoop_backboard_bounds_out)){ lanes_neg(lanes_add(p_board_half_width, y)), lanes_sub(y, p_board_half_width), lanes_sub(p_board_bottom, z), lanes_sub(z, p_board_top) };
+    return (LANES(hoop_backboard_bounds_out)){ lanes_neg(lanes_add(_c0, y)), lanes_sub(y, _c0), lanes_sub(_c1, z), lanes_sub(z, _c2) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
-   Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections. */
+   Eq. 3 in Table 2, solved. 8 operations: 1 subtraction, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections. */
 typedef struct {
     V time;
     V rate;
@@ -1729,27 +1645,27 @@ typedef struct {
 } LANES(hoop_backboard_arrival_out);
 
 LANES_INLINE LANES(hoop_backboard_arrival_out)
-LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V p_ball_radius, V p_board_distance)
+LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V _c0)
 {
-    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(x, lanes_sub(p_ball_radius, p_board_distance)));
+    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(x, _c0));
     return (LANES(hoop_backboard_arrival_out)){ lanes_neg(lanes_div(_s0, vx)), vx, K(0.0), lanes_select(lanes_at_most(lanes_abs(vx), K(0.0)), K(0.0), K(-1.0)), _s0 };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
-   running error analysis. 15 operations: 7 additions, 8 multiplications. */
+   running error analysis. 12 operations: 6 additions, 6 multiplications. */
 typedef struct {
     V margin;
 } LANES(hoop_backboard_margin_out);
 
 LANES_INLINE LANES(hoop_backboard_margin_out)
-LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_gravity)
+LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1)
 {
-    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
-    return (LANES(hoop_backboard_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_ball_radius), lanes_mul(K(8.890457814381136e-16), p_board_distance)), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c0, horizon))));
+    return (LANES(hoop_backboard_margin_out)){ lanes_add(lanes_add(_c1, lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
 /* The point of the contact plane nearest to a position.
-   Table 2. 1 operation: 1 subtraction. */
+   Table 2. No operations. */
 typedef struct {
     V x;
     V y;
@@ -1757,9 +1673,9 @@ typedef struct {
 } LANES(hoop_backboard_place_out);
 
 LANES_INLINE LANES(hoop_backboard_place_out)
-LANES(hoop_backboard_place)(V y, V z, V p_ball_radius, V p_board_distance)
+LANES(hoop_backboard_place)(V y, V z, V _c0)
 {
-    return (LANES(hoop_backboard_place_out)){ lanes_sub(p_ball_radius, p_board_distance), y, z };
+    return (LANES(hoop_backboard_place_out)){ _c0, y, z };
 }
 
 /* Where a contact counts (Eq. 2).
@@ -1825,13 +1741,13 @@ typedef struct {
 } LANES(hoop_bridge_bounds_out);
 
 LANES_INLINE LANES(hoop_bridge_bounds_out)
-LANES(hoop_bridge_bounds)(V x, V y, V p_ring_radius, V p_board_distance, V p_bridge_half_width)
+LANES(hoop_bridge_bounds)(V x, V y, V _c0, V _c1, V _c2)
 {
-    return (LANES(hoop_bridge_bounds_out)){ lanes_neg(lanes_add(p_bridge_half_width, y)), lanes_sub(y, p_bridge_half_width), lanes_sub(p_ring_radius, lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), x, lanes_neg(lanes_add(p_board_distance, x)) };
+    return (LANES(hoop_bridge_bounds_out)){ lanes_neg(lanes_add(_c2, y)), lanes_sub(y, _c2), lanes_sub(_c0, lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), x, lanes_neg(lanes_add(_c1, x)) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
-   Eq. 3 in Table 2, solved. 27 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 1 absolute value, 2 comparisons, 4 selections. */
+   Eq. 3 in Table 2, solved. 21 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 4 selections. */
 typedef struct {
     V time;
     V rate;
@@ -1841,32 +1757,31 @@ typedef struct {
 } LANES(hoop_bridge_arrival_out);
 
 LANES_INLINE LANES(hoop_bridge_arrival_out)
-LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V p_ball_radius, V p_wire_radius, V p_gravity)
+LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const M _s0 = lanes_less(K(0.0), leaving);
-    const V _s1 = lanes_select(_s0, K(0.0), lanes_sub(z, lanes_add(p_ball_radius, p_wire_radius)));
-    const V _s2 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s1));
+    const V _s1 = lanes_select(_s0, K(0.0), lanes_sub(z, _c1));
+    const V _s2 = lanes_add(lanes_mul(vz, vz), lanes_mul(_c2, _s1));
     const V _s3 = lanes_select(_s0, lanes_abs(vz), lanes_sqrt(_s2));
     const M _s4 = lanes_less(vz, K(0.0));
-    const V _s5 = lanes_neg(lanes_div(K(1.0), p_gravity));
-    return (LANES(hoop_bridge_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), p_gravity)), lanes_neg(_s3), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s5)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s5), _s2)) };
+    return (LANES(hoop_bridge_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), _c0)), lanes_neg(_s3), _c3, lanes_neg(lanes_mul(vz, _c4)), lanes_neg(lanes_mul(_c5, _s2)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
-   running error analysis. 15 operations: 7 additions, 8 multiplications. */
+   running error analysis. 12 operations: 6 additions, 6 multiplications. */
 typedef struct {
     V margin;
 } LANES(hoop_bridge_margin_out);
 
 LANES_INLINE LANES(hoop_bridge_margin_out)
-LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_wire_radius, V p_gravity)
+LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1)
 {
-    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
-    return (LANES(hoop_bridge_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_ball_radius), lanes_mul(K(6.667843360785852e-16), p_wire_radius)), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c0, horizon))));
+    return (LANES(hoop_bridge_margin_out)){ lanes_add(lanes_add(_c1, lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
 /* The point of the contact plane nearest to a position.
-   Table 2. 1 operation: 1 addition. */
+   Table 2. No operations. */
 typedef struct {
     V x;
     V y;
@@ -1874,9 +1789,9 @@ typedef struct {
 } LANES(hoop_bridge_place_out);
 
 LANES_INLINE LANES(hoop_bridge_place_out)
-LANES(hoop_bridge_place)(V x, V y, V p_ball_radius, V p_wire_radius)
+LANES(hoop_bridge_place)(V x, V y, V _c0)
 {
-    return (LANES(hoop_bridge_place_out)){ x, y, lanes_add(p_ball_radius, p_wire_radius) };
+    return (LANES(hoop_bridge_place_out)){ x, y, _c0 };
 }
 
 /* Where a contact counts (Eq. 2).
@@ -1921,7 +1836,7 @@ LANES(hoop_end_normal)(void)
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
-   Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections. */
+   Eq. 3 in Table 2, solved. 21 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 4 selections. */
 typedef struct {
     V time;
     V rate;
@@ -1931,28 +1846,27 @@ typedef struct {
 } LANES(hoop_end_arrival_out);
 
 LANES_INLINE LANES(hoop_end_arrival_out)
-LANES(hoop_end_arrival)(V leaving, V z, V vz, V p_gravity, V p_end_depth)
+LANES(hoop_end_arrival)(V leaving, V z, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const M _s0 = lanes_less(K(0.0), leaving);
-    const V _s1 = lanes_select(_s0, K(0.0), lanes_sub(z, lanes_neg(p_end_depth)));
-    const V _s2 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s1));
+    const V _s1 = lanes_select(_s0, K(0.0), lanes_sub(z, _c1));
+    const V _s2 = lanes_add(lanes_mul(vz, vz), lanes_mul(_c2, _s1));
     const V _s3 = lanes_select(_s0, lanes_abs(vz), lanes_sqrt(_s2));
     const M _s4 = lanes_less(vz, K(0.0));
-    const V _s5 = lanes_neg(lanes_div(K(1.0), p_gravity));
-    return (LANES(hoop_end_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), p_gravity)), lanes_neg(_s3), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s5)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s5), _s2)) };
+    return (LANES(hoop_end_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), _c0)), lanes_neg(_s3), _c3, lanes_neg(lanes_mul(vz, _c4)), lanes_neg(lanes_mul(_c5, _s2)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
-   running error analysis. 13 operations: 6 additions, 7 multiplications. */
+   running error analysis. 12 operations: 6 additions, 6 multiplications. */
 typedef struct {
     V margin;
 } LANES(hoop_end_margin_out);
 
 LANES_INLINE LANES(hoop_end_margin_out)
-LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity, V p_end_depth)
+LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1)
 {
-    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
-    return (LANES(hoop_end_margin_out)){ lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_end_depth), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c0, horizon))));
+    return (LANES(hoop_end_margin_out)){ lanes_add(lanes_add(_c1, lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
 /* The bounds of the ends on a plane: the first whose bounds all hold is reached.
@@ -1962,9 +1876,9 @@ typedef struct {
 } LANES(hoop_end_bounds_out);
 
 LANES_INLINE LANES(hoop_end_bounds_out)
-LANES(hoop_end_bounds)(V x, V y, V p_ring_radius)
+LANES(hoop_end_bounds)(V x, V y, V _c0)
 {
-    return (LANES(hoop_end_bounds_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius) };
+    return (LANES(hoop_end_bounds_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), _c0) };
 }
 
 /* The end that a crossing reaches.

@@ -7,41 +7,25 @@ of its list into the lanes that are done. What was found goes back to the row it
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from hoopgen.derive.ground.kernel import Kind
 from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, live_before, writes
 
-from .groups import CGroups, Frame
-from .loop import TYPES, Apart, carried, repeats, scope
-
-LOADED: dict[Kind, str] = {
-    "double": "lanes_load({})",
-    "single": "singles_load({})",
-    "truth": "lanes_less(K(0.0), lanes_load({}))",
-}
-STORED: dict[Kind, str] = {
-    "double": "lanes_store({}, {})",
-    "single": "singles_store({}, {})",
-    "truth": "lanes_store({}, lanes_select({}, K(1.0), K(0.0)))",
-}
-PACKED: dict[Kind, str] = {
-    "double": "lanes_pack({}, packed, {})",
-    "single": "singles_pack({}, packed, {})",
-    "truth": "lanes_pack({}, packed, lanes_select({}, K(1.0), K(0.0)))",
-}
-EXPANDED: dict[Kind, str] = {
-    "double": "lanes_expand({0}, idle, {1})",
-    "single": "singles_expand({0}, idle, {1})",
-    "truth": "lanes_less(K(0.0), lanes_expand({0}, idle, lanes_select({1}, K(1.0), K(0.0))))",
-}
-"""How columns of each kind are read and written: a truth is a number that is not zero."""
-NONE: dict[Kind, str] = {"double": "K(0.0)", "single": "KS(0.0)", "truth": "lanes_nowhere()"}
-
-_ROWS = re.compile(r"\brows\b")
-"""Where the mask of a pass is used."""
+from .apart import CApart
+from .groups import Frame
+from .loop import (
+    EXPANDED,
+    LOADED,
+    NONE,
+    PACKED,
+    STORED,
+    TYPES,
+    carried,
+    repeats,
+    scope,
+)
 
 
 @dataclass(frozen=True)
@@ -55,19 +39,11 @@ class Note:
 
 
 @dataclass
-class CLists(CGroups):
+class CLists(CApart):
     """Passes over lists, printed stage by stage.
 
     Attributes
     ----------
-    job
-        What has one value for all.
-    variant
-        Of the loop, as its functions have it in their names.
-    columns
-        By array, in order, what it holds: what the struct of the lists has room for.
-    apart
-        The bodies that are functions, each after those that it calls.
     beside
         A line for the first pass to come: what is done beside it.
     frame
@@ -76,10 +52,6 @@ class CLists(CGroups):
         By what is of the row at hand of a table, the array that has its values, as if a parameter.
     """
 
-    job: Sequence[str] = ()
-    variant: str = ""
-    columns: dict[str, Kind] = field(default_factory=dict)
-    apart: list[Apart] = field(default_factory=list)
     beside: str = ""
     frame: Frame = field(default_factory=lambda: Frame("", {}))
     bases: dict[str, str] = field(default_factory=dict)
@@ -125,16 +97,6 @@ class CLists(CGroups):
         if start < len(nodes):
             last = _within(note, start, len(nodes))
             self._pass(nodes[start:], frame, after, None, last)
-
-    def _set_apart(self, name: str, frame: Frame, first: int) -> None:
-        """Make a function of the lines from one on, and call it where it has any shots."""
-        lines = self.lines[first:]
-        words = set(re.findall(r"\w+", "\n".join(lines)))
-        kinds = {frame.count: "size_t", "varying": "size_t"} | dict.fromkeys(self.job, "V")
-        given = {value: kind for value, kind in kinds.items() if value in words}
-        self.apart.append(Apart(name, given, lines))
-        call = f"LANES({self.prefix}_{self.variant}_{name})({', '.join(('lists', *given))});"
-        self.lines[first:] = [f"if ({frame.count})", f"    {call}"]
 
     def _table_rows(self, node: Each, frame: Frame, later: set[str]) -> None:
         """Print passes for each row of a table."""
@@ -230,10 +192,10 @@ class CLists(CGroups):
             line(f"    {self.beside}")
             self.beside = ""
         known: dict[str, Kind] = dict.fromkeys(self.job, "double")
+        self._fix(nodes, frame)
+        loads = len(self.lines)
         for name in sorted(need):
-            if name in self.parameters:
-                line(f"    const V {name} = {self._parameter(frame, name)};")
-            elif name in frame.known:
+            if name in frame.known:
                 known[name] = frame.known[name]
                 value = LOADED[known[name]].format(f"{frame.column(name)} + i")
                 line(f"    {TYPES[known[name]]} {name} = {value};")
@@ -245,9 +207,14 @@ class CLists(CGroups):
             line(f"    {STORED[kind].format(f'{frame.column(name)} + i', name)};")
             frame.known[name] = kind
         if cut:
-            self._pack(cut, own, takes, known)
+            self._pack(cut, frame, own, takes, known)
         line("}")
-        if any(_ROWS.search(text) for text in self.lines[first:]):
+        self.lines[loads:loads] = [
+            f"    const V {name} = {self._parameter(frame, name)};"
+            for name in sorted(need & set(self.parameters))
+            if self._read(name, loads)
+        ]
+        if self._read("rows", first):
             self.lines.insert(first, f"    const M rows = lanes_first({frame.count} - i);")
         return own
 
@@ -274,9 +241,15 @@ class CLists(CGroups):
         return f"lanes_load(varying ? {frame.column(name)} + {row} : {shared})"
 
     def _pack(
-        self, cut: Guard | Repeat, own: Frame, takes: Iterable[str], known: dict[str, Kind]
+        self,
+        cut: Guard | Repeat,
+        frame: Frame,
+        own: Frame,
+        takes: Iterable[str],
+        known: dict[str, Kind],
     ) -> None:
         line = self.lines.append
+        seldom: list[str] = []
         line(f"    const M packed = lanes_both(rows, {cut.truth});")
         line("    if (lanes_any(packed)) {")
         line(
@@ -290,13 +263,15 @@ class CLists(CGroups):
             self._column(own, name, known[name])
             place = f"{own.column(name)} + {own.count}"
             if name in self.parameters:
-                line("        if (varying)")
-                line(f"            lanes_pack({place}, packed, {name});")
+                value = self._parameter(frame, name)
+                seldom.append(f"            lanes_pack({place}, packed, {value});")
             elif isinstance(cut, Repeat) and name == cut.truth:
                 continue
             else:
                 line(f"        {PACKED[known[name]].format(place, name)};")
                 own.known[name] = known[name]
+        if seldom:
+            self.lines += ["        if (LANES_SELDOM(varying)) {", *seldom, "        }"]
         line(f"        {own.count} += lanes_many(packed);")
         line("    }")
 
@@ -312,14 +287,12 @@ class CLists(CGroups):
     def _turns(self, node: Repeat, frame: Frame, own: Frame, later: set[str]) -> None:
         """Print a body that repeats, the lanes that are done given the next shots of the list."""
         scoped = scope(node, later)
-        parameters = [name for name in scoped.takes if name in self.parameters]
         line = self.lines.append
         line("{")
         line("    size_t taken = 0, busy = 0;")
         line("    M active = lanes_nowhere();")
         line("    V row = K(0.0), turns = K(0.0);")
-        for name in parameters:
-            line(f"    V {name} = lanes_load({self.bases.get(name, f'lists->{name}')});")
+        loads = len(self.lines)
         for name, kind in own.known.items():
             line(f"    {TYPES[kind]} {name} = {NONE[kind]};")
         line("    for (;;) {")
@@ -330,12 +303,8 @@ class CLists(CGroups):
         for name, kind in own.known.items():
             value = EXPANDED[kind].format(f"{own.column(name)} + taken", name)
             line(f"            {name} = {value};")
-        if parameters:
-            line("            if (varying) {")
-            for name in parameters:
-                place = f"{own.column(name)} + taken"
-                line(f"                {name} = lanes_expand({place}, idle, {name});")
-            line("            }")
+        expands = len(self.lines)
+        self._fix(node.body, own, turning=True)
         line(f"            const size_t room = LANES_WIDTH - busy, left = {own.count} - taken;")
         line("            active = lanes_leading(idle, left, active);")
         line("            taken += left < room ? left : room;")
@@ -347,6 +316,7 @@ class CLists(CGroups):
         known |= own.known
         known[node.truth] = "truth"
         line(f"        M {node.truth} = active;")
+        first = len(self.lines)
         self._body(
             node.body,
             known,
@@ -355,6 +325,20 @@ class CLists(CGroups):
             "        ",
             set(scoped.gives) | set(scoped.takes) | {node.truth},
         )
+        read = [
+            name for name in scoped.takes if name in self.parameters and self._read(name, first)
+        ]
+        self.lines[expands:expands] = [
+            text
+            for name in read
+            for text in (
+                "            if (varying)",
+                f"                {name} = lanes_expand({own.column(name)} + taken, idle, {name});",
+            )
+        ]
+        self.lines[loads:loads] = [
+            f"    V {name} = lanes_load({self.bases.get(name, f'lists->{name}')});" for name in read
+        ]
         line("        turns = lanes_add(turns, K(1.0));")
         line(
             f"        const M ended = lanes_both(active, lanes_not(lanes_both({node.truth}, "

@@ -22,6 +22,7 @@ from hoopgen.derive.ground.tree import (
     writes,
 )
 
+from .fixed import Fixed
 from .printers import C_SINGLE, C, Spelling, constant
 
 TYPES: dict[Kind, str] = {"double": "V", "single": "S", "truth": "M"}
@@ -84,18 +85,6 @@ def scope(node: Guard | Repeat, after: Iterable[str]) -> Scope:
     return Scope(*(tuple(sorted(names)) for names in (takes, gives, keeps)))
 
 
-@dataclass(frozen=True)
-class Apart:
-    """A rare body that is a function of its own: its name, what it is given, and its lines.
-
-    In the long function of all the others it would take registers from what most shots do.
-    """
-
-    name: str
-    given: dict[str, str]
-    lines: list[str]
-
-
 @dataclass
 class Printer:
     """What printing to any target has in common."""
@@ -128,7 +117,15 @@ class Printer:
 
 @dataclass
 class CLoop(Printer):
-    """Lanes: `lanes_any` skips a body, `lanes_select` keeps the other lanes as they are."""
+    """Lanes: `lanes_any` skips a body, `lanes_select` keeps the other lanes as they are.
+
+    Attributes
+    ----------
+    fixed
+        What kernels are given ready made.
+    """
+
+    fixed: Fixed = field(default_factory=Fixed)
 
     def stage(
         self,
@@ -217,7 +214,8 @@ class CLoop(Printer):
     ) -> None:
         name = f"LANES({self.prefix}_{node.kernel.name})"
         single = node.kernel.single
-        given = ", ".join(self._given(value, known, single) for value in node.arguments)
+        values = [self._given(value, known, single) for value in node.arguments]
+        given = ", ".join(self.fixed.given(node, values))
         result = self.fresh("o")
         self.lines.append(f"{indent}const LANES({self.prefix}_{node.kernel.name}_out) {result} =")
         self.lines.append(f"{indent}    {name}({given});")
@@ -244,6 +242,29 @@ class CLoop(Printer):
     def _value(self, value: str | float) -> str:
         return value if isinstance(value, str) else constant(float(value), C)
 
+
+LOADED: dict[Kind, str] = {
+    "double": "lanes_load({})",
+    "single": "singles_load({})",
+    "truth": "lanes_less(K(0.0), lanes_load({}))",
+}
+STORED: dict[Kind, str] = {
+    "double": "lanes_store({}, {})",
+    "single": "singles_store({}, {})",
+    "truth": "lanes_store({}, lanes_select({}, K(1.0), K(0.0)))",
+}
+PACKED: dict[Kind, str] = {
+    "double": "lanes_pack({}, packed, {})",
+    "single": "singles_pack({}, packed, {})",
+    "truth": "lanes_pack({}, packed, lanes_select({}, K(1.0), K(0.0)))",
+}
+EXPANDED: dict[Kind, str] = {
+    "double": "lanes_expand({0}, idle, {1})",
+    "single": "singles_expand({0}, idle, {1})",
+    "truth": "lanes_less(K(0.0), lanes_expand({0}, idle, lanes_select({1}, K(1.0), K(0.0))))",
+}
+"""How columns of each kind are read and written: a truth is a number that is not zero."""
+NONE: dict[Kind, str] = {"double": "K(0.0)", "single": "KS(0.0)", "truth": "lanes_nowhere()"}
 
 CHOSEN: dict[Kind, str] = {
     "double": "lanes_select({}, {}, {})",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from .program import Program
+from .program import Operations
 
 
 @dataclass(frozen=True)
@@ -169,9 +169,9 @@ class Constants:
     def __init__(self) -> None:
         self._names: dict[str, str] = {}
 
-    def of(self, program: Program, value: float, meets_rows: bool) -> str:
+    def of(self, program: Operations, value: float, meets_rows: bool) -> str:
         """Return the name of a number of a program, or how it is written."""
-        single = [_number_of(program)] if program.kernel.single else []
+        single = [_number_of(program)] if program.single else []
         return self.name(value, *["_scalar"] * meets_rows, *single)
 
     def name(self, value: float, *makers: str) -> str:
@@ -189,12 +189,14 @@ class Constants:
         return [f"{name} = {made}" for made, name in self._names.items()]
 
 
-def _number_of(program: Program) -> str:
+def _number_of(program: Operations) -> str:
     """Return what makes a number of NumPy, in the precision of a program."""
-    return "_float32" if program.kernel.single else "_float64"
+    return "_float32" if program.single else "_float64"
 
 
-def print_program(program: Program, spelling: Spelling, constants: Constants | None = None) -> Body:
+def print_program(
+    program: Operations, spelling: Spelling, constants: Constants | None = None
+) -> Body:
     """Return the statements and output expressions of a program in one target's spelling.
 
     With constants its numbers are NumPy's throughout: one of Python's cannot be divided by zero.

@@ -75,24 +75,23 @@ class Operation:
 
 
 @dataclass
-class Program:
-    """A kernel, lowered.
+class Operations:
+    """Operations in an order in which each comes after its operands; no two are equal.
 
     Attributes
     ----------
-    kernel
-        What it computes.
     operations
-        In an order in which each comes after its operands.
+        All of them.
     outputs
-        Indices of the kernel's outputs.
+        Indices of those that are wanted.
+    single
+        Whether they are of single precision.
     """
 
-    kernel: Kernel
     operations: list[Operation] = field(default_factory=list)
     outputs: list[int] = field(default_factory=list)
+    single: bool = False
     _index: dict[Operation, int] = field(default_factory=dict)
-    _lowered: dict[sp.Basic, int] = field(default_factory=dict)
 
     @property
     def cost(self) -> Counter[str]:
@@ -104,12 +103,48 @@ class Program:
         parts = ((("less", "select") if n in ("max", "min") else (n,)) for n in names)
         return Counter(part for several in parts for part in several)
 
-    def _add(self, name: str, *operands: int, symbol: str = "", value: float = 0.0) -> int:
-        operation = Operation(name, operands, symbol, value)
+    def add(self, operation: Operation) -> int:
+        """Return the index of an operation, appended if it is new."""
         if operation not in self._index:
             self._index[operation] = len(self.operations)
             self.operations.append(operation)
         return self._index[operation]
+
+    def _add(self, name: str, *operands: int, symbol: str = "", value: float = 0.0) -> int:
+        return self.add(Operation(name, operands, symbol, value))
+
+    def named(self) -> set[int]:
+        """Return the operations that are worth a line of their own."""
+        uses = Counter(operand for o in self.operations for operand in o.operands)
+        # A target without maxima and minima writes their operands twice.
+        uses.update(k for o in self.operations if o.name in ("max", "min") for k in o.operands)
+        uses.update(self.outputs)
+        depth: list[int] = []
+        named: set[int] = set()
+        for index, operation in enumerate(self.operations):
+            if operation.is_free:
+                depth.append(0)
+                continue
+            own = 1 + max(depth[operand] for operand in operation.operands)
+            if uses[index] > 1 or own >= INLINE_DEPTH:
+                named.add(index)
+                own = 0
+            depth.append(own)
+        return named
+
+
+@dataclass(kw_only=True)
+class Program(Operations):
+    """A kernel, lowered.
+
+    Attributes
+    ----------
+    kernel
+        What it computes.
+    """
+
+    kernel: Kernel
+    _lowered: dict[sp.Basic, int] = field(default_factory=dict)
 
     def lower(self, expression: sp.Basic) -> int:
         """Append what computes `expression` and return its index."""
@@ -222,25 +257,6 @@ class Program:
         assert result is not None  # SymPy has turned a zeroth power into 1
         return result
 
-    def named(self) -> set[int]:
-        """Return the operations that are worth a line of their own."""
-        uses = Counter(operand for o in self.operations for operand in o.operands)
-        # A target without maxima and minima writes their operands twice.
-        uses.update(k for o in self.operations if o.name in ("max", "min") for k in o.operands)
-        uses.update(self.outputs)
-        depth: list[int] = []
-        named: set[int] = set()
-        for index, operation in enumerate(self.operations):
-            if operation.is_free:
-                depth.append(0)
-                continue
-            own = 1 + max(depth[operand] for operand in operation.operands)
-            if uses[index] > 1 or own >= INLINE_DEPTH:
-                named.add(index)
-                own = 0
-            depth.append(own)
-        return named
-
 
 def lower(kernel: Kernel) -> Program:
     """Return the program of a kernel.
@@ -250,7 +266,7 @@ def lower(kernel: Kernel) -> Program:
     TypeError
         If an expression holds something that is not exactly rounded by IEEE 754 doubles.
     """
-    program = Program(kernel)
+    program = Program(kernel=kernel, single=kernel.single)
     for argument in kernel.arguments:
         program.lower(argument)
     program.outputs = [program.lower(expression) for expression in kernel.expressions]

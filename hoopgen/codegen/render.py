@@ -25,6 +25,7 @@ from hoopgen.outputs import write
 
 from .alone import Alone
 from .derivation import derivation_context
+from .fixed import Split, splits
 from .loop import TYPES, weighted
 from .names import FILTERS, identifier
 from .numpy_loop import local
@@ -40,7 +41,7 @@ from .printers import (
     constant,
     print_program,
 )
-from .program import Program, lower
+from .program import Operations, Program, lower
 from .rows import print_in_rows
 from .view import loop_view
 
@@ -92,6 +93,7 @@ class KernelView:
     numpy: Body
     alone: Body
     c: Body
+    c_cost: str
     js: Body
     c_arguments: list[str]
     c_outputs: list[tuple[str, str]]
@@ -142,7 +144,7 @@ class ResultView:
         return C_TYPES.get(self.result.dtype, "double")
 
 
-def describe_cost(program: Program) -> str:
+def describe_cost(program: Operations) -> str:
     """Return the operation count of a program as a sentence."""
     words: dict[str, int] = {}
     for name, count in program.cost.items():
@@ -155,8 +157,12 @@ def describe_cost(program: Program) -> str:
     return f"{total} operation{'s' * (total > 1)}: {', '.join(parts)}."
 
 
-def _kernel_view(program: Program, in_loop: bool, constants: Constants) -> KernelView:
+def _kernel_view(
+    program: Program, in_loop: bool, constants: Constants, split: Split | None = None
+) -> KernelView:
     kernel: Kernel = program.kernel
+    rest = split.rest if split else program
+    kept = range(len(kernel.arguments)) if split is None else split.kept
     spelling, numpy = (C_SINGLE, NUMPY_SINGLE) if kernel.single else (C, NUMPY)
     return KernelView(
         kernel.name,
@@ -168,12 +174,14 @@ def _kernel_view(program: Program, in_loop: bool, constants: Constants) -> Kerne
         kernel.single,
         (print_in_rows(program, constants) if in_loop else None) or print_program(program, numpy),
         print_program(program, ALONE, constants),
-        print_program(program, spelling),
+        print_program(rest, spelling),
+        describe_cost(rest),
         print_program(program, JS),
         [
             f"{'M' if isinstance(a, Truth) else spelling.number} {identifier(a)}"
-            for a in kernel.arguments
-        ],
+            for a in (kernel.arguments[k] for k in kept)
+        ]
+        + [f"{spelling.number} _c{k}" for k in range(len(split.made) if split else 0)],
         [(TYPES[kind], n) for n, kind in zip(kernel.output_names, kernel.kinds, strict=True)],
     )
 
@@ -240,14 +248,19 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
     programs = [lower(kernel) for kernel in model.kernels]
     called = model.loop.called
     constants = Constants()
-    views = {p.kernel.name: _kernel_view(p, p.kernel.name in called, constants) for p in programs}
+    plain = model.loop.plain()
+    ready = splits(programs, (plain, model.loop))
+    views = {
+        p.kernel.name: _kernel_view(p, p.kernel.name in called, constants, ready.get(p.kernel.name))
+        for p in programs
+    }
     rows = {name: view.numpy.rows for name, view in views.items() if view.numpy.rows}
     derivation = derivation_hash(programs)
     costs = {p.kernel.name: weighted(p.cost) for p in programs}
     alone = Alone(constants)
     loops = [
-        loop_view(scene.name, costs, rows, alone, model.loop.plain(), bounds=False),
-        loop_view(scene.name, costs, rows, alone, model.loop, bounds=True),
+        loop_view(scene.name, costs, rows, alone, ready, plain, bounds=False),
+        loop_view(scene.name, costs, rows, alone, ready, model.loop, bounds=True),
     ]
     environment = _environment()
     context: dict[str, Any] = {

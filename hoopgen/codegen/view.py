@@ -12,9 +12,11 @@ from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.ground.tree import Do, Node, live_before, needed, reads, writes
 
 from .alone import Alone
+from .apart import Apart
+from .fixed import Fixed, Split
 from .groups import Frame
 from .lists import CLists, Note
-from .loop import Apart, CLoop
+from .loop import CLoop
 from .numpy_loop import NumPyLoop, local
 from .printers import NUMPY, C
 
@@ -32,7 +34,10 @@ class LoopView:
     fields
         What a shot has.
     c
-        The lines of C: `permit`, `once` for a job, `admit`, and `follow`, what comes after those.
+        The lines of C: `permit`, and `permitted`, where it is asked; `fixed` and `once` for a job,
+        `admit`, and `follow`, what comes after those.
+    c_fixed
+        By array, how many rows there are of what kernels are given ready made.
     c_columns
         The columns that those need beside the fields, and what each holds.
     c_apart
@@ -47,6 +52,7 @@ class LoopView:
     bounds: bool
     fields: tuple[Field, ...]
     c: dict[str, list[str]]
+    c_fixed: dict[str, int]
     c_columns: dict[str, Kind]
     c_apart: list[Apart]
     numpy: dict[str, list[str]]
@@ -58,13 +64,14 @@ def loop_view(
     costs: Mapping[str, int],
     rows: Collection[str],
     alone: Alone,
+    splits: Mapping[str, Split],
     loop: Loop,
     bounds: bool,
 ) -> LoopView:
     """Return the loop, printed.
 
     `rows` are the kernels that NumPy gives rows to write into; `alone` has its functions for one
-    shot, and is given more.
+    shot, and is given more; `splits` are the kernels that C gives what is ready made.
     """
     names = [field.name for field in loop.fields]
     available = {*names, *loop.parameters, *loop.job}
@@ -74,7 +81,7 @@ def loop_view(
         name,
         bounds,
         loop.fields,
-        *_in_c(prefix, name, costs, loop, stages),
+        *_in_c(prefix, name, costs, loop, stages, Fixed(splits)),
         {},
         {},
     )
@@ -91,32 +98,39 @@ def loop_view(
 
 
 def _in_c(
-    prefix: str, variant: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage]
-) -> tuple[dict[str, list[str]], dict[str, Kind], list[Apart]]:
-    """Return the lines of C, the columns that they need beside the fields, and functions."""
+    prefix: str,
+    variant: str,
+    costs: Mapping[str, int],
+    loop: Loop,
+    stages: Mapping[str, Stage],
+    fixed: Fixed,
+) -> tuple[dict[str, list[str]], dict[str, int], dict[str, Kind], list[Apart]]:
+    """Return the lines of C, what they need beside the fields, and functions."""
     fields: dict[str, Kind] = dict.fromkeys((field.name for field in loop.fields), "double")
     permit = CLoop(prefix, costs, C)
     permitting = needed(stages["permit"][0], {"permitted"})
     permit.stage(permitting, dict.fromkeys(loop.parameters, "double"), "", {"permitted"})
-    admit = CLists(prefix, costs, C, parameters=loop.parameters, job=loop.job)
+    admit = CLists(
+        prefix,
+        costs,
+        C,
+        fixed=fixed,
+        parameters=loop.parameters,
+        job=loop.job,
+        variant=variant,
+        columns={"permitted": "double"},
+    )
     measuring = [node for node in stages["permit"][0] if "measured" in writes([node])]
-    # Of many bodies the parameters are many: they are loaded where they are needed alone.
-    loaded = [f"lanes_load(lists->{name} + i)" for name in loop.parameters]
-    given = ", ".join(loaded if measuring else loop.parameters)
-    admit.once += [f"const V all_{line}" for line in _measured(prefix, measuring, "")]
     permitted = Note(
         0,
         (
-            "M permitted = all_permitted;",
-            *(["V measured = all_measured;"] if measuring else []),
-            "if (varying) {" if measuring else "if (varying)",
-            f"    permitted = LANES({prefix}_permit)({given});",
-            *(f"    {line}" for line in _measured(prefix, measuring, " + i")),
-            *(["}"] if measuring else []),
+            "M permitted = lanes_less(K(0.0), lanes_load(lists->permitted + (i & varying)));",
+            *(["V measured = lanes_load(lists->measured + (i & varying));"] if measuring else []),
         ),
-        frozenset() if measuring else frozenset(loop.parameters),
+        frozenset(),
         {"permitted": "truth", **({"measured": "double"} if measuring else {})},
     )
+    admit.columns |= {"measured": "double"} if measuring else {}
     admit.passes(stages["admit"][0], Frame("", dict(fields), "fresh"), fields, permitted)
     (reach, _), (meet, _) = stages["reach"], stages["meet"]
     stored = "lanes_store(lists->body + i, body);"
@@ -137,6 +151,7 @@ def _in_c(
         C,
         counter=admit.counter,
         once=admit.once,
+        fixed=fixed,
         parameters=loop.parameters,
         job=loop.job,
         variant=variant,
@@ -147,20 +162,28 @@ def _in_c(
     columns = {name: kind for name, kind in beside.items() if name not in fields}
     lines = {
         "permit": permit.lines,
+        "permitted": _permitted(prefix, loop.parameters, measuring),
+        "fixed": [
+            *(f"const V {p} = lanes_load(lists->{p});" for p in fixed.reads(fixed.all)),
+            *fixed.lines(fixed.all),
+        ],
         "once": follow.once,
         "admit": admit.lines,
         "follow": follow.lines,
     }
-    return lines, columns, follow.apart
+    return lines, fixed.counts, columns, [*admit.apart, *follow.apart]
 
 
-def _measured(prefix: str, nodes: Iterable[Node], row: str) -> list[str]:
-    """Return the lines that measure the parameters of a row."""
-    lines = []
-    for node in nodes:
+def _permitted(prefix: str, parameters: Iterable[str], measuring: Iterable[Node]) -> list[str]:
+    """Return the lines that look at the parameters of a row of lanes, `row` being the first."""
+    given = ", ".join(f"lanes_load(lists->{name} + row)" for name in parameters)
+    permitted = f"lanes_select(LANES({prefix}_permit)({given}), K(1.0), K(0.0))"
+    lines = [f"lanes_store(lists->permitted + row, {permitted});"]
+    for node in measuring:
         assert isinstance(node, Do)
-        given = ", ".join(f"lanes_load(lists->{value}{row})" for value in node.arguments)
-        lines.append(f"measured = LANES({prefix}_{node.kernel.name})({given}).measured;")
+        sizes = ", ".join(f"lanes_load(lists->{value} + row)" for value in node.arguments)
+        measured = f"LANES({prefix}_{node.kernel.name})({sizes}).measured"
+        lines.append(f"lanes_store(lists->measured + row, {measured});")
     return lines
 
 
